@@ -25,8 +25,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes
-constexpr int kDeepest = 12;                            // a scene stands in an entry in a list
+constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes of the largest batch file
+// the deepest nesting: a scene inside an entry inside a list
+constexpr int kDeepest = 12;
 constexpr std::size_t kMostItems = 1000;
 
 struct Sweep {
@@ -57,7 +58,7 @@ std::string textOf(const Json& object, const char* key, const std::string& other
   return found->get<std::string>();
 }
 
-/// Returns the value as --set takes it.
+/// Returns the value in the form that --set takes.
 std::string assigned(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -90,7 +91,7 @@ std::vector<std::string> rangeOf(const std::string& key, const Json& range) {
   return texts;
 }
 
-/// Throws InputError where no scene has this key; `where` names it.
+/// Throws InputError where no scene has this key; the error names the place `where`.
 void checkSceneKey(const std::string& key, const std::string& where) {
   if (findParameter(key)) return;
   const std::string_view nearest = nearestKey(key);
@@ -98,7 +99,8 @@ void checkSceneKey(const std::string& key, const std::string& where) {
                                 : fmt::format("unknown key; the nearest known one is {}", nearest));
 }
 
-/// What is wrong with a sweep is wrong with the batch: its key begins with "sweep".
+/// Reads the sweeps of an entry. An error in a sweep names the batch's key, which begins with
+/// "sweep".
 std::vector<Sweep> sweepsOf(const Json& entry) {
   std::vector<Sweep> sweeps;
   const auto found = entry.find("sweep");
@@ -118,7 +120,7 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
   return sweeps;
 }
 
-/// "H = 0.3, F = 10 mN": what tells a scene from the others of its sweep.
+/// Returns the values by which a scene differs from the others of its sweep: "H = 0.3, F = 10 mN".
 Message variedInWords(const BatchItem& item) {
   std::vector<Message> parts;
   for (const auto& [key, value] : item.varied) {
@@ -161,7 +163,7 @@ class Entry {
     for (const auto& [key, value] : set->items()) set_.push_back(key + "=" + assigned(value));
   }
 
-  /// Of the grid of all sweeps; the last key runs fastest.
+  /// Returns one item of the grid of all sweeps; the last key changes fastest.
   BatchItem item(std::size_t number, std::size_t count) {
     BatchItem item;
     item.name = count == 1 ? name_ : fmt::format("{}_{:0{}}", name_, number + 1, digits(count));
@@ -210,14 +212,16 @@ class Entry {
   std::vector<Sweep> sweeps_;
 };
 
-/// What the whole batch writes beside the files of its items, and what stands in it.
+/// Returns what a file of the whole batch contains; it is empty where the batch writes no such
+/// file.
 std::string_view contentOfCommonFile(const std::string& file) {
   if (file == "index.html") return "the page of all scenes";
   if (file == "results.csv") return "the table of all scenes";
   return isSheetName(file) ? "the pictures of all scenes" : std::string_view();
 }
 
-/// The names of all files that the items of one entry will write, checked against those before.
+/// Collects the names of all files that the items of one entry will write, and checks that no
+/// earlier entry writes them.
 class OutputNames {
  public:
   void add(const BatchItem& item, std::size_t entry) {

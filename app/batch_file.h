@@ -1,5 +1,5 @@
-// The file of `asperity batch`: entries, each a scene with sweeps of its keys, spread out into the
-// single scenes to be run. Pure but for reading; any thread.
+// The file of `asperity batch`. Its entries are scenes with sweeps of their keys; reading spreads
+// them out into the single scenes to be run. The functions are pure but for reading; any thread.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +13,18 @@
 
 namespace asperity {
 
-/// One scene to run, or why it cannot be.
+/// One scene to run, or the reason why it cannot run.
 struct BatchItem {
-  std::string name;                                         // of its files
-  std::vector<std::pair<std::string, std::string>> varied;  // key and value, of the sweep
-  std::string show;                                         // layout of its picture
+  std::string name;                                         // first part of the names of its files
+  std::vector<std::pair<std::string, std::string>> varied;  // key and value of each swept parameter
+  std::string show;                                         // layout of the picture
   Scene scene;
-  std::vector<std::filesystem::path> inputs;  // files that it is read from
-  Message title;  // of the scene, and what tells it from the others of its sweep
-  Message error;                              // one sentence; empty: the scene is good
+  std::vector<std::filesystem::path> inputs;  // files from which the item is read
+  Message title;                              // title of the scene, and its values in the sweep
+  Message error;                              // one sentence; empty: the item can run
 };
 
-/// The files that an item gives, whatever is shown of it: its picture, table and scene.
+/// Returns the files that an item can write, whatever is shown: its picture, table and scene.
 std::vector<std::string> filesOf(const BatchItem& item);
 
 struct Batch {
@@ -33,14 +33,14 @@ struct Batch {
   std::vector<BatchItem> items;
 };
 
-/// What the file may hold, for people.
+/// Describes for users what the file may contain.
 extern const char* const kBatchFormat;
 
-/// An entry that is wrong becomes an item with an error. Throws InputError where the file as a
-/// whole does not read, or where two entries would write one file or one of them a file that
-/// belongs to the whole batch.
+/// An invalid entry becomes an item with an error. Throws InputError where the file as a whole
+/// cannot be read, or where two entries would write the same file, or one entry a file of the whole
+/// batch.
 Batch readBatch(const std::filesystem::path& file);
-/// The same from its text; `file` stands for it in errors and names the folder of its scenes.
+/// Reads the same from a text; `file` is named in errors and gives the folder of its scenes.
 Batch readBatch(std::string_view json, const std::filesystem::path& file);
 
 }  // namespace asperity

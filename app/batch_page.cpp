@@ -10,8 +10,8 @@
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
-#include "ui/draw/ticks.h"
 #include "ui/draw/svg_file.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -50,7 +50,7 @@ bool isNumber(const std::string& text) {
   return readNumber(text, number);
 }
 
-/// Of the sweep, by the name that the window has for it.
+/// Returns a row with a swept parameter, under the name that the window shows for it.
 std::string variedRow(const std::string& key, const std::string& value) {
   const Parameter* parameter = findParameter(key);
   if (!parameter) return row(key, value);
@@ -65,7 +65,7 @@ std::string variedRow(const std::string& key, const std::string& value) {
   return row(translated(parameter->label), shown, key);
 }
 
-/// "0.0239 ± 0.0003".
+/// Returns a value with its error: "0.0239 ± 0.0003".
 std::string withError(double value, double standardError) {
   const std::string text = shortNumber(value, 4);
   return std::isfinite(standardError) ? text + " \u00B1 " + shortNumber(standardError, 2) : text;
@@ -75,8 +75,8 @@ std::string percent(double fraction) {
   return shortNumber(100 * fraction) + " %";
 }
 
-/// The means, each with its standard error where it has one, and the line's own beside them; of one
-/// line alone there is nothing else.
+/// Returns the means, each with its standard error where it has one, and beside them the results of
+/// the line that is shown. A scene of one line has only the latter.
 std::string readings(const BatchResult& result) {
   const std::string mu = shortNumber(result.lineMu, 4);
   const std::string contact = percent(result.lineContactFraction);

@@ -1,4 +1,4 @@
-// What a batch gives to look at: a page that needs no network, and a table. Pure; any thread.
+// What a batch writes for its readers: a page that needs no network, and a table. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,23 @@
 
 namespace asperity {
 
-/// An item that was run.
+/// An item that was run, with its results.
 struct BatchResult {
   BatchItem item;  // with its error, if there was one
-  /// Means over the scene's lines in steady sliding at its velocity; of a motion, none.
+  /// Means over the scene's lines in steady sliding at its velocity. It is empty for a motion.
   std::optional<CurvePoint> mean;
-  /// Of the line shown, at the moment shown.
+  /// Results of the line in the picture, at the time of the picture.
   double lineMu = kNotApplicable, lineIndentation = kNotApplicable;
   double lineContactFraction = kNotApplicable;
   std::vector<std::string> files;  // names in the folder; the picture first
 };
 
-/// sheets: names of the files with the pictures of all scenes.
+/// Returns the page in HTML. sheets: names of the files with the pictures of all scenes.
 std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results,
                       const std::vector<std::string>& sheets);
 
-/// One row for each item: name, the keys varied in any of them, means over the scene's lines, their
-/// number, results of the line shown, error.
+/// Returns a table with one row for each item: name, the keys varied in any item, means over the
+/// scene's lines, number of lines, results of the line in the picture, error.
 std::string batchTable(const std::vector<BatchResult>& results);
 
 }  // namespace asperity

@@ -20,7 +20,7 @@
 #include "core/base/text.h"
 #include "core/material/material_library.h"
 #include "core/paper/figure.h"
-#include "core/scene/parameter_table.h"
+#include "core/scene/parameter_help.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/window/main/scene_library.h"
@@ -62,7 +62,7 @@ class CommandLine {
 
   int run(int argc, char** argv) {
     try {
-      // From the last to the first, as the parser takes them.
+      // The parser takes the words in reverse order.
       std::vector<std::string> words(std::make_reverse_iterator(argv + argc),
                                      std::make_reverse_iterator(argv + std::min(argc, 1)));
       if (!words.empty() && words.back() == "help" && !std::filesystem::exists("help")) {
@@ -74,20 +74,20 @@ class CommandLine {
       if (error.get_exit_code() == 0) return app_.exit(error);
       throw errorOf(app_, error);
     }
-    refuseWordsBeforeVerb(app_);
+    refuseWordsBeforeCommand(app_);
     for (const CommonOptions* common : allCommon_)
       if (!common->language.empty()) chooseLanguage(common->language);
     return selected_ ? selected_() : runWindowCommand(window_);
   }
 
-  /// A first word that is neither an option, a verb nor a file is a verb misspelt.
-  void checkVerb(int argc, char** argv) const {
+  /// Treats a first word that is neither an option, a command nor a file as a misspelt command.
+  void checkCommand(int argc, char** argv) const {
     const bool asksForHelp = argc > 2 && argv[1] == std::string_view("help");
     const std::string word = asksForHelp ? argv[2] : argc > 1 ? argv[1] : "";
-    const bool looksLikeVerb = !word.empty() && word.find_first_of("-./") == std::string::npos;
-    if (!looksLikeVerb || word == "help" || std::filesystem::exists(word)) return;
+    const bool isLikeCommand = !word.empty() && word.find_first_of("-./") == std::string::npos;
+    if (!isLikeCommand || word == "help" || std::filesystem::exists(word)) return;
     std::vector<std::string> names;
-    for (const CLI::App* verb : app_.get_subcommands({})) names.push_back(verb->get_name());
+    for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
     if (std::ranges::find(names, word) != names.end()) return;
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view nearest = nearestOf(word, known);
@@ -109,9 +109,10 @@ class CommandLine {
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
-    limitWhole(app.add_option("--threads", common.threads, "Number of threads; 0: as many as the machine has"),
+    limitWhole(app.add_option("--threads", common.threads,
+                              "Number of threads; 0: as many as the machine has"),
                0, 1024);
-    if (&app != &app_) {  // the window says nothing
+    if (&app != &app_) {  // the command that opens the window prints nothing
       app.add_flag("--quiet", common.quiet, "Show neither progress nor summary");
       app.add_flag("--json", common.json, "Write the answer as JSON to standard output");
     }
@@ -121,95 +122,107 @@ class CommandLine {
                                languageCodes(), usualLanguage));
   }
 
-  CLI::App* addVerb(const char* name, const char* sentence, CommonOptions& common,
-                    std::function<int()> action) {
-    CLI::App* verb = app_.add_subcommand(name, sentence);
-    verb->add_option("SCENE", common.scene,
+  CLI::App* addCommand(const char* name, const char* sentence, CommonOptions& common,
+                       std::function<int()> action) {
+    CLI::App* command = app_.add_subcommand(name, sentence);
+    command
+        ->add_option("SCENE", common.scene,
                      "Scene file (JSON), or the name of a shipped scene (figure_1.json)")
         ->required();
-    addShared(*verb, common);
-    verb->footer("Scene keys (--set KEY=VALUE):\n" + parameterTableText());
-    verb->callback([this, action = std::move(action)] { selected_ = action; });
-    return verb;
+    addShared(*command, common);
+    command->footer("Scene keys (--set KEY=VALUE):\n" + parameterTableText());
+    command->callback([this, action = std::move(action)] { selected_ = action; });
+    return command;
   }
 
   void addCheck() {
-    addVerb("check", "Read a scene, check it, and print what it describes", check_,
-            [this] { return runCheck(check_); });
+    addCommand("check", "Read a scene, check it, and print what it describes", check_,
+               [this] { return runCheck(check_); });
   }
   void addCurve() {
-    CLI::App* verb = addVerb("curve", "Friction over velocity, averaged over the realizations",
-                             curve_.common, [this] { return runCurve(curve_); });
+    CLI::App* command =
+        addCommand("curve", "Friction over velocity, averaged over the realizations", curve_.common,
+                   [this] { return runCurve(curve_); });
     addOutputs(
-        verb, curve_.outputs,
+        command, curve_.outputs,
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may be repeated (default: CSV to standard output)");
-    addPictureOptions(*verb, curve_.picture, "1200x800", "print");
-    addCurveOptions(*verb, curve_.curves);
+    addPictureOptions(*command, curve_.picture, "1200x800", "print");
+    addCurveOptions(*command, curve_.curves);
   }
   void addMotion() {
-    CLI::App* verb = addVerb("motion", "Friction, indentation, contact and power in time",
-                             motion_.common, [this] { return runMotion(motion_); });
+    CLI::App* command = addCommand("motion", "Friction, indentation, contact and power in time",
+                                   motion_.common, [this] { return runMotion(motion_); });
     addOutputs(
-        verb, motion_.outputs,
+        command, motion_.outputs,
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may be repeated (default: CSV to standard output)");
-    limitWhole(verb->add_option("--every", motion_.every,
+    limitWhole(command
+                   ->add_option("--every", motion_.every,
                                 "Write one row for this number of time steps, and the last step; "
                                 "pictures show all steps")
                    ->capture_default_str(),
                1, 1000000000);
-    limitWhole(verb->add_option("--lines", motion_.lines,
+    limitWhole(command
+                   ->add_option("--lines", motion_.lines,
                                 "Number of random lines; the column realization numbers them, and "
                                 "pictures show their mean")
                    ->capture_default_str(),
                1, 1000000);
-    addPictureOptions(*verb, motion_.picture, "1200x1000", "print");
+    addPictureOptions(*command, motion_.picture, "1200x1000", "print");
   }
   void addRender() {
-    CLI::App* verb = addVerb("render", "Pictures and films of the contact, without a screen",
-                             render_.common, [this] { return runRender(render_); });
-    verb->add_option("-o,--output", render_.output,
+    CLI::App* command = addCommand("render", "Pictures and films of the contact, without a screen",
+                                   render_.common, [this] { return runRender(render_); });
+    command
+        ->add_option("-o,--output", render_.output,
                      "FILE.png, .svg or .pdf for one picture; FILE.mp4, .webm, .gif or .webp for a "
                      "film; or a folder for frame_0001.png and on")
         ->required();
-    addPictureOptions(*verb, render_.picture, "1280x720", "light");
-    verb->add_option("--layout", render_.layout,
+    addPictureOptions(*command, render_.picture, "1280x720", "light");
+    command
+        ->add_option("--layout", render_.layout,
                      "contact, curve, both, or transient: the contact above strips over time")
         ->capture_default_str();
-    verb->add_option("--overlay", render_.overlay,
-                     "Colour the contact by none, pressure, relaxation (time since contact) or "
-                     "power (dissipated) (default: pressure)");
-    addViewOptions(*verb, render_.view);
-    addCurveOptions(*verb, render_.curves);
-    TimeChoice& time = render_.time;
-    limitWhole(
-        verb->add_option("--frames", time.frames, "Number of frames (default: 60 per period, or 60 for a motion)"),
-        1, 1000000);
-    limit(verb->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
+    command->add_option("--overlay", render_.overlay,
+                        "Colour the contact by none, pressure, relaxation (time since contact) or "
+                        "power (dissipated) (default: pressure)");
+    addViewOptions(*command, render_.view);
+    addCurveOptions(*command, render_.curves);
+    TimeArguments& time = render_.time;
+    limitWhole(command->add_option("--frames", time.frames,
+                                   "Number of frames (default: 60 per period, or 60 for a motion)"),
+               1, 1000000);
+    limit(command->add_option("--fps", time.framesPerSecond,
+                              "Frames per second of film (default: 25)"),
           0.001, 1000);
-    limit(verb->add_option("--duration", time.duration, "Length of the film in seconds, instead of --frames"),
+    limit(command->add_option("--duration", time.duration,
+                              "Length of the film in seconds, instead of --frames"),
           0.001, 1e6, "s");
-    limit(verb->add_option("--cycles", time.cycles, "Number of periods of the line that pass (default: 1)"), 1e-6,
-          1e6);
+    limit(command->add_option("--cycles", time.cycles,
+                              "Number of periods of the line that pass (default: 1)"),
+          1e-6, 1e6);
+    limit(command->add_option("--slow-motion", time.slowMotion,
+                              "Seconds of film per simulated second"),
+          1e-12, 1e15);
     limit(
-        verb->add_option("--slow-motion", time.slowMotion, "Seconds of film per simulated second"),
-        1e-12, 1e15);
-    limit(verb->add_option("--at", time.at,
-                           "One picture, after this time of sliding (default: the start of steady "
-                           "sliding, the end of a motion)"),
-          0, 1e12, "s");
-    limit(verb->add_option("--slid", time.slid,
-                           "One picture of steady sliding, after this sliding distance, instead of --at"),
+        command->add_option("--at", time.at,
+                            "One picture, after this time of sliding (default: the start of steady "
+                            "sliding, the end of a motion)"),
+        0, 1e12, "s");
+    limit(command->add_option(
+              "--slid", time.slid,
+              "One picture of steady sliding, after this sliding distance, instead of --at"),
           0, 1e12, "m");
-    verb->add_flag("--resume", render_.resume,
-                   "Keep the frames of an interrupted run and make the missing ones");
+    command->add_flag("--resume", render_.resume,
+                      "Keep the frames of an interrupted run and make the missing ones");
   }
   void addSurface() {
-    CLI::App* verb = addVerb("surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
-                             surface_.common, [this] { return runSurface(surface_); });
+    CLI::App* command = addCommand(
+        "surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
+        surface_.common, [this] { return runSurface(surface_); });
     addOutputs(
-        verb, surface_.outputs,
+        command, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
         "FILE.png, .svg or .pdf; may repeat");
   }
@@ -288,64 +301,75 @@ class CommandLine {
     });
   }
   void addFigure() {
-    CLI::App* verb = app_.add_subcommand(
-        "figure", "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
+    CLI::App* command = app_.add_subcommand(
+        "figure",
+        "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
     std::string words;
     for (const FigureEntry& entry : figureEntries())
       words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
-    verb->add_option("NAME", figure_.names,
+    command
+        ->add_option("NAME", figure_.names,
                      "One or more of the figures below, paper for 1 to 6, or all")
         ->required();
-    verb->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
+    command->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
         ->required();
-    limitWhole(
-        verb->add_option("--realizations", figure_.realizations, "Number of random lines to average over")
-            ->capture_default_str(),
-        1, 1000000);
-    addShared(*verb, figure_.common);
-    verb->footer("Figures:\n" + words);
-    verb->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
+    limitWhole(command
+                   ->add_option("--realizations", figure_.realizations,
+                                "Number of random lines to average over")
+                   ->capture_default_str(),
+               1, 1000000);
+    addShared(*command, figure_.common);
+    command->footer("Figures:\n" + words);
+    command->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
   }
   void addOpen() {
-    CLI::App* verb = app_.add_subcommand("open", "Open the window with the scene that made a file");
-    verb->add_option("FILE", open_.common.scene,
+    CLI::App* command =
+        app_.add_subcommand("open", "Open the window with the scene that made a file");
+    command
+        ->add_option("FILE", open_.common.scene,
                      "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
                      "on the window in the same way")
         ->required();
-    addShared(*verb, open_.common, kLastLanguage);
-    verb->footer("With --json the scene is printed as a scene file, and no window opens.");
-    verb->callback([this] { selected_ = [this] { return runOpen(open_); }; });
+    addShared(*command, open_.common, kLastLanguage);
+    command->footer("With --json the scene is printed as a scene file, and no window opens.");
+    command->callback([this] { selected_ = [this] { return runOpen(open_); }; });
   }
   void addBatch() {
-    CLI::App* verb = app_.add_subcommand(
-        "batch", "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
-    verb->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
-    verb->add_option("-o,--output", batch_.output, "Folder for all files")->required();
-    addPictureOptions(*verb, batch_.picture, "the batch's", "light");
-    addShared(*verb, batch_.common);
-    verb->remove_option(verb->get_option("--set"));  // an entry's own set says it
-    verb->footer(kBatchFormat);
-    verb->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
+    CLI::App* command = app_.add_subcommand(
+        "batch",
+        "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
+    command->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
+    command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
+    addPictureOptions(*command, batch_.picture, "the batch's", "light");
+    addShared(*command, batch_.common);
+    command->remove_option(
+        command->get_option("--set"));  // each entry of the batch has its own "set"
+    command->footer(kBatchFormat);
+    command->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
   }
   void addAccuracy() {
-    CLI::App* verb = addVerb("accuracy", "What accuracy costs: error against time of every method",
-                             accuracy_.common, [this] { return runAccuracy(accuracy_); });
-    verb->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")->required();
+    CLI::App* command =
+        addCommand("accuracy", "What accuracy costs: error against time of every method",
+                   accuracy_.common, [this] { return runAccuracy(accuracy_); });
+    command->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")
+        ->required();
   }
   void addExplain() {
-    CLI::App* verb = addVerb("explain", "The plan: what runs, what does not run and why, and the expected cost",
-                             explain_.common, [this] { return runExplain(explain_); });
-    verb->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
+    CLI::App* command = addCommand(
+        "explain", "The plan: what runs, what does not run and why, and the expected cost",
+        explain_.common, [this] { return runExplain(explain_); });
+    command->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
   }
   void addColumns() {
-    CLI::App* verb =
+    CLI::App* command =
         app_.add_subcommand("columns", "All columns of all tables: name, unit, meaning, equation");
-    addShared(*verb, columns_);
-    verb->remove_option(verb->get_option("--set"));  // there is no scene
-    verb->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
+    addShared(*command, columns_);
+    command->remove_option(command->get_option("--set"));  // this command has no scene
+    command->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
   }
-  static void addOutputs(CLI::App* verb, std::vector<std::string>& outputs, const char* sentence) {
-    verb->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
+  static void addOutputs(CLI::App* command, std::vector<std::string>& outputs,
+                         const char* sentence) {
+    command->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
 
   CLI::App app_;
@@ -364,14 +388,15 @@ class CommandLine {
   std::function<int()> selected_;
 };
 
-/// To a stderr that may be closed or full: there is nobody else to tell.
+/// Prints an error to stderr. Errors of stderr itself (closed, full) are ignored: nothing else can
+/// report them.
 int complain(const std::string& sentence, int status) {
-  while (isInterrupted()) ::pause();  // that was the reason, and is said already
+  while (isInterrupted()) ::pause();  // the interruption was the reason, and has been reported
   std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
   return status;
 }
 
-/// Files opened later must not get the numbers of the standard streams.
+/// Opens the closed standard streams, so that files opened later do not get their numbers.
 void fillClosedStreams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
@@ -395,17 +420,18 @@ std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const 
 int runCommandLine(int argc, char** argv) {
   const auto start = std::chrono::steady_clock::now();
   fillClosedStreams();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
+  // a file that reaches its size limit gives an error, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);
   endCleanlyOnInterruption();
   try {
     chooseVectorTarget();
     CommandLine commandLine;
-    commandLine.checkVerb(argc, argv);
+    commandLine.checkCommand(argc, argv);
     const int status = commandLine.run(argc, argv);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (commandLine.timing())
       std::fputs(fmt::format("time {:.3f} s\n", elapsed.count()).c_str(), stderr);
-    // A full disk shows itself only when the last bytes leave.
+    // A full disk may appear only when the last bytes are written.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
       return complain("standard output cannot be written", kRunFailed);
     return status;

@@ -1,4 +1,4 @@
-// The command line: what was asked, as plain values, and its parsing. One verb, one file in
+// The command line: the commands as plain values, and their parsing. Each command has one file in
 // app/commands/. Main thread.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/curve_choice.h"
+#include "app/curve_arguments.h"
 #include "app/frame_source.h"
 #include "app/picture_options.h"
 #include "core/base/input_error.h"
@@ -17,14 +17,14 @@
 
 namespace asperity {
 
-/// Exit statuses.
+/// Exit statuses of the program.
 inline constexpr int kDone = 0, kRunFailed = 1, kBadInput = 2;
 
-/// What every verb takes.
+/// The options that every command takes.
 struct CommonOptions {
   std::string scene;
   std::vector<std::string> assignments;  // --set KEY=VALUE
-  std::string language;                  // of what is seen; empty: English, or the window's own
+  std::string language;                  // language of texts; empty: English, or the window's own
   int threads = 0;                       // 0: as many as the machine has
   bool quiet = false;
   bool json = false;
@@ -34,27 +34,27 @@ struct CommonOptions {
 struct CurveCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
-  PictureChoice picture;
-  CurveChoice curves;
+  PictureArguments picture;
+  CurveArguments curves;
 };
 
 struct MotionCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
-  PictureChoice picture;
-  std::int64_t every = 1;  // time steps to a row
+  PictureArguments picture;
+  std::int64_t every = 1;  // time steps between two rows
   std::int64_t lines = 1;  // realizations
 };
 
 struct RenderCommand {
   CommonOptions common;
   std::string output;
-  TimeChoice time;
-  PictureChoice picture;
+  TimeArguments time;
+  PictureArguments picture;
   std::string layout = "contact";
-  std::string overlay;  // empty: not said, and pressure
-  ViewChoice view;
-  CurveChoice curves;
+  std::string overlay;  // empty: not given, which means pressure
+  ViewArguments view;
+  CurveArguments curves;
   bool resume = false;
 };
 
@@ -79,7 +79,7 @@ struct MaterialCommand {
 };
 
 struct FigureCommand {
-  CommonOptions common;  // without a scene: the paper's parameters
+  CommonOptions common;  // without a scene, it means the paper's parameters
   std::vector<std::string> names;
   std::string output;  // folder
   std::int64_t realizations = 200;
@@ -91,7 +91,7 @@ struct ExplainCommand {
 };
 
 struct OpenCommand {
-  CommonOptions common;  // its scene: any file that holds one
+  CommonOptions common;  // the scene is read from any file that contains one
 };
 
 struct AccuracyCommand {
@@ -100,20 +100,20 @@ struct AccuracyCommand {
 };
 
 struct BatchCommand {
-  CommonOptions common;  // its scene: the batch's file
+  CommonOptions common;  // the scene is the batch's file
   std::string output;    // folder
-  PictureChoice picture;
+  PictureArguments picture;
 };
 
-/// The scene of a command, with its assignments: of a file or, where no file has the name, of a
-/// shipped scene. Throws InputError.
+/// Returns the scene of a command with its assignments. The scene comes from a file or, where no
+/// file has the name, from the shipped scenes. Throws InputError.
 Scene sceneOf(const CommonOptions& options);
 
-/// The files that were read for it: no output may replace them.
+/// Returns the files that were read for the scene; no output may replace them.
 std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene);
 
-/// Does the work; bad input that names neither a file of its own nor an option is said of the
-/// scene's file.
+/// Runs the work of a command. Where an InputError names neither a file nor an option, it gets the
+/// name of the scene's file.
 template <class Work>
 auto withSceneContext(const CommonOptions& options, const Work& work) {
   try {
@@ -133,16 +133,16 @@ int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);
 int runAccuracy(const AccuracyCommand& command);
 int runFigure(const FigureCommand& command);
-/// The window; an empty scene opens the default one.
+/// Opens the window; an empty scene means the default one.
 int runWindowCommand(const CommonOptions& command);
-/// The window with this scene. Throws std::runtime_error where there is no display.
-/// `found`: a scene out of the file options.scene that the window asks about before it shows it.
+/// Opens the window with this scene. Throws std::runtime_error where there is no display. `found`:
+/// a scene from inside the file options.scene; the window asks before it shows that scene.
 int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
                const FoundScene* found = nullptr);
 int runBatch(const BatchCommand& command);
 int runOpen(const OpenCommand& command);
 
-/// Parses and runs; returns the exit status. Errors are one line on stderr.
+/// Parses and runs the command line. Returns the exit status; errors are one line on stderr.
 int runCommandLine(int argc, char** argv);
 
 }  // namespace asperity

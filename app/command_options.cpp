@@ -50,32 +50,32 @@ void limitNumber(CLI::Option* option, Number least, Number most, const char* wha
   option->check(check)->type_name(allowed);
 }
 
-/// The verb that was given, or the app itself.
+/// Returns the command that was given, or the program itself.
 const CLI::App& spokenTo(const CLI::App& app) {
-  const auto verbs = app.get_subcommands();
-  return verbs.empty() ? app : *verbs.front();
+  const auto commands = app.get_subcommands();
+  return commands.empty() ? app : *commands.front();
 }
 
-/// "--frames", or "SCENE" of what has no dashes.
+/// Returns the option as the user writes it: "--frames", or "SCENE" for one without dashes.
 std::string nameOf(const CLI::Option& option) {
   return option.get_positional() ? option.get_name() : option.get_name(false, false);
 }
 
-InputError beforeVerb(const CLI::App& verb, const std::string& word) {
-  return {
-      "", shortened(word),
-      fmt::format("stands before '{}'; what belongs to a verb comes after it", verb.get_name())};
+InputError beforeCommand(const CLI::App& command, const std::string& word) {
+  return {"", shortened(word),
+          fmt::format("stands before '{}'; what belongs to a command comes after it",
+                      command.get_name())};
 }
 
 InputError unexpected(const CLI::App& app) {
-  const CLI::App& verb = spokenTo(app);
-  const std::vector<std::string> own = app.remaining(), words = verb.remaining();
-  if (&verb != &app && !own.empty()) return beforeVerb(verb, own.front());
-  const std::string call = &verb == &app ? "asperity" : "asperity " + verb.get_name();
+  const CLI::App& command = spokenTo(app);
+  const std::vector<std::string> own = app.remaining(), words = command.remaining();
+  if (&command != &app && !own.empty()) return beforeCommand(command, own.front());
+  const std::string call = &command == &app ? "asperity" : "asperity " + command.get_name();
   for (const std::string& word : words) {
     if (!word.starts_with('-')) continue;
     std::vector<std::string> names;
-    for (const CLI::Option* option : verb.get_options())
+    for (const CLI::Option* option : command.get_options())
       if (!option->get_positional()) names.push_back(nameOf(*option));
     const std::vector<std::string_view> known(names.begin(), names.end());
     const std::string_view nearest = nearestOf(word, known);
@@ -84,14 +84,16 @@ InputError unexpected(const CLI::App& app) {
                             : message("unknown option of '{}'; did you mean {}?", call, nearest)};
   }
   return {"", "",
-          words.empty() ? message("unexpected argument for '{}'", call)
-                        : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
+          words.empty()
+              ? message("unexpected argument for '{}'", call)
+              : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
 }
 
-/// "--size: At Most 1 required but received 2" and its like.
+/// Translates CLI11's messages such as "--size: At Most 1 required but received 2".
 InputError mismatch(const std::string& said) {
   std::string name = said.substr(0, said.find_first_of(": "));
-  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;  // of a flag
+  // the name of a flag
+  if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;
   if (said.find("received") != std::string::npos) return {"", name, "is given more than once"};
   if (said.find("flag") != std::string::npos) return {"", name, "takes no value"};
   return {"", name, "needs a value"};
@@ -115,7 +117,7 @@ void refuseEmptyWords(CLI::App& app) {
       option->disable_flag_override();
     else
       option->check(hasText);
-  for (CLI::App* verb : app.get_subcommands({})) refuseEmptyWords(*verb);
+  for (CLI::App* command : app.get_subcommands({})) refuseEmptyWords(*command);
 }
 
 InputError errorOf(const CLI::App& app, const CLI::ParseError& error) {
@@ -125,11 +127,11 @@ InputError errorOf(const CLI::App& app, const CLI::ParseError& error) {
   return {"", "", said.substr(0, said.find('\n'))};
 }
 
-void refuseWordsBeforeVerb(const CLI::App& app) {
-  const CLI::App& verb = spokenTo(app);
-  if (&verb == &app) return;
+void refuseWordsBeforeCommand(const CLI::App& app) {
+  const CLI::App& command = spokenTo(app);
+  if (&command == &app) return;
   for (const CLI::Option* option : app.get_options())
-    if (option->count() > 0) throw beforeVerb(verb, nameOf(*option));
+    if (option->count() > 0) throw beforeCommand(command, nameOf(*option));
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
-// What words of the command line say: one of a few named things, a range FROM:TO, a number within
-// limits; and one sentence for words that it cannot take, which names the option, what is wrong
-// with it and what is allowed. Main thread.
+// Reading of option values: one of several named choices, a range FROM:TO, a number within limits.
+// An invalid value gives one sentence that names the option, the fault and the allowed values. Main
+// thread.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,8 @@ namespace asperity {
 template <class Choice, std::size_t N>
 using NamedChoices = std::array<std::pair<std::string_view, Choice>, N>;
 
-/// The one of this name. Throws InputError naming the key, or the option, and all names.
+/// Returns the choice of this name. Throws InputError that names the key or option, and all
+/// choices.
 template <class Choice, std::size_t N>
 Choice chosenFrom(const NamedChoices<Choice, N>& choices, const std::string& name,
                   const char* key) {
@@ -34,23 +35,24 @@ struct NumberRange {
   double from = 0, to = 0;
 };
 
-/// Two finite numbers, the first one below the second. Throws InputError naming the option; unit:
-/// of both, for its sentence; may be empty.
+/// Reads two finite numbers, the first below the second. Throws InputError naming the option. unit:
+/// of both numbers, shown in the error; may be empty.
 NumberRange rangeFrom(const std::string& option, const std::string& text, const std::string& unit);
 
-/// The option takes a finite number, or a whole one, within limits that its help shows, with the
-/// unit.
+/// Restricts the option to finite numbers, or integers, within limits. The help shows the limits
+/// with their unit.
 void limit(CLI::Option* option, double least, double most, std::string_view unit = {});
 void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most);
 
-/// No option or file of the app and its verbs may be empty text, and a flag takes no value: both
-/// would be taken in silence. Once, when all options are there.
+/// Forbids empty text for options and files, and values for flags; CLI11 would accept both
+/// silently. Call it once, after all options have been added.
 void refuseEmptyWords(CLI::App& app);
 
-/// What was wrong, in our words. app: the one that parsed.
+/// Returns the parser's error in the words of this program. app: the app that parsed.
 InputError errorOf(const CLI::App& app, const CLI::ParseError& error);
 
-/// Throws InputError where options of the app itself stand before a verb, which does not see them.
-void refuseWordsBeforeVerb(const CLI::App& app);
+/// Throws InputError where options of the program are given before a command, which would ignore
+/// them.
+void refuseWordsBeforeCommand(const CLI::App& app);
 
 }  // namespace asperity

@@ -9,7 +9,8 @@
 namespace asperity {
 namespace {
 
-constexpr int kWidest = 480, kHighest = 960;  // pixels of one picture on a sheet
+// largest width and height in pixels of one picture on a sheet
+constexpr int kWidest = 480, kHighest = 960;
 constexpr std::string_view kName = "contact_sheet", kEnd = ".png";
 
 }  // namespace

@@ -1,5 +1,5 @@
-// How the pictures of many scenes share contact sheets: so many in a row and on a sheet that each
-// sheet is about as wide as high and none larger than can be drawn. Pure; any thread.
+// Arrangement of the pictures of many scenes on contact sheets. Each sheet is about as wide as it
+// is high, and no sheet is larger than the renderer can draw. Pure; any thread.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace asperity {
 
-/// Pixels of a sheet's longer side, at most: a quarter of the area that the renderer could draw.
+/// Maximum length in pixels of a sheet's longer side; a quarter of the area that can be drawn.
 inline constexpr int kLargestSheet = 8192;
 
 class ContactSheets {
  public:
-  /// For `count` pictures of the same proportions as one of width x height pixels.
+  /// Arranges `count` pictures, each with the proportions of width x height pixels.
   ContactSheets(int count, int width, int height);
 
-  int cellWidth() const { return cellWidth_; }  // pixels, of one picture on a sheet
+  int cellWidth() const { return cellWidth_; }  // width in pixels of one picture on a sheet
   int cellHeight() const { return cellHeight_; }
   int sheets() const { return (count_ + perSheet() - 1) / perSheet(); }
   int widthOf(int sheet) const;
@@ -26,18 +26,18 @@ class ContactSheets {
   };
   Cell cell(int picture) const;
 
-  /// "contact_sheet.png", "contact_sheet_2.png" and on.
+  /// Returns the file names "contact_sheet.png", "contact_sheet_2.png" and so on.
   std::vector<std::string> names() const;
 
  private:
   int perSheet() const { return columns_ * rows_; }
-  int on(int sheet) const;  // pictures
+  int on(int sheet) const;  // number of pictures on this sheet
 
   int count_, cellWidth_, cellHeight_;
-  int columns_ = 1, rows_ = 1;  // of a whole sheet
+  int columns_ = 1, rows_ = 1;  // of a full sheet
 };
 
-/// Whether a file of this name may be a contact sheet.
+/// Returns whether a file of this name may be a contact sheet.
 bool isSheetName(const std::string& name);
 
 }  // namespace asperity

@@ -20,6 +20,7 @@
 #include "app/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/program.h"
 #include "core/base/text.h"
 #include "ui/draw/svg_file.h"
 
@@ -44,7 +45,8 @@ Words webm(bool transparent) {
           "-auto-alt-ref", "0", "-colorspace", "bt709", "-f", "webm"};
 }
 
-/// The samples in front give the colours and are cut off: no need to hold the whole film.
+/// The film's first `samples` pictures give the palette and are cut off, so ffmpeg need not hold
+/// the whole film.
 Words gif(int samples, bool transparent) {
   return {"-filter_complex",
           fmt::format("[0:v]split[a][b];[a]trim=end_frame={0},palettegen=reserve_transparent={1}[p];"
@@ -67,7 +69,8 @@ Words encodingFor(const std::string& extension, const FilmOptions& options) {
                              : webp(options.transparent);
 }
 
-/// What ends a value or begins a key is text behind a backslash; a zero ends the line even so.
+/// Escapes, with a backslash, the characters that end a value or begin a key. A zero byte ends the
+/// line even if escaped.
 std::string escaped(const std::string& value) {
   std::string text;
   for (const char letter : value) {
@@ -113,20 +116,8 @@ std::string filmMetadata(const std::string& extension, const FilmOptions& option
 namespace {
 
 namespace fs = std::filesystem;
-constexpr int kOutput = 3, kMetadata = 4;  // descriptors of the film and of its metadata in ffmpeg
-
-/// The program in PATH; empty where it is not there.
-std::string findFfmpeg() {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(':');
-    const fs::path program = fs::path(rest.substr(0, end)) / "ffmpeg";
-    if (::access(program.c_str(), X_OK) == 0) return program.string();
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
-  return {};
-}
+// file descriptors of the film and of its metadata in ffmpeg
+constexpr int kOutput = 3, kMetadata = 4;
 
 class Descriptor {
  public:
@@ -147,7 +138,7 @@ class Descriptor {
   int number_ = -1;
 };
 
-/// While it lives, a reader that went away is an error of the write and no signal.
+/// While an object of this class lives, writing to a closed pipe gives an error and no signal.
 class NoPipeSignal {
  public:
   NoPipeSignal() { before_ = ::signal(SIGPIPE, SIG_IGN); }
@@ -159,7 +150,7 @@ class NoPipeSignal {
   void (*before_)(int);
 };
 
-/// What the bytes of every film of a kind have, and where.
+/// The bytes by which files of a film format are recognized, and their position.
 struct FilmBegin {
   std::size_t offset;
   std::string_view bytes;
@@ -183,7 +174,7 @@ bool isFilm(const std::string& extension) {
 void checkFilm(const std::string& file, bool transparent) {
   if (transparent && extensionOf(file) == ".mp4")
     throw InputError(file, "", "mp4 knows no transparency; webm, gif and webp do");
-  if (findFfmpeg().empty())
+  if (findProgram("ffmpeg").empty())
     throw std::runtime_error(
         "films need the program ffmpeg (package ffmpeg), which is not in PATH; "
         "-o FOLDER writes the frames as PNG without it");
@@ -230,7 +221,8 @@ struct FilmFile::Body {
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    // Above all that is assigned below: nothing is overwritten before it is used.
+    // The copy gets a number above those assigned below, so that nothing is overwritten before its
+    // use.
     const Descriptor copy(::fcntl(film.descriptor(), F_DUPFD_CLOEXEC, 10));
     const Descriptor facts(::fcntl(metadata.number(), F_DUPFD_CLOEXEC, 10));
     posix_spawn_file_actions_adddup2(&actions, reading, 0);
@@ -238,8 +230,8 @@ struct FilmFile::Body {
     posix_spawn_file_actions_adddup2(&actions, complaints.number(), 2);
     posix_spawn_file_actions_adddup2(&actions, copy.number(), kOutput);
     if (facts.number() >= 0) posix_spawn_file_actions_adddup2(&actions, facts.number(), kMetadata);
-    const int error =
-        ::posix_spawn(&process, findFfmpeg().c_str(), &actions, nullptr, arguments.data(), environ);
+    const int error = ::posix_spawn(&process, findProgram("ffmpeg").c_str(), &actions, nullptr,
+                                    arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       process = 0;
@@ -259,7 +251,7 @@ struct FilmFile::Body {
     return status;
   }
 
-  /// The last line of what ffmpeg had to say.
+  /// Returns the last line that ffmpeg wrote to stderr.
   std::string lastComplaint() const {
     std::string text(4096, '\0');
     const off_t size = ::lseek(complaints.number(), 0, SEEK_END);
@@ -270,17 +262,18 @@ struct FilmFile::Body {
     return text.substr(text.rfind('\n') + 1);
   }
 
-  /// Waits for ffmpeg; throws what it complained about.
+  /// Waits for ffmpeg; throws an error with its last message where it failed.
   void end() {
     pictures.close();
     const int status = wait();
-    // With a full disk it complains, and may still end as if all were well.
+    // With a full disk, ffmpeg reports an error but may still end with success.
     const std::string complaint = lastComplaint();
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && complaint.empty()) return;
     fail("ffmpeg failed" + (complaint.empty() ? std::string() : ": " + complaint));
   }
 
-  /// Whatever ran under the name of ffmpeg, only a film takes the place of the last one.
+  /// Checks that the file is a film before it replaces the last one, whatever program ran as
+  /// ffmpeg.
   void checkContent() const {
     const FilmBegin begin = filmBegin(extension);
     const std::string bytes = film.content(begin.offset + begin.bytes.size());
@@ -302,7 +295,7 @@ struct FilmFile::Body {
     }
   }
 
-  /// gif and webp have a place for metadata that ffmpeg does not fill.
+  /// Adds metadata to gif and webp, whose place for it ffmpeg does not fill.
   void addMetadata() {
     if (options.metadata.empty() || (extension != ".gif" && extension != ".webp")) return;
     const std::string packet = xmpPacket(options.title, options.metadata);
@@ -324,7 +317,7 @@ FilmFile::FilmFile(const std::string& file, const FilmOptions& options)
 FilmFile::~FilmFile() = default;
 
 void FilmFile::add(const QImage& given) {
-  // Where all is opaque, premultiplied colours are the colours.
+  // In an opaque picture, premultiplied colours are equal to the plain ones.
   const QImage image =
       body_->options.transparent ? given.convertToFormat(QImage::Format_RGBA8888) : given;
   const auto row = static_cast<std::size_t>(image.width()) * 4;
@@ -344,7 +337,7 @@ std::string gifWithXmp(const std::string& gif, const std::string& packet) {
     throw std::runtime_error("ffmpeg wrote no GIF");
   const auto flags = static_cast<unsigned char>(gif[10]);
   const std::size_t palette = (flags & 0x80U) != 0 ? std::size_t{3} << ((flags & 7U) + 1) : 0;
-  // The packet stands as it is; who skips it by its lengths ends up in the trailer.
+  // The packet is stored uncut; a reader that skips it by block lengths arrives in the trailer.
   std::string extension = "\x21\xFF\x0BXMP DataXMP" + packet + '\x01';
   for (int length = 255; length >= 0; --length) extension += static_cast<char>(length);
   extension += '\0';
@@ -352,7 +345,7 @@ std::string gifWithXmp(const std::string& gif, const std::string& packet) {
 }
 
 std::string webpWithXmp(const std::string& webp, const std::string& packet) {
-  constexpr std::size_t kFlags = 20;  // of VP8X, the first chunk of an animation
+  constexpr std::size_t kFlags = 20;  // flags byte in VP8X, the first chunk of an animation
   constexpr char kHasXmp = 4;
   if (!webp.starts_with("RIFF") || webp.size() < 30 || webp.substr(12, 4) != "VP8X")
     throw std::runtime_error("ffmpeg wrote no animated WebP");

@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kWaiting = 3;  // pictures between two stages
+constexpr std::size_t kWaiting = 3;  // pictures waiting between two stages
 
 class Pipeline {
  public:
@@ -20,7 +20,7 @@ class Pipeline {
     for (int i = 0; i < stages_.workers; ++i)
       threads.emplace_back([this] { guarded([this] { sinkAll(); }); });
     guarded([this] { drawAll(); });
-    threads.clear();  // joins
+    threads.clear();  // waits for all threads
     if (failure_) std::rethrow_exception(failure_);
     return seconds_;
   }
@@ -35,7 +35,7 @@ class Pipeline {
     QImage image;
   };
 
-  /// The first failure is kept; everything ends.
+  /// Runs a stage. The first failure is kept, and ends all stages.
   template <class Work>
   void guarded(const Work& work) {
     try {

@@ -1,7 +1,7 @@
-// Many pictures one after the other, with the stages overlapping: one thread simulates and
-// composes, the caller's draws, others encode and write. Between them stand queues of a few
-// pictures, so memory does not grow with their number.
-// Failure: what any stage throws ends all of them and is thrown on by runPipeline().
+// Makes many pictures one after the other in overlapping stages: one thread simulates and composes,
+// the caller's thread draws, others encode and write. Queues of a few pictures connect the stages,
+// so the memory does not grow with the number of pictures.
+// Failure: what any stage throws ends all of them; runPipeline() throws it again.
 #pragma once
 
 #include <QImage>
@@ -25,7 +25,8 @@ class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t most) : most_(most) {}
 
-  /// Waits for room. False where the queue was stopped: the thing is dropped.
+  /// Waits until the queue has room. Returns false where the queue was stopped; the value is
+  /// dropped.
   bool put(Thing thing) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || things_.size() < most_; });
@@ -35,7 +36,7 @@ class BoundedQueue {
     return true;
   }
 
-  /// Waits for a thing. Nothing where no more will come.
+  /// Waits for a value. Returns nothing where no more will come.
   std::optional<Thing> take() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || ended_ || !things_.empty(); });
@@ -46,10 +47,10 @@ class BoundedQueue {
     return thing;
   }
 
-  /// No more will be put; what is there is still taken.
+  /// Declares that no more values will be put; the waiting ones can still be taken.
   void end() { set(ended_); }
 
-  /// Nothing more is put or taken: somebody failed.
+  /// Stops the queue after a failure: nothing more can be put or taken.
   void stop() { set(stopped_); }
 
  private:
@@ -66,27 +67,27 @@ class BoundedQueue {
   bool ended_ = false, stopped_ = false;
 };
 
-/// Busy seconds of each stage, all its threads together.
+/// Busy time of each stage in seconds, summed over its threads.
 struct StageSeconds {
   double simulate = 0, draw = 0, encode = 0, write = 0;
 };
 
 struct PipelineStages {
-  /// On a thread of its own, in order.
+  /// Runs on a thread of its own, in order.
   std::function<DrawList(std::int64_t index)> compose;
-  /// On the caller's thread, in order.
+  /// Runs on the caller's thread, in order.
   std::function<QImage(const DrawList& list)> draw;
-  /// Encodes and writes, and adds the times of both; in order where there is one worker.
+  /// Encodes and writes a picture, and adds the times of both; in order where there is one worker.
   std::function<void(std::int64_t index, const QImage& image, StageSeconds& seconds)> sink;
   int workers = 1;  // threads that call sink
-  /// On the caller's thread, after each picture is drawn.
+  /// Runs on the caller's thread, after each picture is drawn.
   std::function<void(std::int64_t drawn)> progress;
 };
 
-/// The pictures with these numbers.
+/// Makes the pictures with these numbers. Returns the busy times.
 StageSeconds runPipeline(const std::vector<std::int64_t>& indices, const PipelineStages& stages);
 
-/// Adds the seconds of its life.
+/// Adds the seconds of its lifetime to a sum.
 class StageTimer {
  public:
   explicit StageTimer(double& seconds) : seconds_(seconds) {}

@@ -1,7 +1,5 @@
 #include "app/frame_source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,11 +14,11 @@ namespace {
 constexpr std::int64_t kUsualFrames = 60;
 constexpr double kUsualFps = 25;
 constexpr double kMostFrames = 1e6;
-constexpr std::int64_t kSamples = 200;  // over a motion, at least
-constexpr double kMostPeriods = 1e9;    // slid
+constexpr std::int64_t kSamples = 200;  // minimum number of samples over a motion
+constexpr double kMostPeriods = 1e9;    // maximum distance of sliding, in periods
 
-double fpsOf(const TimeChoice& choice) {
-  return choice.framesPerSecond > 0 ? choice.framesPerSecond : kUsualFps;
+double fpsOf(const TimeArguments& arguments) {
+  return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kUsualFps;
 }
 
 std::int64_t rounded(double frames, const char* option) {
@@ -31,64 +29,66 @@ std::int64_t rounded(double frames, const char* option) {
   return std::max<std::int64_t>(1, std::llround(frames));
 }
 
-void checkTogether(const TimeChoice& choice) {
-  if (choice.frames > 0 && choice.duration > 0)
+void checkTogether(const TimeArguments& arguments) {
+  if (arguments.frames > 0 && arguments.duration > 0)
     throw InputError("", "--duration",
                      "and --frames both say how long the film is; one of them is enough");
-  if (choice.at && choice.slid)
+  if (arguments.at && arguments.slid)
     throw InputError("", "--slid", "and --at both say the moment; one of them is enough");
-  const bool length = choice.frames > 0 || choice.duration > 0;
-  if (choice.slowMotion > 0 && choice.cycles > 0 && length)
+  const bool length = arguments.frames > 0 || arguments.duration > 0;
+  if (arguments.slowMotion > 0 && arguments.cycles > 0 && length)
     throw InputError("", "--slow-motion", "follows from the cycles and the length of the film");
 }
 
-void checkMoment(const Scene& scene, const TimeChoice& choice, double length, bool single) {
-  const char* option = choice.at ? "--at" : "--slid";
-  if (!choice.at && !choice.slid) return;
+void checkMoment(const Scene& scene, const TimeArguments& arguments, double length, bool single) {
+  const char* option = arguments.at ? "--at" : "--slid";
+  if (!arguments.at && !arguments.slid) return;
   if (!single) throw InputError("", option, "shows one moment; frames and films have many");
   const bool isSteady = scene.sliding.kind == SlidingKind::Steady;
-  if (choice.slid && !isSteady)
+  if (arguments.slid && !isSteady)
     throw InputError("", "--slid", "belongs to steady sliding; a motion has --at");
-  if (!isSteady && *choice.at > scene.sliding.duration)
+  if (!isSteady && *arguments.at > scene.sliding.duration)
     throw InputError(
         "", "--at",
-        message("{} is after the motion's end at {}", printedQuantity(*choice.at, "s", 6),
+        message("{} is after the motion's end at {}", printedQuantity(*arguments.at, "s", 6),
                 printedQuantity(scene.sliding.duration, "s", 6)));
   if (!isSteady) return;
-  const double slid = choice.slid ? *choice.slid : *choice.at * scene.sliding.velocity;
+  const double slid = arguments.slid ? *arguments.slid : *arguments.at * scene.sliding.velocity;
   if (!(std::abs(slid) <= kMostPeriods * length))
     throw InputError("", option,
                      message("{} slid are more than {} periods", printedQuantity(slid, "m"),
                              printedNumber(kMostPeriods)));
 }
 
-FramePlan steadyPlan(double period, const TimeChoice& choice, bool single) {
+FramePlan steadyPlan(double period, const TimeArguments& arguments, bool single) {
   FramePlan plan;
-  const double cycles = choice.cycles > 0 ? choice.cycles : 1;
-  const double fps = fpsOf(choice);
-  if (choice.frames > 0 || choice.duration > 0)
-    plan.count = choice.frames > 0 ? choice.frames : rounded(choice.duration * fps, "--duration");
-  else if (choice.slowMotion > 0)
-    plan.count = single ? 1 : rounded(cycles * period * choice.slowMotion * fps, "--slow-motion");
+  const double cycles = arguments.cycles > 0 ? arguments.cycles : 1;
+  const double fps = fpsOf(arguments);
+  if (arguments.frames > 0 || arguments.duration > 0)
+    plan.count =
+        arguments.frames > 0 ? arguments.frames : rounded(arguments.duration * fps, "--duration");
+  else if (arguments.slowMotion > 0)
+    plan.count =
+        single ? 1 : rounded(cycles * period * arguments.slowMotion * fps, "--slow-motion");
   else
     plan.count = single ? 1 : rounded(cycles * kUsualFrames, "--cycles");
-  plan.periodsPerFrame = choice.slowMotion > 0 ? 1 / (choice.slowMotion * fps * period)
-                                               : cycles / static_cast<double>(plan.count);
+  plan.periodsPerFrame = arguments.slowMotion > 0 ? 1 / (arguments.slowMotion * fps * period)
+                                                  : cycles / static_cast<double>(plan.count);
   return plan;
 }
 
-FramePlan motionPlan(double duration, const TimeChoice& choice, bool single) {
-  if (choice.cycles > 0)
+FramePlan motionPlan(double duration, const TimeArguments& arguments, bool single) {
+  if (arguments.cycles > 0)
     throw InputError("", "--cycles", "belongs to steady sliding; a motion has its duration");
-  if (choice.slowMotion > 0 && (choice.frames > 0 || choice.duration > 0))
+  if (arguments.slowMotion > 0 && (arguments.frames > 0 || arguments.duration > 0))
     throw InputError("", "--slow-motion", "follows from the motion and the length of the film");
   FramePlan plan;
-  const double fps = fpsOf(choice);
-  plan.count = single                ? 1
-               : choice.frames > 0   ? choice.frames
-               : choice.duration > 0 ? rounded(choice.duration * fps, "--duration")
-               : choice.slowMotion > 0
-                   ? rounded(duration * choice.slowMotion * fps, "--slow-motion")
+  const double fps = fpsOf(arguments);
+  plan.count = single                   ? 1
+               : arguments.frames > 0   ? arguments.frames
+               : arguments.duration > 0 ? rounded(arguments.duration * fps, "--duration")
+               : arguments.slowMotion > 0
+                   ? rounded(duration * arguments.slowMotion * fps, "--slow-motion")
                    : kUsualFrames;
   if (plan.count > 1) plan.timeScale = duration * fps / static_cast<double>(plan.count - 1);
   return plan;
@@ -96,26 +96,27 @@ FramePlan motionPlan(double duration, const TimeChoice& choice, bool single) {
 
 }  // namespace
 
-FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice, bool single) {
-  checkTogether(choice);
+FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arguments,
+                     bool single) {
+  checkTogether(arguments);
   const double velocity = std::abs(scene.sliding.velocity);
   FramePlan plan;
   if (scene.sliding.kind != SlidingKind::Steady) {
-    plan = motionPlan(scene.sliding.duration, choice, single);
+    plan = motionPlan(scene.sliding.duration, arguments, single);
   } else {
-    if (!(velocity > 0) && choice.slowMotion > 0)
+    if (!(velocity > 0) && arguments.slowMotion > 0)
       throw InputError("", "--slow-motion", "needs a velocity above 0");
-    plan = steadyPlan(velocity > 0 ? length / velocity : 0, choice, single);
+    plan = steadyPlan(velocity > 0 ? length / velocity : 0, arguments, single);
     if (plan.count > 1 && velocity > 0)
-      plan.timeScale = plan.periodsPerFrame * length / velocity * fpsOf(choice);
+      plan.timeScale = plan.periodsPerFrame * length / velocity * fpsOf(arguments);
   }
-  plan.framesPerSecond = fpsOf(choice);
+  plan.framesPerSecond = fpsOf(arguments);
   return plan;
 }
 
-FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
+FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
                          const FrameFields& fields, double seen)
-    : choice_(choice), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
+    : choice_(arguments), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
     steady_.emplace(shared, fields, seen);
@@ -125,8 +126,8 @@ FrameSource::FrameSource(const Scene& scene, const TimeChoice& choice, bool sing
                  single ? Simulation::kStepsPerFrame : std::numeric_limits<double>::infinity())
         .want(fields);
   length_ = steady_ ? steady_->length() : motion_->frame().length;
-  checkMoment(scene, choice, length_, single);
-  plan_ = planFrames(scene, length_, choice, single);
+  checkMoment(scene, arguments, length_, single);
+  plan_ = planFrames(scene, length_, arguments, single);
 }
 
 Frame FrameSource::steadyFrame(std::int64_t index) const {
@@ -135,18 +136,18 @@ Frame FrameSource::steadyFrame(std::int64_t index) const {
                             static_cast<std::uint64_t>(index));
   const double slid = choice_.slid ? *choice_.slid : *choice_.at * velocity_;
   Frame frame = steady_->frameAt(slid / steady_->length(), 0, 0);
-  frame.distance = slid;  // to the last digit
+  frame.distance = slid;  // exact to the last digit
   if (choice_.at) frame.time = *choice_.at;
   return frame;
 }
 
-/// On to that time, as far as whole steps go.
+/// Marches to this time in whole steps.
 void FrameSource::march(double time) {
   const double part = (time - motion_->frame().time) / duration_;
   if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
 }
 
-/// Of a motion, as the window shows it when it has come there.
+/// Returns the frame of a motion at the present time, as the window shows it.
 Frame FrameSource::momentFrame() {
   const RunnerOptions window;
   motion_->advanceTo(choice_.at.value_or(duration_), window.partPerFrame(),
@@ -160,10 +161,10 @@ Frame FrameSource::frame(std::int64_t index) {
   if (steady_) return steadyFrame(index);
   if (plan_.count == 1) return momentFrame();
   const std::int64_t intervals = plan_.count - 1;
-  const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // of an interval
+  const std::int64_t parts = (kSamples + intervals - 1) / intervals;  // parts of an interval
   const std::int64_t target = index * parts;
   while (advanced_ < target) {
-    // Whole steps fall short of a part: the next one makes up for it.
+    // Whole steps end before the part does; the next part makes up for it.
     ++advanced_;
     march(duration_ * static_cast<double>(advanced_) / static_cast<double>(intervals * parts));
   }

@@ -1,7 +1,7 @@
-// The frames of a sequence, one after the other: how many, how far apart, and each of them. Of
-// steady sliding they divide a number of periods, of other motions the duration.
-// Ownership: one thread at a time. Failure: InputError for what does not go together or a scene
-// that cannot run; std::runtime_error where a force balance is not met.
+// The frames of a sequence, one after the other: their number, their spacing in time, and each of
+// them. In steady sliding they divide a number of periods; in other motions, the duration.
+// Ownership: one thread at a time. Failure: InputError for options that contradict each other or a
+// scene that cannot run; std::runtime_error where a force balance is not met.
 #pragma once
 
 #include <cstdint>
@@ -13,38 +13,42 @@
 
 namespace asperity {
 
-/// As written on the command line; 0: not said.
-struct TimeChoice {
+/// The options from the command line; 0: not given.
+struct TimeArguments {
   std::int64_t frames = 0;
   double framesPerSecond = 0;
   double duration = 0;    // s of film
-  double cycles = 0;      // periods of the line that pass
-  double slowMotion = 0;  // seconds of film to a simulated one
-  // Of a single picture:
+  double cycles = 0;      // periods of the line that pass by
+  double slowMotion = 0;  // seconds of film per simulated second
+  // The time of a single picture:
   std::optional<double> at;    // s, simulated
-  std::optional<double> slid;  // m, of steady sliding
+  std::optional<double> slid;  // m, in steady sliding
 };
 
 struct FramePlan {
   std::int64_t count = 1;
   double framesPerSecond = 0;
-  double periodsPerFrame = 0;  // of steady sliding
-  double timeScale = 0;        // simulated seconds to one of film; 0: nothing moves
+  double periodsPerFrame = 0;  // in steady sliding
+  double timeScale = 0;        // simulated seconds per second of film; 0: nothing moves
 };
 
-/// `single`: one picture is asked for. length: of the period, m. Throws InputError.
-FramePlan planFrames(const Scene& scene, double length, const TimeChoice& choice, bool single);
+/// Plans the frames. `single`: one picture is requested. length: of the period, m. Throws
+/// InputError.
+FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arguments,
+                     bool single);
 
 class FrameSource {
  public:
-  /// fields: what frames hold besides; seen: m, of the line in a picture, 0: the whole period.
-  FrameSource(const Scene& scene, const TimeChoice& choice, bool single,
+  /// fields: optional values of the frames. seen: visible length of the line, m; 0: the whole
+  /// period.
+  FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
               const FrameFields& fields = {}, double seen = 0);
 
   const FramePlan& plan() const { return plan_; }
   double length() const { return length_; }  // m, of the period
 
-  /// In rising order. A single picture of a motion shows its end, if it is not of a moment.
+  /// Returns a frame; indices must increase. A single picture of a motion shows its end, unless the
+  /// options give a time.
   Frame frame(std::int64_t index);
 
  private:
@@ -52,8 +56,8 @@ class FrameSource {
   Frame momentFrame();
   void march(double time);
 
-  TimeChoice choice_;
-  double velocity_ = 0;  // m/s, of steady sliding
+  TimeArguments choice_;
+  double velocity_ = 0;  // m/s, in steady sliding
   double length_ = 0;
   std::optional<SteadyFrames> steady_;
   std::optional<Simulation> motion_;

@@ -7,19 +7,18 @@
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pdf_file.h"
-#include "ui/draw/pixel_context.h"
-#include "ui/draw/png_file.h"
 #include "ui/draw/svg_file.h"
 
 namespace asperity {
 namespace {
 
-/// What Qt has to say of desktops is of no use to a program without one; errors are ours to tell.
+/// Qt's warnings about desktops do not concern a program without a window; the program reports
+/// errors itself.
 void sayOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtFatalMsg) std::fprintf(stderr, "asperity: %s\n", qPrintable(message));
 }
 
-/// No window is wanted, whatever the desktop: text needs only fonts.
+/// Makes an application that needs no display: text needs only fonts.
 std::unique_ptr<QGuiApplication> offscreenApplication() {
   qInstallMessageHandler(sayOnlyFatal);
   static int count = 3;
@@ -40,24 +39,24 @@ HeadlessPictures::~HeadlessPictures() {
 }
 
 void HeadlessPictures::write(const std::string& file, const DrawList& list,
-                             const PictureFacts& facts) {
+                             const PictureProperties& properties) {
   const std::string extension = extensionOf(file);
   if (extension == ".png")
-    writePng(file, list, facts);
+    writePng(file, list, properties);
   else if (extension == ".svg")
-    writeSvg(file, list, {facts.title, facts.metadata});
+    writeSvg(file, list, {properties.title, properties.metadata});
   else if (extension == ".pdf")
-    writePdf(file, list, {facts.title, facts.metadata, 0.75 / facts.scale});
+    writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
   else
-    throw InputError(file, "", "'" + extension + "' is not one of .png, .svg, .pdf");
+    throw unknownExtension(file, extension, {".png", ".svg", ".pdf"});
 }
 
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list,
-                                const PictureFacts& facts) {
+                                const PictureProperties& properties) {
   QImage image = draw(list);
   finish();
-  writing_ = std::async(std::launch::async, [file, facts, image = std::move(image)] {
-    asperity::writePng(file, image, {facts.title, facts.metadata, 96 * facts.scale});
+  writing_ = std::async(std::launch::async, [file, properties, image = std::move(image)] {
+    asperity::writePng(file, image, {properties.title, properties.metadata, 96 * properties.scale});
   });
 }
 

@@ -1,8 +1,9 @@
-// Pictures without a screen: a Qt application on the offscreen platform for texts, OpenGL without a
-// screen for shapes, and one thread that encodes and writes a picture while the next one is drawn.
-// Ownership: one at a time, made and used on the main thread.
-// Failure: std::runtime_error (no library that draws, a file that cannot be written), from any
-// call.
+// Pictures without a screen: a Qt application on the offscreen platform draws texts, an OpenGL
+// context without a screen draws shapes, and one thread encodes and writes a picture while the next
+// one is drawn.
+// Ownership: one object at a time, made and used on the main thread.
+// Failure: any call may throw std::runtime_error (no OpenGL library, a file that cannot be
+// written).
 #pragma once
 
 #include <QImage>
@@ -11,17 +12,11 @@
 #include <string>
 
 #include "ui/draw/pixel_context.h"
+#include "ui/draw/png_file.h"
 
 class QGuiApplication;
 
 namespace asperity {
-
-/// What a picture file says of itself besides what it shows.
-struct PictureFacts {
-  std::string title;     // of the document; empty: none
-  std::string metadata;  // where it came from, any UTF-8 text; empty: none
-  double scale = 1;      // pixels to one at 96 per inch: how large it is on paper
-};
 
 class HeadlessPictures {
  public:
@@ -30,19 +25,20 @@ class HeadlessPictures {
   HeadlessPictures(const HeadlessPictures&) = delete;
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
 
-  /// As PNG, SVG or PDF, by the extension (.png, .svg, .pdf); throws InputError for any other. The
-  /// file keeps what `facts` says. Draws at once; the file may be written later, but before
-  /// finish() returns.
-  void write(const std::string& file, const DrawList& list, const PictureFacts& facts = {});
+  /// Writes PNG, SVG or PDF by the extension (.png, .svg, .pdf); throws InputError for any other.
+  /// The file keeps the given properties. The picture is drawn at once; the file may be written
+  /// later, but before finish() returns.
+  void write(const std::string& file, const DrawList& list,
+             const PictureProperties& properties = {});
 
-  /// Shapes and texts, at once.
+  /// Draws shapes and texts at once.
   QImage draw(const DrawList& list);
 
-  /// Waits for the last file.
+  /// Waits until the last file is written.
   void finish();
 
  private:
-  void writePng(const std::string& file, const DrawList& list, const PictureFacts& facts);
+  void writePng(const std::string& file, const DrawList& list, const PictureProperties& properties);
 
   std::unique_ptr<QGuiApplication> application_;
   std::unique_ptr<PixelContext> context_;

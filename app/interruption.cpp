@@ -22,18 +22,18 @@ constexpr std::array<Ending, 2> kEndings{
      {SIGTERM, kTerminated, "asperity: terminated; no unfinished file is left\n"}}};
 
 std::atomic<bool> hasBegun{false};
-std::string_view clearsLine;  // of a progress bar on a terminal
+std::string_view clearsLine;  // characters that clear a progress bar on a terminal
 
 void say(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-/// Calls nothing but what a signal handler may.
+/// Ends the program. It calls only functions that are safe in a signal handler.
 void end(int signal) {
   if (hasBegun.exchange(true))
     while (true) ::pause();
   removeUnfinishedFiles();
-  ::signal(SIGPIPE, SIG_IGN);  // nobody may be left to read the line
+  ::signal(SIGPIPE, SIG_IGN);  // the reader of stderr may be gone
   for (const Ending& ending : kEndings) {
     if (ending.signal != signal) continue;
     say(clearsLine);

@@ -1,17 +1,17 @@
-// How the program ends when it is told to by Ctrl+C or by `kill`: one line on stderr, no unfinished
-// file left, and the exit status that shells use for it.
+// How the program ends after Ctrl+C or `kill`: one line on stderr, no unfinished file, and the exit
+// status that shells use.
 #pragma once
 
 namespace asperity {
 
-/// SIGINT and SIGTERM: 128 and the number of the signal.
+/// Exit statuses after SIGINT and SIGTERM: 128 plus the number of the signal.
 inline constexpr int kInterrupted = 130, kTerminated = 143;
 
-/// From now on the process ends so. A signal that was ignored before (nohup) stays ignored. Once,
-/// on the main thread, before any other begins.
+/// Installs the signal handlers. A signal that was ignored before (nohup) stays ignored. Call it
+/// once, on the main thread, before other threads begin.
 void endCleanlyOnInterruption();
 
-/// Whether the end has begun: what fails from then on is not worth a second line.
+/// Returns whether the end has begun; later failures need no second message.
 bool isInterrupted();
 
 }  // namespace asperity

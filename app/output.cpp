@@ -32,14 +32,14 @@ void checkOutputs(const std::vector<std::string>& files,
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-      throw InputError(file, "", notOneOf("'" + extension + "'", {extensions}));
+      throw unknownExtension(file, extension, extensions);
     if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
       throw InputError("", "--output", file + " is given more than once");
   }
 }
 
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs) {
-  std::error_code ignored;  // what is not there is the same as nothing
+  std::error_code ignored;  // a missing file counts as an empty one
   for (const std::filesystem::path& input : inputs)
     if (std::filesystem::equivalent(output, input, ignored))
       throw InputError("", "--output", output + " is what is read, and would be replaced");

@@ -1,4 +1,4 @@
-// Output files of the verbs: their names checked before any work, their kinds by extension.
+// Output files of the commands: their names are checked before any work, their kinds by extension.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace asperity {
 
-/// ".csv" of "out/Curve.CSV".
+/// Returns the extension in small letters: ".csv" for "out/Curve.CSV".
 std::string extensionOf(const std::string& file);
 
-/// What a verb does that is given no output file.
+/// What a command prints where it is given no output file.
 enum class Without { PrintsSummary, PrintsTable };
 
-/// Throws InputError where a file has none of these extensions, can never be written or stands
-/// there twice.
+/// Throws InputError where a file has none of these extensions, can never be written or is given
+/// twice.
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions,
                   Without without = Without::PrintsSummary);
@@ -24,18 +24,18 @@ void checkOutputs(const std::vector<std::string>& files,
 /// Throws InputError where an output would replace a file that was read.
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);
 
-/// Throws InputError where the folder's name is "-": pictures and tables do not go to standard
-/// output together, and a folder of that name is hardly ever meant.
+/// Throws InputError where the folder's name is "-": pictures and tables cannot go to standard
+/// output together, and hardly anybody means a folder of that name.
 void checkFolderName(const std::string& folder);
 
-/// Makes the folder, with those above it, where it is not there. Throws InputError.
+/// Makes the folder and its parents where they are missing. Throws InputError.
 void makeFolder(const std::string& folder);
 
-/// "wrote a.png" in the language in use, with its line's end.
+/// Returns "wrote a.png" in the current language, with a line break.
 std::string wroteLine(const std::string& file);
 
-/// What a person reads, in whole lines of printable characters: to stdout, or to stderr where
-/// stdout is the machine's.
+/// Prints text for a user, in whole lines of printable characters: to stdout, or to stderr where
+/// stdout has output for a machine.
 void printSummary(bool machineReads, bool quiet, const std::string& given);
 
 }  // namespace asperity

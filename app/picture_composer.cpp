@@ -17,8 +17,8 @@
 namespace asperity {
 namespace {
 
-// Strips are low, which would make their texts small; where they are lower than so many heights of
-// a number, the texts make room for them all the same.
+// Sizes of texts in strips, which are low and would make their texts small. Where a strip is lower
+// than several heights of a number, the texts get smaller still, so that they fit.
 constexpr float kStripText = 0.8F, kLeastStripText = 0.5F;
 constexpr float kGoodStrip = 3, kLeastStrip = 2;
 
@@ -42,31 +42,31 @@ ContactOverlay overlayFrom(const std::string& name) {
   return chosenFrom(all, name, "--overlay");
 }
 
-void checkPanels(const DiagramSheet& sheet, const PictureStyle& style, int above) {
+void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {
   if (sheet.diagrams.size() < 2) return;
-  const int room = style.height - above;
-  const int needed = heightForAll(sheet, {style.width, room, style.scale, style.theme});
+  const int room = settings.height - above;
+  const int needed = heightForAll(sheet, {settings.width, room, settings.scale, settings.theme});
   if (needed == room) return;
-  const std::string given = fmt::format("{}x{}", style.width, style.height);
+  const std::string given = fmt::format("{}x{}", settings.width, settings.height);
   if (needed == 0)
     throw InputError("", "--size", given + " is too narrow for the curve and the difference");
-  const int least = 10 * ((needed * style.height / room + 19) / 10);
+  const int least = 10 * ((needed * settings.height / room + 19) / 10);
   throw InputError("", "--size",
                    message("{} leaves no room for the difference under the curve; {}x{} does",
-                           given, style.width, least));
+                           given, settings.width, least));
 }
 
-PictureComposer::PictureComposer(const PictureStyle& style, PictureContent content)
-    : style_(style), content_(std::move(content)) {
-  if (style_.transparent) style_.theme.background.a = 0;
+PictureComposer::PictureComposer(const PictureSettings& settings, PictureContent content)
+    : settings_(settings), content_(std::move(content)) {
+  if (settings_.transparent) settings_.theme.background.a = 0;
 }
 
 DrawList PictureComposer::compose(const Frame& frame) {
   const PictureLayout layout = content_.layout;
-  if (layout == PictureLayout::Contact) return contact(frame, style_.height);
+  if (layout == PictureLayout::Contact) return contact(frame, settings_.height);
   if (layout == PictureLayout::Curve)
-    return composeDiagrams(curveWithMarker(frame), optionsFor(style_.height, 0));
-  const int above = contactHeight(), below = style_.height - above;
+    return composeDiagrams(curveWithMarker(frame), optionsFor(settings_.height, 0));
+  const int above = contactHeight(), below = settings_.height - above;
   DiagramOptions options = optionsFor(below, 0);
   options.above = FrameAbove{};
   DiagramSheet sheet;
@@ -79,7 +79,7 @@ DrawList PictureComposer::compose(const Frame& frame) {
     return stacked(contact(frame, above), *below_);
   } else {
     sheet = curveWithMarker(frame);
-    sheet.title = {};  // it stands above
+    sheet.title = {};  // the title is drawn above the contact
     options.above->unit = contactUnit(contactOptions(above));
   }
   DrawList picture = contact(frame, above);
@@ -94,7 +94,7 @@ DrawList PictureComposer::compose(const Frame& frame) {
 int PictureComposer::contactHeight() const {
   const bool hasDifference = content_.layout == PictureLayout::Both && content_.curves.difference;
   return static_cast<int>(
-      std::lround((hasDifference ? kContactPartOfThree : kContactPart) * style_.height));
+      std::lround((hasDifference ? kContactPartOfThree : kContactPart) * settings_.height));
 }
 
 float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
@@ -111,17 +111,17 @@ void PictureComposer::checkStrips(const Scene& scene) const {
         withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
     return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
   };
-  int height = style_.height - contactHeight();
+  int height = settings_.height - contactHeight();
   if (hasRoom(height)) return;
   constexpr int kHighest = 20000, kStep = 10;
   while (height < kHighest && !hasRoom(height)) height += kStep;
-  const std::string given = fmt::format("{}x{}", style_.width, style_.height);
+  const std::string given = fmt::format("{}x{}", settings_.width, settings_.height);
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
   const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
   throw InputError("", "--size",
                    message("{} leaves no room for the strips over time; {}x{} does", given,
-                           style_.width, least));
+                           settings_.width, least));
 }
 
 void PictureComposer::checkRoom(const Scene& scene) const {
@@ -130,15 +130,15 @@ void PictureComposer::checkRoom(const Scene& scene) const {
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
   DiagramSheet sheet = curveSheet(content_.curves);
   if (layout == PictureLayout::Both) sheet.title = {};
-  checkPanels(sheet, style_, layout == PictureLayout::Both ? contactHeight() : 0);
+  checkPanels(sheet, settings_, layout == PictureLayout::Both ? contactHeight() : 0);
 }
 
 ContactPictureOptions PictureComposer::contactOptions(int height) const {
   ContactPictureOptions options;
-  options.width = style_.width;
+  options.width = settings_.width;
   options.height = height;
-  options.scale = style_.scale;
-  options.theme = style_.theme;
+  options.scale = settings_.scale;
+  options.theme = settings_.theme;
   options.overlay = content_.overlay;
   return options;
 }
@@ -152,10 +152,10 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
 }
 
 DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
-  return {style_.width, height, style_.scale, style_.theme, leastText};
+  return {settings_.width, height, settings_.scale, settings_.theme, leastText};
 }
 
-/// The curve with the line and the velocity of the frame, and the way that a motion came.
+/// Returns the curve with the line, the marker at the frame's velocity, and the trace of a motion.
 DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
   DiagramSheet sheet = curveSheet(content_.curves);
   sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes);

@@ -1,6 +1,6 @@
-// A frame as a picture in the layout asked for: the contact, the friction curve, both, or the
-// contact above strips over time. Immutable once made but for the view, which is kept steady from
-// frame to frame; one thread at a time.
+// Composes a frame in the requested layout: the contact, the friction curve, both, or the contact
+// above strips over time. Immutable once made, except for the view, which is kept steady from frame
+// to frame; one thread at a time.
 #pragma once
 
 #include <optional>
@@ -17,35 +17,35 @@ namespace asperity {
 
 enum class PictureLayout { Contact, Curve, Both, Transient };
 
-/// Throws InputError naming the key, or the option.
+/// Returns the layout of this name. Throws InputError naming the key or the option.
 PictureLayout layoutFrom(const std::string& name, const char* key = "--layout");
 
-/// Throws InputError naming --overlay.
+/// Returns the overlay of this name. Throws InputError naming --overlay.
 ContactOverlay overlayFrom(const std::string& name);
 
-/// Throws InputError naming --size where not all of several diagrams on a sheet would find room
-/// under so many pixels of something else; those pixels grow with the picture.
-void checkPanels(const DiagramSheet& sheet, const PictureStyle& style, int above);
+/// Throws InputError naming --size where several diagrams on a sheet would not fit below `above`
+/// pixels of other content; those pixels grow with the picture.
+void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above);
 
 struct PictureContent {
   PictureLayout layout = PictureLayout::Contact;
-  CurveSet curves{};  // the scene's own and others, for the layouts that show them
+  CurveSet curves{};  // the scene's own curve and others, for layouts that show them
   ContactOverlay overlay = ContactOverlay::Pressure;
-  ViewChoice view{};
+  ViewArguments view{};
 };
 
 class PictureComposer {
  public:
-  PictureComposer(const PictureStyle& style, PictureContent content);
+  PictureComposer(const PictureSettings& settings, PictureContent content);
 
   /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
-  /// scene, would find no room.
+  /// scene, would not fit.
   void checkRoom(const Scene& scene) const;
 
   DrawList compose(const Frame& frame);
 
  private:
-  int contactHeight() const;  // pixels, above a diagram
+  int contactHeight() const;  // pixels, where a diagram is below it
   DrawList contact(const Frame& frame, int height);
   ContactPictureOptions contactOptions(int height) const;
   DiagramOptions optionsFor(int height, float leastText) const;
@@ -53,11 +53,11 @@ class PictureComposer {
   void checkStrips(const Scene& scene) const;
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
-  PictureStyle style_;
+  PictureSettings settings_;
   PictureContent content_;
   std::optional<ContactView> view_;
-  ContactPictureOptions contact_;  // of the last one
-  std::optional<DrawList> below_;  // the curve, which stands still in steady sliding
+  ContactPictureOptions contact_;  // options of the last frame
+  std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
 };
 
 }  // namespace asperity

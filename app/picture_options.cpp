@@ -17,16 +17,17 @@
 namespace asperity {
 namespace {
 
-constexpr int kSmallest = 160, kLargest = 16384;  // pixels
+constexpr int kSmallest = 160, kLargest = 16384;  // of width and height in pixels
 constexpr double kPixelsPerInch = 96;
 
-void readSize(const std::string& text, PictureStyle& style) {
+void readSize(const std::string& text, PictureSettings& settings) {
   const std::size_t cross = text.find('x');
   const std::string_view all = text;
-  const bool good = cross != std::string::npos && readNumber(all.substr(0, cross), style.width) &&
-                    readNumber(all.substr(cross + 1), style.height);
+  const bool good = cross != std::string::npos &&
+                    readNumber(all.substr(0, cross), settings.width) &&
+                    readNumber(all.substr(cross + 1), settings.height);
   const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
-  if (!good || !fits(style.width) || !fits(style.height))
+  if (!good || !fits(settings.width) || !fits(settings.height))
     throw InputError("", "--size",
                      message("{} is not WIDTHxHEIGHT with {} to {} pixels each", shortened(text),
                              kSmallest, kLargest));
@@ -54,7 +55,7 @@ constexpr NamedChoices<PixelBackend, 3> kBackends{{{"auto", PixelBackend::Automa
 
 }  // namespace
 
-nlohmann::ordered_json PictureStyle::json() const {
+nlohmann::ordered_json PictureSettings::json() const {
   nlohmann::ordered_json json = {{"size", fmt::format("{}x{}", width, height)},
                                  {"scale", scale},
                                  {"theme", themeName},
@@ -71,7 +72,7 @@ void chooseLanguage(const std::string& code) {
   useLanguage(code);
 }
 
-void checkUseful(const PictureChoice& choice, const std::vector<std::string>& files) {
+void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files) {
   bool hasPicture = false, hasPixels = false;
   for (const std::string& file : files) {
     const std::string extension = extensionOf(file);
@@ -83,52 +84,61 @@ void checkUseful(const PictureChoice& choice, const std::vector<std::string>& fi
     if (given) throw InputError("", option, why);
   };
   if (!hasPicture)
-    for (const auto& [option, given] : {std::pair{"--size", !choice.size.empty()},
-                                        {"--scale", !choice.scale.empty()},
-                                        {"--theme", !choice.theme.empty()},
-                                        {"--transparent", choice.transparent},
-                                        {"--backend", !choice.backend.empty()}})
+    for (const auto& [option, given] : {std::pair{"--size", !arguments.size.empty()},
+                                        {"--scale", !arguments.scale.empty()},
+                                        {"--theme", !arguments.theme.empty()},
+                                        {"--transparent", arguments.transparent},
+                                        {"--backend", !arguments.backend.empty()}})
       refuse(option, given, "belongs to pictures, and no output is one");
   if (!hasPixels)
-    refuse("--backend", !choice.backend.empty(),
+    refuse("--backend", !arguments.backend.empty(),
            "draws pixels; .svg and .pdf are written without them");
 }
 
-void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
-                       const std::string& defaultTheme) {
-  verb.add_option("--size", choice.size,
+void addPictureOptions(CLI::App& command, PictureArguments& arguments,
+                       const std::string& defaultSize, const std::string& defaultTheme) {
+  command
+      .add_option("--size", arguments.size,
                   "Width and height in pixels (default: " + defaultSize + " times the scale)")
       ->type_name("WxH");
-  verb.add_option("--scale", choice.scale,
-                  "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
-  verb.add_option("--theme", choice.theme, "light, dark or print (default: " + defaultTheme + ")");
-  verb.add_flag("--transparent", choice.transparent, "No background");
-  verb.add_option("--backend", choice.backend,
-                  "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
+  command.add_option(
+      "--scale", arguments.scale,
+      "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
+  command.add_option("--theme", arguments.theme,
+                     "light, dark or print (default: " + defaultTheme + ")");
+  command.add_flag("--transparent", arguments.transparent, "No background");
+  command.add_option(
+      "--backend", arguments.backend,
+      "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
 }
 
-PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults) {
-  PictureStyle style;
-  if (!choice.scale.empty()) style.scale = scaleFrom(choice.scale);
-  style.width = static_cast<int>(std::lround(static_cast<float>(defaults.width) * style.scale));
-  style.height = static_cast<int>(std::lround(static_cast<float>(defaults.height) * style.scale));
-  readSize(choice.size.empty() ? fmt::format("{}x{}", style.width, style.height) : choice.size,
-           style);
-  style.themeName = choice.theme.empty() ? defaults.theme : choice.theme;
-  style.theme = chosenFrom(kThemes, style.themeName, "--theme")();
-  style.transparent = choice.transparent;
-  if (!choice.backend.empty()) style.backend = chosenFrom(kBackends, choice.backend, "--backend");
-  return style;
+PictureSettings pictureSettings(const PictureArguments& arguments,
+                                const PictureDefaults& defaults) {
+  PictureSettings settings;
+  if (!arguments.scale.empty()) settings.scale = scaleFrom(arguments.scale);
+  settings.width =
+      static_cast<int>(std::lround(static_cast<float>(defaults.width) * settings.scale));
+  settings.height =
+      static_cast<int>(std::lround(static_cast<float>(defaults.height) * settings.scale));
+  readSize(arguments.size.empty() ? fmt::format("{}x{}", settings.width, settings.height)
+                                  : arguments.size,
+           settings);
+  settings.themeName = arguments.theme.empty() ? defaults.theme : arguments.theme;
+  settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
+  settings.transparent = arguments.transparent;
+  if (!arguments.backend.empty())
+    settings.backend = chosenFrom(kBackends, arguments.backend, "--backend");
+  return settings;
 }
 
 namespace {
 
 constexpr double kFarthest = 1e9;  // m, a million periods of the longest line
 
-constexpr double kMostPeriods = 50;       // as wide as a view may be
-constexpr double kLeastPeriods = 1e-9;    // and as narrow
-constexpr double kFarthestPeriods = 1e6;  // from 0
-constexpr const char *kAlong = "--view", *kHeights = "--heights", *kColours = "--colours-to",
+constexpr double kMostPeriods = 50;       // largest width of a view
+constexpr double kLeastPeriods = 1e-9;    // smallest width of a view
+constexpr double kFarthestPeriods = 1e6;  // largest distance from 0
+constexpr const char *kView = "--view", *kHeights = "--heights", *kColours = "--colours-to",
                      *kExaggeration = "--exaggeration", *kProbe = "--probe",
                      *kMagnify = "--magnify";
 
@@ -139,8 +149,9 @@ void checkPlace(const char* option, const std::optional<double>& place, double l
                              printedNumber(kFarthestPeriods * length, 6)));
 }
 
-/// The heights around the middle of the fitted ones at which heights are so many times as large as
-/// lengths. Labels of other heights are of another width, which moves the plot's edge a little.
+/// Sets heights around the middle of the fitted ones so that they are drawn `exaggeration` times as
+/// large as lengths. The labels of the new heights change the plot's width a little, so the
+/// computation is repeated.
 void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& options) {
   const ContactView fitted = resolvedView(frame, options.view);
   const double middle = 0.5 * (fitted.bottom + fitted.top);
@@ -160,8 +171,8 @@ double& endOf(ContactView& view, ContactOverlay overlay) {
 
 }  // namespace
 
-const char* ViewChoice::firstOption() const {
-  if (!along.empty()) return kAlong;
+const char* ViewArguments::firstOption() const {
+  if (!xRange.empty()) return kView;
   if (!heights.empty()) return kHeights;
   if (exaggeration) return kExaggeration;
   if (coloursTo) return kColours;
@@ -169,25 +180,25 @@ const char* ViewChoice::firstOption() const {
   return magnified ? kMagnify : nullptr;
 }
 
-double ViewChoice::width() const {
-  if (along.empty()) return 0;
-  const NumberRange range = rangeFrom(kAlong, along, "m");
+double ViewArguments::width() const {
+  if (xRange.empty()) return 0;
+  const NumberRange range = rangeFrom(kView, xRange, "m");
   return range.to - range.from;
 }
 
-double ViewChoice::finest() const {
-  constexpr double kNothing = 1e-300;  // as fine as lines are drawn
+double ViewArguments::finest() const {
+  constexpr double kNothing = 1e-300;  // finer than any line
   return probe ? kNothing : width();
 }
 
-FrameFields ViewChoice::fields(ContactOverlay overlay) const {
+FrameFields ViewArguments::fields(ContactOverlay overlay) const {
   FrameFields fields = fieldsFor(overlay);
   fields.lineSlope = probe.has_value();
   return fields;
 }
 
-void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
-  if (!along.empty()) picture["view"] = along;
+void ViewArguments::addTo(nlohmann::ordered_json& picture) const {
+  if (!xRange.empty()) picture["view"] = xRange;
   if (!heights.empty()) picture["heights"] = heights;
   if (exaggeration) picture["exaggeration"] = *exaggeration;
   if (coloursTo) picture["colours_to"] = *coloursTo;
@@ -195,62 +206,67 @@ void ViewChoice::addTo(nlohmann::ordered_json& picture) const {
   if (magnified) picture["magnified"] = *magnified;
 }
 
-void addViewOptions(CLI::App& verb, ViewChoice& choice) {
-  verb.add_option(kAlong, choice.along, "Part of the line to show, in m (default: one period)")
+void addViewOptions(CLI::App& command, ViewArguments& arguments) {
+  command
+      .add_option(kView, arguments.xRange, "Part of the line to show, in m (default: one period)")
       ->type_name("FROM:TO");
-  verb.add_option(kHeights, choice.heights,
+  command
+      .add_option(kHeights, arguments.heights,
                   "Heights to show, in m above the undeformed surface (default: all that occur)")
       ->type_name("FROM:TO");
   limit(
-      verb.add_option(kExaggeration, choice.exaggeration,
-                      "Draw heights this many times as large as lengths, instead of --heights"),
+      command.add_option(kExaggeration, arguments.exaggeration,
+                         "Draw heights this many times as large as lengths, instead of --heights"),
       1e-6, 1e12);
-  limit(verb.add_option(kColours, choice.coloursTo,
-                        "Value at the bright end of the colours, in N/m, s or W/m (default: automatic)"),
+  limit(command.add_option(
+            kColours, arguments.coloursTo,
+            "Value at the bright end of the colours, in N/m, s or W/m (default: automatic)"),
         1e-300, 1e300);
-  limit(verb.add_option(kProbe, choice.probe, "Show a crosshair with readings at this position"),
+  limit(command.add_option(kProbe, arguments.probe,
+                           "Show a crosshair with readings at this position"),
         -kFarthest, kFarthest, "m");
-  limit(verb.add_option(kMagnify, choice.magnified, "Show a magnified inset of this position"),
-        -kFarthest, kFarthest, "m");
+  limit(
+      command.add_option(kMagnify, arguments.magnified, "Show a magnified inset of this position"),
+      -kFarthest, kFarthest, "m");
 }
 
-void checkView(const ViewChoice& choice, ContactOverlay overlay, double length) {
-  if (!choice.along.empty()) {
-    const NumberRange range = rangeFrom(kAlong, choice.along, "m");
-    const double width = choice.width();
+void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length) {
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = rangeFrom(kView, arguments.xRange, "m");
+    const double width = arguments.width();
     if (width > kMostPeriods * length || width < kLeastPeriods * length)
       throw InputError(
-          "", kAlong,
+          "", kView,
           message("{} is not {} wide, of which the most are {} periods of the line",
-                  shortened(choice.along),
+                  shortened(arguments.xRange),
                   rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
-    checkPlace(kAlong, range.from, length);
+    checkPlace(kView, range.from, length);
   }
-  if (!choice.heights.empty()) rangeFrom(kHeights, choice.heights, "m");
-  if (!choice.heights.empty() && choice.exaggeration)
+  if (!arguments.heights.empty()) rangeFrom(kHeights, arguments.heights, "m");
+  if (!arguments.heights.empty() && arguments.exaggeration)
     throw InputError("", kExaggeration, "and --heights both say the heights; one is enough");
-  if (choice.coloursTo && overlay == ContactOverlay::None)
+  if (arguments.coloursTo && overlay == ContactOverlay::None)
     throw InputError("", kColours, "there are no colours with --overlay none");
-  checkPlace(kProbe, choice.probe, length);
-  checkPlace(kMagnify, choice.magnified, length);
+  checkPlace(kProbe, arguments.probe, length);
+  checkPlace(kMagnify, arguments.magnified, length);
 }
 
-void applyView(const ViewChoice& choice, const Frame& frame, ContactPictureOptions& options) {
+void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options) {
   ContactView& view = options.view;
-  if (!choice.along.empty()) {
-    const NumberRange range = rangeFrom(kAlong, choice.along, "m");
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = rangeFrom(kView, arguments.xRange, "m");
     view.left = range.from;
-    view.width = choice.width();
+    view.width = arguments.width();
   }
-  if (choice.coloursTo) endOf(view, options.overlay) = *choice.coloursTo;
-  options.probe = choice.probe;
-  if (choice.magnified) options.magnifier = Magnifier{*choice.magnified};
-  if (!choice.heights.empty()) {
-    const NumberRange range = rangeFrom(kHeights, choice.heights, "m");
+  if (arguments.coloursTo) endOf(view, options.overlay) = *arguments.coloursTo;
+  options.probe = arguments.probe;
+  if (arguments.magnified) options.magnifier = Magnifier{*arguments.magnified};
+  if (!arguments.heights.empty()) {
+    const NumberRange range = rangeFrom(kHeights, arguments.heights, "m");
     view.bottom = range.from;
     view.top = range.to;
-  } else if (choice.exaggeration) {
-    exaggerate(*choice.exaggeration, frame, options);
+  } else if (arguments.exaggeration) {
+    exaggerate(*arguments.exaggeration, frame, options);
   }
 }
 

@@ -1,6 +1,6 @@
-// What a user says about pictures: size, density, theme, library, the same options at every verb
-// that draws; and where to look in a contact: the part along and up, the end of the colours, the
-// crosshair, the magnifier. Main thread; applying the view on any thread.
+// Command-line options for pictures: size, density, theme and library, which are the same for every
+// command that draws; and for the view of a contact: ranges in x and height, the maximum of the
+// colour scale, the crosshair, the magnifier. Main thread; a view can be applied on any thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,25 +18,25 @@ class App;
 
 namespace asperity {
 
-/// As written on the command line.
-struct PictureChoice {
-  std::string size;     // WxH in pixels; empty: the verb's own at this scale
+/// The options as text from the command line.
+struct PictureArguments {
+  std::string size;     // WxH in pixels; empty: the command's default at this scale
   std::string scale;    // empty: 1
-  std::string theme;    // empty: the verb's own
+  std::string theme;    // empty: the command's default
   std::string backend;  // empty: auto
   bool transparent = false;
 };
 
-/// Read and found good.
-struct PictureStyle {
+/// The options after reading and checking.
+struct PictureSettings {
   int width = 0, height = 0;  // pixels
-  float scale = 1;            // pixels to one at 96 per inch
+  float scale = 1;            // pixels of the picture to one pixel at 96 per inch
   std::string themeName;
   Theme theme;
   bool transparent = false;
   PixelBackend backend = PixelBackend::Automatic;
 
-  /// What of it changes a picture, for its provenance.
+  /// Returns the settings that change a picture, for its provenance.
   nlohmann::ordered_json json() const;
 };
 
@@ -45,45 +45,47 @@ struct PictureDefaults {
   std::string theme;
 };
 
-void addPictureOptions(CLI::App& verb, PictureChoice& choice, const std::string& defaultSize,
-                       const std::string& defaultTheme);
+void addPictureOptions(CLI::App& command, PictureArguments& arguments,
+                       const std::string& defaultSize, const std::string& defaultTheme);
 
-/// Throws InputError where an option is given that none of the files has a use for.
-void checkUseful(const PictureChoice& choice, const std::vector<std::string>& files);
+/// Throws InputError where an option is given that applies to none of the files.
+void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files);
 
-/// The language of all texts from now on. Throws InputError naming --language.
+/// Sets the language of all later texts. Throws InputError naming --language.
 void chooseLanguage(const std::string& code);
 
-/// Throws InputError naming the option.
-PictureStyle styleOf(const PictureChoice& choice, const PictureDefaults& defaults);
+/// Reads and checks the options. Throws InputError naming the option.
+PictureSettings pictureSettings(const PictureArguments& arguments, const PictureDefaults& defaults);
 
-/// As written on the command line; empty: not said, and fitted to the scene.
-struct ViewChoice {
-  std::string along;                   // FROM:TO, m
+/// The options from the command line. An empty one is not given, and is fitted to the scene.
+struct ViewArguments {
+  std::string xRange;                  // FROM:TO, m
   std::string heights;                 // FROM:TO, m
-  std::optional<double> exaggeration;  // of heights against lengths
-  std::optional<double> coloursTo;     // N/m, s or W/m, after the overlay
+  std::optional<double> exaggeration;  // factor of heights relative to lengths
+  std::optional<double> coloursTo;     // N/m, s or W/m, depending on the overlay
   std::optional<double> probe;         // m
   std::optional<double> magnified;     // m
 
-  /// One that is said; null where none is.
+  /// Returns the name of an option that is given; null where none is.
   const char* firstOption() const;
-  /// m, of the line that is shown; 0: one period.
+  /// Returns the length of the line that is shown, m; 0: one period.
   double width() const;
-  /// m, in which a picture has its details: less where one place is read.
+  /// Returns the length that a picture must resolve, m: a smaller one where a crosshair reads one
+  /// place.
   double finest() const;
-  /// What frames have to hold for a picture with that overlay.
+  /// Returns the optional values that frames need for a picture with this overlay.
   FrameFields fields(ContactOverlay overlay) const;
-  /// What of it changes a picture, for its provenance; keys are added to `picture`.
+  /// Adds the options that change a picture to `picture`, for its provenance.
   void addTo(nlohmann::ordered_json& picture) const;
 };
 
-void addViewOptions(CLI::App& verb, ViewChoice& choice);
+void addViewOptions(CLI::App& command, ViewArguments& arguments);
 
-/// Throws InputError naming the option where it cannot be meant so. length: of the period, m.
-void checkView(const ViewChoice& choice, ContactOverlay overlay, double length);
+/// Throws InputError naming an option that makes no sense here. length: of the period, m.
+void checkView(const ViewArguments& arguments, ContactOverlay overlay, double length);
 
-/// Into options that have everything else; their view is fitted to the frame where nothing is said.
-void applyView(const ViewChoice& choice, const Frame& frame, ContactPictureOptions& options);
+/// Applies the view to options that are otherwise complete. Parts that are not given are fitted to
+/// the frame.
+void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// A progress bar on a terminal's stderr, and nothing in a pipe. One thread at a time.
+// A progress bar on stderr if it is a terminal; prints nothing into a pipe. One thread at a time.
 #pragma once
 
 #include <chrono>

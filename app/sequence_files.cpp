@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHead = std::size_t{1} << 21;  // bytes before which the texts stand
+// the texts of a picture are within these first bytes
+constexpr std::size_t kHead = std::size_t{1} << 21;
 
 std::string headOf(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -28,7 +29,7 @@ std::string headOf(const std::string& file) {
   return bytes;
 }
 
-/// "frame_0061.png", with any number of digits from four on.
+/// Returns whether the name is like "frame_0061.png", with four or more digits.
 bool isFrameName(const std::string& name) {
   constexpr std::string_view kFront = "frame_", kEnd = ".png";
   if (!name.starts_with(kFront) || !name.ends_with(kEnd)) return false;
@@ -37,9 +38,9 @@ bool isFrameName(const std::string& name) {
   return digits.size() >= 4 && digits.find_first_not_of("0123456789") == digits.npos;
 }
 
-/// Whether this program wrote the file as one of a sequence.
+/// Returns whether this program wrote the file as part of a sequence.
 bool isOwnFrame(const std::string& file) {
-  constexpr int kDeepest = 12;  // of a scene in a provenance, with room to spare
+  constexpr int kDeepest = 12;  // largest nesting of a scene in a provenance, with a margin
   try {
     const auto made = parseJson(pngMetadata(headOf(file)), kDeepest);
     const auto verb = made.find("verb"), picture = made.find("picture");
@@ -89,7 +90,7 @@ std::int64_t SequenceFiles::removeLeftOver() const {
     if (!isFrameName(entry.path().filename().string()) || !entry.is_regular_file() ||
         std::ranges::binary_search(files_, file) || !isOwnFrame(file))
       continue;
-    std::error_code ignored;  // one that cannot be removed stays
+    std::error_code ignored;  // a file that cannot be removed stays
     removed += fs::remove(file, ignored) ? 1 : 0;
   }
   return removed;

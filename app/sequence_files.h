@@ -1,6 +1,6 @@
-// The files of a sequence of pictures: numbered so that ffmpeg (frame_%04d.png) and LaTeX's
-// animate take them, each saying which one it is, so that an interrupted sequence can go on.
-// Immutable once made; any thread.
+// The files of a sequence of pictures. They are numbered so that ffmpeg (frame_%04d.png) and
+// LaTeX's animate take them. Each contains its number, so that an interrupted sequence can be
+// continued. Immutable once made; any thread.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace asperity {
 
 class SequenceFiles {
  public:
-  /// `origin`: the provenance of all of them. Makes the folder. Throws InputError.
+  /// Makes the folder. `origin`: the provenance of all pictures. Throws InputError.
   SequenceFiles(const std::string& folder, std::int64_t count, nlohmann::ordered_json origin);
 
   const std::vector<std::string>& files() const { return files_; }
@@ -20,14 +20,15 @@ class SequenceFiles {
     return files_[static_cast<std::size_t>(index)];
   }
 
-  /// What file `index` says of itself.
+  /// Returns the metadata of file `index`.
   std::string metadata(std::int64_t index) const;
 
-  /// Those that are not there yet. Throws InputError where one is there that says something else.
+  /// Returns the pictures that are not there yet. Throws InputError where a file has other
+  /// metadata.
   std::vector<std::int64_t> missing() const;
 
-  /// Removes frames in the folder that a sequence of this program left there and that are not of
-  /// this one; returns how many. A file that does not say that it is such a frame stays.
+  /// Removes frames that another sequence of this program left in the folder; returns their number.
+  /// A file whose metadata does not name it as such a frame stays.
   std::int64_t removeLeftOver() const;
 
  private:

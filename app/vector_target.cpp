@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kVariable = "ASPERITY_TARGET";
 
-/// As the library of the kernels calls them, in small letters; from the widest down.
+/// Targets under the names of the kernels' library, in small letters; the widest comes first.
 struct Target {
   std::string_view word;
   InstructionSet set;

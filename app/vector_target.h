@@ -1,16 +1,16 @@
-// Which vectors the kernels compute with: the widest that the machine has, or those that the
-// environment names, so that a result of another machine can be made again to the last digit.
+// Choice of the vector instructions of the kernels: the widest that the machine has, or those that
+// the environment names, so that a result of another machine can be reproduced to the last digit.
 #pragma once
 
 #include <string>
 
 namespace asperity {
 
-/// What ASPERITY_TARGET says, if anything. Throws InputError where it names none, or one that this
-/// machine does not have. Before anything is computed.
+/// Reads ASPERITY_TARGET, if it is set. Throws InputError where it names no target, or one that
+/// this machine does not have. Call it before anything is computed.
 void chooseVectorTarget();
 
-/// For the help: the variable and its values.
+/// Returns the help text: the variable and its values.
 std::string vectorTargetHelp();
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// asperity accuracy: error against time of every method on the scene's own lines, as tables and
+// asperity accuracy: error versus run time of every method on the scene's own lines, as tables and
 // diagrams.
 #include <fmt/format.h>
 
@@ -60,12 +60,12 @@ void writePictures(const std::string& folder, const WorkPrecision& comparison) {
   pictures.finish();
 }
 
-/// Below each other, with their ends in line.
+/// Aligns numbers in a column at the right.
 std::string column(const std::string& number) {
   return fmt::format("{:>8}", number);
 }
 
-/// Filled up with blanks; counts letters, not bytes.
+/// Pads with blanks; counts letters, not bytes.
 std::string padded(const std::string& text, std::size_t width) {
   return fmt::format("{:<{}}", text, width);
 }

@@ -1,4 +1,4 @@
-// asperity batch: many scenes and sweeps into pictures, data and a page to look through.
+// asperity batch: runs many scenes and sweeps; writes pictures, data and a page with all of them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,10 +36,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows of a motion's table.
+/// Number of rows in the table of a motion.
 constexpr std::int64_t kMotionRows = 2000;
 
-/// One over the scene's lines at its own velocity; none of a motion, or of a line at rest.
+/// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
+/// line at rest.
 std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
@@ -54,9 +55,9 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
-    style_ = readStyle();
-    grid_.emplace(static_cast<int>(batch_.items.size()), style_.width, style_.height);
-    small_ = style_;
+    settings_ = readSettings();
+    grid_.emplace(static_cast<int>(batch_.items.size()), settings_.width, settings_.height);
+    small_ = settings_;
     small_.width = grid_->cellWidth();
     small_.height = grid_->cellHeight();
     small_.scale = 0.5F;
@@ -64,7 +65,7 @@ class BatchRun {
       DrawList& sheet = sheets_.emplace_back();
       sheet.width = grid_->widthOf(i);
       sheet.height = grid_->heightOf(i);
-      sheet.background = style_.theme.background;
+      sheet.background = settings_.theme.background;
     }
     makeFolder(command.output);
     checkWritable(fileIn("index.html"));
@@ -72,7 +73,7 @@ class BatchRun {
   }
 
   int run() {
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     {
       ProgressBar bar(Words::tr("scenes"), command_.common.quiet);
       const auto total = static_cast<std::int64_t>(batch_.items.size());
@@ -82,13 +83,13 @@ class BatchRun {
       }
     }
     finishPictures(pictures);
-    // What is small and says what was found comes first: sheets are large, and may fail.
+    // The small files with the results are written first: the sheets are large, and may fail.
     const std::string made = provenanceLine(origin());
     const std::vector<std::string> names = grid_->names();
     writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
-      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, made, style_.scale});
+      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, made, settings_.scale});
     pictures.finish();
     return report();
   }
@@ -98,9 +99,9 @@ class BatchRun {
     return (std::filesystem::path(command_.output) / name).string();
   }
 
-  /// No output may replace a file that the batch is read from.
+  /// Throws where an output would replace a file from which the batch is read.
   void checkInputs() const {
-    std::error_code missing;  // what is not there cannot be replaced
+    std::error_code missing;  // a file that does not exist cannot be replaced
     std::set<std::filesystem::path> inputs{
         std::filesystem::canonical(command_.common.scene, missing)};
     for (const BatchItem& item : batch_.items)
@@ -117,7 +118,7 @@ class BatchRun {
     check("results.csv");
   }
 
-  /// The last picture may fail after its scene was done.
+  /// Waits for the last picture, whose writing may fail after its scene has been finished.
   void finishPictures(HeadlessPictures& pictures) {
     try {
       pictures.finish();
@@ -126,20 +127,20 @@ class BatchRun {
     }
   }
 
-  /// A size that the file gives is said of the file.
-  PictureStyle readStyle() const {
-    PictureChoice choice = command_.picture;
-    const bool isOfFile = choice.size.empty();
-    if (isOfFile) choice.size = batch_.size;
+  /// Reads the settings of pictures. An error in a size that the batch file gives names that file.
+  PictureSettings readSettings() const {
+    PictureArguments arguments = command_.picture;
+    const bool isOfFile = arguments.size.empty();
+    if (isOfFile) arguments.size = batch_.size;
     try {
-      return styleOf(choice, {960, 900, "light"});
+      return pictureSettings(arguments, {960, 900, "light"});
     } catch (const InputError& error) {
       if (!isOfFile || error.key() != "--size") throw;
       throw InputError(command_.common.scene, "size", error.message());
     }
   }
 
-  /// What goes wrong with one scene is said of it, and the rest go on.
+  /// Runs one scene. An error belongs to that scene only; the other scenes go on.
   BatchResult resultOf(const BatchItem& item, HeadlessPictures& pictures) {
     BatchResult result;
     result.item = item;
@@ -154,29 +155,26 @@ class BatchRun {
       const auto [sheet, left, top] = cell();
       addLabel(sheets_[sheet], filled(Words::tr("%1 failed"), {item.name}),
                {static_cast<float>(left + 16), static_cast<float>(top + 32)}, 16, TextAnchor::Left,
-               style_.theme.text);
+               settings_.theme.text);
     }
     return result;
   }
 
-  /// Where the next scene stands.
+  /// Returns the cell of the next scene.
   ContactSheets::Cell cell() const { return grid_->cell(static_cast<int>(results_.size())); }
 
   void fill(BatchResult& result, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
-    Scene shown = scene;  // as pictures have it, in the language in use
+    Scene shown = scene;  // with translated texts, as pictures show them
     shown.title = translated(result.item.title);
     const PictureLayout layout = layoutFrom(result.item.show);
     PictureContent content{layout};
     CurveOptions options;
     options.threads = command_.common.threads;
     if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
-      needSteadySliding(scene, "\"show\": \"" + result.item.show + "\"");
+      needSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       const Curve curve = computeCurve(scene, options);
-      if (!curve.isTargetMet)
-        throw InputError("", "accuracy.target_relative_error",
-                         "is not reached within the lines and memory allowed: " +
-                             printedNumber(curve.achievedError, 2));
+      requireTarget(curve);
       content.curves.present = {{}, shown, curve.points, 0};
     }
     result.mean = meanOverLines(scene, options);
@@ -187,10 +185,10 @@ class BatchRun {
     result.lineContactFraction = frame.contactFraction;
 
     const std::string& name = result.item.name;
-    PictureComposer composer(style_, content);
+    PictureComposer composer(settings_, content);
     composer.checkRoom(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
-                   {shown.title, pictureOrigin("batch", scene), style_.scale});
+                   {shown.title, pictureOrigin("batch", scene), settings_.scale});
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
@@ -221,7 +219,7 @@ class BatchRun {
         {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
   }
 
-  /// Of what shows all scenes together.
+  /// Returns the provenance of the files that show all scenes together.
   Json origin() const {
     Json origin = header();
     Json& scenes = origin["scenes"] = Json::array();
@@ -269,7 +267,7 @@ class BatchRun {
 
   const BatchCommand& command_;
   Batch batch_;
-  PictureStyle style_, small_;
+  PictureSettings settings_, small_;
   std::optional<ContactSheets> grid_;
   std::vector<DrawList> sheets_;
   std::vector<BatchResult> results_;

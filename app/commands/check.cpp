@@ -1,4 +1,4 @@
-// asperity check: reads and validates, and says in a few lines what the scene is.
+// asperity check: reads and validates a scene, and prints a summary of a few lines.
 #include <fmt/format.h>
 
 #include "app/command_line.h"
@@ -41,7 +41,7 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
-  // Eq. (13) knows one relaxation time.
+  // Eq. (13) has one relaxation time.
   if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
     add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));

@@ -1,4 +1,4 @@
-// asperity columns: the dictionary of all columns of all tables.
+// asperity columns: lists all columns of all tables with their meaning.
 #include "core/scene/columns.h"
 
 #include <fmt/format.h>

@@ -24,24 +24,26 @@
 namespace asperity {
 namespace {
 
-void writePictures(const CurveCommand& command, const CurveSet& set, const PictureStyle& style) {
+void writePictures(const CurveCommand& command, const CurveSet& set,
+                   const PictureSettings& settings) {
   const std::vector<std::string>& outputs = command.outputs;
   const auto isPicture = [](const std::string& output) {
     return extensionOf(output) != ".csv" && extensionOf(output) != ".json";
   };
   if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
-  DiagramOptions options{style.width, style.height, style.scale, style.theme};
-  if (style.transparent) options.theme.background.a = 0;
+  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
+  if (settings.transparent) options.theme.background.a = 0;
   const DiagramSheet sheet = curveSheet(set);
-  checkPanels(sheet, style, 0);
+  checkPanels(sheet, settings, 0);
   const DrawList list = composeDiagrams(sheet, options);
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
-  origin["picture"] = style.json();
+  origin["picture"] = settings.json();
   command.curves.addTo(origin["picture"]);
-  HeadlessPictures pictures(style.backend);
+  HeadlessPictures pictures(settings.backend);
   for (const std::string& output : outputs)
     if (isPicture(output))
-      pictures.write(output, list, {translated(sheet.title), provenanceLine(origin), style.scale});
+      pictures.write(output, list,
+                     {translated(sheet.title), provenanceLine(origin), settings.scale});
   pictures.finish();
 }
 
@@ -87,22 +89,22 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
 }
 
 /// Returns one table of all curves where there are more than the scene's own.
-std::string tableOf(const CurveSet& set, const CurveChoice& choice) {
-  return choice.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
+std::string tableOf(const CurveSet& set, const CurveArguments& arguments) {
+  return arguments.hasMore() ? curveSetCsv(set) : curveCsv(set.present.points);
 }
 
-std::string jsonOf(const CurveSet& set, const CurveChoice& choice) {
+std::string jsonOf(const CurveSet& set, const CurveArguments& arguments) {
   const std::string own = curveJson(set.present.points, set.present.scene);
-  if (!choice.hasMore()) return own;
+  if (!arguments.hasMore()) return own;
   auto answer = nlohmann::ordered_json::parse(own);
   addCurvesTo(answer, set);
   return answer.dump(2) + "\n";
 }
 
-std::string commentOf(const CurveSet& set, const CurveChoice& choice) {
-  if (!choice.hasMore()) return provenanceComment("curve", set.present.scene);
+std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
+  if (!arguments.hasMore()) return provenanceComment("curve", set.present.scene);
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
-  choice.addTo(origin);
+  arguments.addTo(origin);
   return "# asperity: " + provenanceLine(origin) + "\n";
 }
 
@@ -116,7 +118,7 @@ int runCurve(const CurveCommand& command) {
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
   checkUseful(command.curves, command.outputs);
-  const PictureStyle style = styleOf(command.picture, {1200, 800, "print"});
+  const PictureSettings settings = pictureSettings(command.picture, {1200, 800, "print"});
   checkCurves(command.curves, scene);
   const Curve curve =
       withSceneContext(command.common, [&] { return computeCurve(scene, command.common); });
@@ -129,7 +131,7 @@ int runCurve(const CurveCommand& command) {
       writeFileAtomically(output, commentOf(set, command.curves) + tableOf(set, command.curves));
     if (extension == ".json") writeFileAtomically(output, jsonOf(set, command.curves));
   }
-  writePictures(command, set, style);
+  writePictures(command, set, settings);
   const bool tableOnStdout = command.outputs.empty();
   if (command.common.json)
     fmt::print("{}", jsonOf(set, command.curves));

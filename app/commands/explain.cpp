@@ -1,5 +1,5 @@
-// asperity explain: the plan of a scene as an ordered list of stages, what was left out and why,
-// and what the run will cost; with --analyze also what it did cost.
+// asperity explain: prints the plan of a scene as an ordered list of stages, what is left out and
+// why, and the expected cost of the run; with --analyze also the real cost.
 #include <fmt/format.h>
 
 #include "app/command_line.h"

@@ -1,5 +1,5 @@
-// asperity figure: the paper's figures from a fresh computation, each with its data, its picture
-// and the paper's sentences about it held against what was computed.
+// asperity figure: computes the paper's figures anew, each with its data and picture, and compares
+// the paper's sentences about it with the results.
 #include "core/paper/figure.h"
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those that a word stands for: one, "paper" for Figs. 1 to 6, "all" for these and the two that
-/// the paper does not have.
+/// Returns the figures that a word means: a single figure, "paper" for Figs. 1 to 6, "all" for
+/// these and the two that the paper does not have.
 std::vector<FigureName> namesOf(const std::string& word) {
   std::vector<FigureName> names;
   std::vector<std::string_view> words;
@@ -41,7 +41,7 @@ std::vector<FigureName> namesOf(const std::string& word) {
   throw InputError("", "NAME", notOneOf(word, words));
 }
 
-/// Each once, in the order given.
+/// Returns each figure once, in the order given.
 std::vector<FigureName> namesOf(const std::vector<std::string>& words) {
   std::vector<FigureName> names;
   for (const std::string& word : words)
@@ -59,7 +59,7 @@ std::string claimsFile(const FigureCommand& command) {
   return (fs::path(command.output) / "claims.json").string();
 }
 
-/// All that can be wrong with the output is said before the work.
+/// Checks everything that can be wrong with the output before any work begins.
 void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& names) {
   makeFolder(command.output);
   for (const FigureName name : names)
@@ -73,10 +73,11 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
                       provenanceComment("figure", figure.scene) + figure.csv);
   const DrawList picture =
       composeFigure(figure, contactOf(figure).get(), printOptions(figure.sheet));
-  const PictureFacts facts{translated(figure.sheet.title), pictureOrigin("figure", figure.scene),
-                           printOptions(figure.sheet).scale};
+  const PictureProperties properties{translated(figure.sheet.title),
+                                     pictureOrigin("figure", figure.scene),
+                                     printOptions(figure.sheet).scale};
   for (const char* extension : {".png", ".svg"})
-    pictures.write(fileOf(command, figure.name, extension), picture, facts);
+    pictures.write(fileOf(command, figure.name, extension), picture, properties);
 }
 
 std::string claimLines(const Figure& figure) {

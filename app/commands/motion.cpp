@@ -1,5 +1,5 @@
-// asperity motion: what friction, indentation, contact and power do in time while the velocity
-// changes, as a table and as a picture.
+// asperity motion: friction, indentation, contact and power over time while the velocity changes,
+// as a table and as a picture.
 #include "core/run/motion_table.h"
 
 #include <fmt/format.h>
@@ -22,9 +22,9 @@
 namespace asperity {
 namespace {
 
-/// Of the usual size of texts, times the scale: as small as four strips make them in the usual
-/// picture, so that a picture of few pixels for print has larger ones.
-constexpr float kStripText = 0.6F;
+/// The size of texts relative to the usual one, times the scale. Four strips make texts this small
+/// in the usual picture; a picture of few pixels for print then has relatively larger texts.
+constexpr float kMotionText = 0.6F;
 
 MotionTable compute(const Scene& scene, const MotionCommand& command) {
   ProgressBar bar(Words::tr("time steps"), command.common.quiet);
@@ -37,14 +37,15 @@ MotionTable compute(const Scene& scene, const MotionCommand& command) {
 }
 
 void writePicture(const std::string& output, const Scene& scene, const MotionTable& table,
-                  const PictureStyle& style, HeadlessPictures& pictures) {
-  DiagramOptions options{style.width, style.height, style.scale, style.theme, kStripText};
-  if (style.transparent) options.theme.background.a = 0;
+                  const PictureSettings& settings, HeadlessPictures& pictures) {
+  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme,
+                         kMotionText};
+  if (settings.transparent) options.theme.background.a = 0;
   nlohmann::ordered_json origin = motionProvenance("motion", scene, table);
-  origin["picture"] = style.json();
+  origin["picture"] = settings.json();
   const DiagramSheet sheet = motionSheet(scene, table);
   pictures.write(output, composeDiagrams(sheet, options),
-                 {translated(sheet.title), provenanceLine(origin), style.scale});
+                 {translated(sheet.title), provenanceLine(origin), settings.scale});
 }
 
 std::string summaryOf(const MotionTable& table, const std::vector<std::string>& outputs) {
@@ -70,9 +71,9 @@ int runMotion(const MotionCommand& command) {
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
-  const PictureStyle style = styleOf(command.picture, {1200, 1000, "print"});
+  const PictureSettings settings = pictureSettings(command.picture, {1200, 1000, "print"});
   const MotionTable table = compute(scene, command);
-  HeadlessPictures pictures(style.backend);
+  HeadlessPictures pictures(settings.backend);
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
     if (extension == ".csv")
@@ -82,7 +83,7 @@ int runMotion(const MotionCommand& command) {
     else if (extension == ".json")
       writeFileAtomically(output, motionJson(scene, table));
     else
-      writePicture(output, scene, table, style, pictures);
+      writePicture(output, scene, table, settings, pictures);
   }
   pictures.finish();
   if (command.common.json)

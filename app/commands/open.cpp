@@ -1,4 +1,4 @@
-// asperity open: the window, with the scene that made a picture, a film or a table.
+// asperity open: opens the window with the scene that made a picture, a film or a table.
 #include <fmt/format.h>
 
 #include "app/command_line.h"
@@ -16,8 +16,8 @@ int runOpen(const OpenCommand& command) {
     fmt::print("{}", writeScene(found.scene));
     return kDone;
   }
-  // The window asks before it shows a scene that wants much; the first of the library stands there
-  // meanwhile.
+  // The window asks before it shows a scene that needs much time or memory. Until the answer it
+  // shows the first scene of the library.
   if (found.isCarried && demandsOf(found.scene).any()) return showWindow({}, common, &found);
   return showWindow(found.scene, common);
 }

@@ -50,14 +50,14 @@ double frictionOf(const Frame& frame) {
   return frame.transient ? frame.muMarch : frame.muSteady;
 }
 
-/// One run of the verb, from what was asked to what was written.
+/// One run of the command, from its options to the files it writes.
 class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
       : command_(command),
         scene_(sceneOf(command.common)),
         kind_(kindOf(command.output)),
-        style_(styleOf(command.picture, {1280, 720, "light"})),
+        settings_(pictureSettings(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
         overlay_(command.overlay.empty() ? ContactOverlay::Pressure
                                          : overlayFrom(command.overlay)) {
@@ -71,7 +71,7 @@ class Rendering {
       checkView(command_.view, overlay_, frames_->length());
       if (showsCurve()) computeCurves();
     });
-    composer_.emplace(style_, content());
+    composer_.emplace(settings_, content());
     composer_->checkRoom(scene_);
   }
 
@@ -121,7 +121,7 @@ class Rendering {
  private:
   std::int64_t count() const { return frames_->plan().count; }
 
-  /// "wrote 60 frames in out".
+  /// Returns a summary: "wrote 60 frames in out".
   std::string framesText() const {
     const bool isFilm = kind_ == Kind::Film;
     if (drawn_ == 1)
@@ -137,15 +137,15 @@ class Rendering {
     checkUseful(command_.picture, {command_.output});
     checkNoInput(command_.output, inputsOf(command_.common, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
-    if (kind_ == Kind::Film) checkFilm(command_.output, style_.transparent);
+    if (kind_ == Kind::Film) checkFilm(command_.output, settings_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
       throw InputError("", "--resume",
                        "goes on with a folder of frames; a single file is made anew");
   }
 
-  /// Refuses options of time, which one picture does not have.
+  /// Throws for options of time, which a single picture does not have.
   void checkStill() const {
-    const TimeChoice& time = command_.time;
+    const TimeArguments& time = command_.time;
     for (const auto& [option, given] : {std::pair{"--frames", time.frames > 1},
                                         {"--fps", time.framesPerSecond > 0},
                                         {"--duration", time.duration > 0},
@@ -160,7 +160,7 @@ class Rendering {
     return layout_ == PictureLayout::Curve || layout_ == PictureLayout::Both;
   }
 
-  /// Refuses options of a part of the picture that the layout does not have.
+  /// Throws for options of a part of the picture that the layout does not have.
   void checkParts() const {
     const auto refuse = [&](const char* option, const char* part) {
       throw InputError("", option,
@@ -187,7 +187,7 @@ class Rendering {
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  /// The curves are those of steady sliding, whatever motion the scene has.
+  /// Computes the curves. They belong to steady sliding, whatever motion the scene has.
   void computeCurves() {
     Scene steady = scene_;
     steady.sliding.kind = SlidingKind::Steady;
@@ -196,11 +196,12 @@ class Rendering {
     curves_ = curvesOf(command_.curves, steady, std::move(curve.points), command_.common);
   }
 
-  /// Returns the provenance of the whole run: scene, verb, version, seed and how it is shown.
+  /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
+  /// picture.
   Json origin() const {
     Json origin = provenance("render", scene_);
     if (showsCurve()) addCurveOversampling(origin, scene_);
-    Json& picture = origin["picture"] = style_.json();
+    Json& picture = origin["picture"] = settings_.json();
     picture["layout"] = command_.layout;
     if (overlay_ != ContactOverlay::Pressure) picture["overlay"] = command_.overlay;
     command_.view.addTo(picture);
@@ -224,14 +225,15 @@ class Rendering {
   PictureContent content() const { return {layout_, curves_, overlay_, command_.view}; }
 
   void writePicture() {
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     pictures.write(command_.output, compose(0),
-                   {translated(scene_.title), provenanceLine(origin()), style_.scale});
+                   {translated(scene_.title), provenanceLine(origin()), settings_.scale});
     pictures.finish();
     files_ = {command_.output};
   }
 
-  /// Frames over the whole film, from which a gif takes its colours; none for other films.
+  /// Returns frames spread over the whole film, from which a gif takes its colours. It is empty for
+  /// other films.
   std::vector<std::int64_t> sampledIndices() const {
     constexpr std::int64_t kSamples = 8;
     if (extensionOf(command_.output) != ".gif") return {};
@@ -242,27 +244,27 @@ class Rendering {
     return indices;
   }
 
-  /// Simulates and draws these frames once more than the film needs them.
+  /// Simulates and draws these frames in addition to those of the film.
   void addSamples(const std::vector<std::int64_t>& indices, HeadlessPictures& pictures,
                   FilmFile& film) const {
     if (indices.empty()) return;
     FrameSource frames(scene_, command_.time, false, command_.view.fields(overlay_),
                        command_.view.finest());
-    PictureComposer composer(style_, content());
+    PictureComposer composer(settings_, content());
     for (const std::int64_t index : indices)
       film.add(pictures.draw(composer.compose(frames.frame(index))));
   }
 
   void writeFilm() {
     const std::vector<std::int64_t> samples = sampledIndices();
-    FilmOptions options{style_.width,
-                        style_.height,
+    FilmOptions options{settings_.width,
+                        settings_.height,
                         frames_->plan().framesPerSecond,
-                        style_.transparent,
+                        settings_.transparent,
                         static_cast<int>(samples.size()),
                         translated(scene_.title),
                         provenanceLine(origin())};
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     FilmFile film(command_.output, options);
     addSamples(samples, pictures, film);
     PipelineStages stages = stagesOf(pictures);
@@ -280,14 +282,15 @@ class Rendering {
     SequenceFiles sequence(command_.output, count(), origin());
     files_ = sequence.files();
     const std::vector<std::int64_t> missing = command_.resume ? sequence.missing() : allIndices();
-    HeadlessPictures pictures(style_.backend);
+    HeadlessPictures pictures(settings_.backend);
     PipelineStages stages = stagesOf(pictures);
     stages.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U));
     stages.sink = [&](std::int64_t index, const QImage& image, StageSeconds& seconds) {
       std::string png;
       {
         const StageTimer timer(seconds.encode);
-        png = pngOf(image, {translated(scene_.title), sequence.metadata(index), 96 * style_.scale});
+        png = pngOf(image,
+                    {translated(scene_.title), sequence.metadata(index), 96 * settings_.scale});
       }
       const StageTimer timer(seconds.write);
       writeFileAtomically(sequence.file(index), png);
@@ -317,8 +320,8 @@ class Rendering {
     seconds_ = runPipeline(indices, stages);
   }
 
-  /// Returns the shares of time of the stages, the only part of an answer that differs from run to
-  /// run.
+  /// Returns the fractions of time of the stages. They are the only part of an answer that differs
+  /// from run to run.
   Json pipelineJson() const {
     const double total = seconds_.simulate + seconds_.draw + seconds_.encode + seconds_.write;
     const auto share = [total](double part) { return total > 0 ? part / total : 0; };
@@ -334,13 +337,13 @@ class Rendering {
   const RenderCommand& command_;
   Scene scene_;
   Kind kind_;
-  PictureStyle style_;
+  PictureSettings settings_;
   PictureLayout layout_;
   ContactOverlay overlay_;
   CurveSet curves_;
   std::optional<FrameSource> frames_;
   std::optional<PictureComposer> composer_;
-  Frame last_;  // touched by the composing thread only while it runs
+  Frame last_;  // only the composing thread uses it while it runs
   std::vector<std::string> files_;
   std::int64_t drawn_ = 0, removed_ = 0;
   StageSeconds seconds_;

@@ -1,4 +1,4 @@
-// asperity [SCENE]: the window.
+// asperity [SCENE]: opens the window.
 #include <QApplication>
 #include <cstdio>
 #include <cstdlib>
@@ -20,8 +20,8 @@ bool hasDisplay() {
   return false;
 }
 
-/// Qt ends the program where it finds no platform; this says it in one line instead, and is silent
-/// about what it tried before.
+/// Qt ends the program where it finds no platform. This handler reports that in one line instead,
+/// and hides Qt's messages about earlier attempts.
 void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
   if (type != QtFatalMsg) return;
   std::fputs("asperity: the display cannot be reached; 'asperity render SCENE -o DIR' needs none\n",

@@ -1,9 +1,5 @@
 #include "core/accuracy/compute_curve.h"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"

@@ -1,8 +1,8 @@
 // The friction curve of a scene, computed in one way for every caller: the window's runner, the
-// verbs curve, render and batch, and curves drawn beside another one. What a caller wants to be
-// different (number of lines, scheme, target accuracy, velocities) it sets in the scene, which is a
-// plain value. Progress and cancelling go through CurveOptions alone: `progress` is called with the
-// points so far, `stop` ends the computation within a pass over a line.
+// commands curve, render and batch, and curves drawn beside another one. Options of a caller
+// (number of lines, scheme, target accuracy, velocities) are set in the scene, which is a plain
+// value. Progress and cancelling use CurveOptions only: `progress` is called with the points so
+// far, `stop` ends the computation within a pass over a line.
 //
 // The paper's figures read slopes and plateaus with their uncertainties from many loads at once;
 // they need the averages of groups of lines and therefore use `Study` (core/friction/study.h).
@@ -13,17 +13,16 @@
 
 namespace asperity {
 
-/// The curve of steady sliding, whatever motion the scene has: mu, its error, contact and
+/// Returns the curve of steady sliding, whatever motion the scene has: mu, its error, contact and
 /// indentation at every velocity of the sweep (m/s). With `accuracy.target_relative_error` the
 /// resolution and the number of lines are chosen for each velocity; otherwise the scene's own are
-/// used. A curve that was stopped is not complete and has the points of the part done.
+/// used. A cancelled curve is not complete and has the points of the finished part.
 Curve computeCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// The only point of such a curve at this velocity (m/s), which replaces the scene's sweep.
+/// Returns the only point of such a curve at this velocity (m/s), which replaces the scene's sweep.
 CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& options = {});
 
-/// Throws std::runtime_error, which names the error that was achieved, where a curve misses its
-/// target.
+/// Throws std::runtime_error with the achieved error where a curve misses its target.
 void requireTarget(const Curve& curve);
 
 }  // namespace asperity

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::int64_t kMeasuredLines = 16;  // of the resolution
+constexpr std::int64_t kMeasuredLines = 16;  // for the measured error of resolution
 
 double peakMemory() {
   rusage usage{};

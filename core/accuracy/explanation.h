@@ -1,5 +1,5 @@
-// A plan and what it will cost, like a database's EXPLAIN, and as machines read it; as people do:
-// app/explanation_text.h. Pure; any thread.
+// A plan and its expected cost, like a database's EXPLAIN, in machine-readable form;
+// app/explanation_text.h has it as text. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@
 
 namespace asperity {
 
-/// What a run took, beside what was predicted.
+/// The measured cost of a run, to compare with the prediction.
 struct Measurement {
   double seconds = 0;
-  double memory = 0;  // bytes, by which the process grew; 0 where it did not
+  double memory = 0;  // bytes by which the process grew; 0 where it did not
   ErrorBudget error;
 };
 
@@ -24,7 +24,8 @@ struct Explanation {
   Scene scene;
   std::string verb;  // "curve" or "render"
   std::vector<PlanStage> stages;
-  /// m/s, above which few summits carry the load (core/chart/curve_regions.h); NaN: nowhere.
+  /// Velocity in m/s above which few summits carry the load (core/chart/curve_regions.h); NaN:
+  /// none.
   double fewSummitsVelocity = kNotApplicable;
   double length = 0;                    // m, of the line
   double normalForce = kNotApplicable;  // N, on one period, where the load means one
@@ -36,11 +37,11 @@ struct Explanation {
   std::optional<Measurement> measured{};
 };
 
-/// The plan of `curve` for steady sliding, else of `render`, with the prediction of a curve; that
-/// of a motion is added by core/run/motion_accuracy.h.
+/// Returns the plan of `curve` for steady sliding, else of `render`, with the prediction of a
+/// curve; core/run/motion_accuracy.h adds that of a motion.
 Explanation explain(const Scene& scene, int threads = 0);
 
-/// Runs the curve and fills `measured`. Nothing for a motion that is not steady.
+/// Runs the curve and fills `measured`. It does nothing for a motion that is not steady.
 void analyze(Explanation& explanation, int threads = 0);
 
 std::string explanationJson(const Explanation& explanation);

@@ -9,12 +9,12 @@
 namespace asperity {
 namespace {
 
-/// Nodes of the finest line that a run may make, and of x4, without which no error of a line is
-/// known.
+/// The maximum number of nodes of the finest line in a run, and of x4, without which the error of a
+/// line is unknown.
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 23;
 constexpr std::int64_t kMostNodesOfThree = std::int64_t{1} << 25;
 
-/// Realizations of different strata must be different lines.
+/// Realizations of different strata must be different lines; this is the distance of their numbers.
 constexpr std::int64_t kApart = std::int64_t{1} << 32;
 
 bool isAllowed(std::int64_t elements, int level) {

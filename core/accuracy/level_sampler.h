@@ -1,6 +1,6 @@
-// Draws lines on levels of resolution and counts what they cost: for the mean of a level, or for
-// the difference to the level below. Every level, purpose and half has lines of its own.
-// Ownership: one thread at a time, which shares the work out; scene and options outlive it.
+// Draws lines on levels of resolution and counts their cost: for the mean of a level, or for the
+// difference from the level below. Every level, purpose and half has its own lines.
+// Ownership: one thread at a time, which distributes the work; scene and options outlive it.
 // Failure: as slideRealizations.
 #pragma once
 
@@ -16,23 +16,24 @@
 
 namespace asperity {
 
-/// One velocity of the sweep: what was sampled, and what is wanted.
+/// One velocity of the sweep: its samples and its goal.
 struct VelocityState {
   double velocity = 0;
   Halves halves{std::vector<LevelSums>(kMostLevels), std::vector<LevelSums>(kMostLevels)};
-  std::vector<double> friction;  // of a line that is given, on levels 0, 1, ...
-  CurveAverages facts;           // beside mu
+  std::vector<double> friction;  // of the scene's only line, on levels 0, 1, ...
+  CurveAverages facts;           // all averages except for mu
   LevelPlan plan;
-  /// Lines that a plan whose error came out too large needs at least; of each half, as in the plan.
+  /// Minimum numbers of lines, for a plan whose error came out too large; of each half, as in the
+  /// plan.
   std::array<std::vector<std::int64_t>, 2> least;
-  int known = 0;  // levels sampled
+  int known = 0;  // number of sampled levels
   bool isPlanned = false;
-  bool isExhausted = false;  // no finer line, or no more lines, allowed
+  bool isExhausted = false;  // no finer line, or no more lines, are allowed
 
   LevelSums& sums(std::size_t half, int level) {
     return halves[half][static_cast<std::size_t>(level)];
   }
-  /// The lines that the plan counts on a level.
+  /// Returns the lines that the plan counts on a level.
   const RunningMean& sampled(std::size_t half, int level) const {
     const LevelSums& sums = halves[half][static_cast<std::size_t>(level)];
     return level == plan.first ? sums.direct : sums.correction;
@@ -40,7 +41,8 @@ struct VelocityState {
 };
 using States = std::vector<VelocityState*>;
 
-/// Whose lines, on which level, and whether for its mean or for the difference to the one below.
+/// A group of lines: the half, the level, and whether they are for its mean or for the difference
+/// from the level below.
 struct Stratum {
   int level = 0;
   bool isDirect = true;
@@ -48,43 +50,44 @@ struct Stratum {
 };
 
 struct SamplingCost {
-  double operations = 0;  // nodes passed over
+  double operations = 0;  // number of nodes passed over
   std::int64_t passes = 0, solves = 0;
   double largestResidual = 0;
 };
 
 class LevelSampler {
  public:
-  /// profile: instead of that in the scene's file; it outlives the sampler.
+  /// profile: replaces that in the scene's file; it outlives the sampler.
   LevelSampler(const Scene& scene, const CurveOptions& options, const Profile* profile = nullptr);
 
-  /// The lines of a level, 0 to levelsAllowed() - 1; finer ones would have too many nodes.
+  /// Returns the lines of a level, 0 to levelsAllowed() - 1; finer ones would have too many nodes.
   const LineSource& source(int level);
   int levelsAllowed() const { return static_cast<int>(sources_.size()); }
 
-  /// results[line][velocity]; false where stopped.
+  /// Computes results[line][velocity]; returns false where stopped.
   bool slide(int level, const States& states, std::int64_t first, std::int64_t count,
              std::vector<std::vector<SteadyResult>>& results);
 
-  /// Adds one result to the cost of the run; returns its operations.
+  /// Adds the cost of one result to that of the run; returns its operations.
   double count(const SteadyResult& result, int level);
 
-  /// Draws lines into the sums of these velocities; false where stopped.
+  /// Draws lines and adds them to the sums of these velocities; returns false where stopped.
   bool sample(const Stratum& stratum, const States& states, std::int64_t lines);
 
   const SamplingCost& cost() const { return cost_; }
-  /// Processor time to read, transform and hold what the lines are made of.
+  /// Returns the processor time to read, transform and store the sources of the lines.
   double secondsOfSources() const { return secondsOfSources_; }
   std::int64_t lines() const;  // of all strata
 
  private:
-  /// Friction and operations on a level to what is known of it.
+  /// Adds friction and operations on a level to its sums.
   void add(LevelSums& sums, const SteadyResult& result, int level);
 
   const Scene& scene_;
   const CurveOptions& options_;
   const Profile* profile_;
-  std::vector<std::unique_ptr<LineSource>> sources_;  // of each level allowed, made when needed
+  // one for each allowed level, made when needed
+  std::vector<std::unique_ptr<LineSource>> sources_;
   std::array<std::int64_t, 4 * kMostLevels> done_{};  // lines of each stratum
   SamplingCost cost_;
   double secondsOfSources_ = 0;

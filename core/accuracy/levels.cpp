@@ -6,18 +6,18 @@
 namespace asperity {
 namespace {
 
-/// At most this part of the error is left to the resolution, so that what the finest line is off by
-/// stays small against the interval.
+/// The maximum part of the error that comes from the resolution, so that the error of the finest
+/// line is small against the interval.
 constexpr double kResolutionShare = 0.3;
 
-/// Lines that differ by so much may agree on the average by chance.
+/// Lines that differ by at least this much may agree on average by chance.
 constexpr double kChance = 0.25;
 
 const LevelSums& sumsOf(const Halves& halves, std::size_t half, int level) {
   return halves[half][static_cast<std::size_t>(level)];
 }
 
-/// Of both halves together.
+/// Returns the sums of both halves together.
 RunningMean pooled(const Halves& halves, int level, RunningMean LevelSums::*part) {
   RunningMean mean = sumsOf(halves, 0, level).*part;
   mean.add(sumsOf(halves, 1, level).*part);
@@ -28,7 +28,7 @@ RunningMean LevelSums::*meanOn(int level, int first) {
   return level == first ? &LevelSums::direct : &LevelSums::correction;
 }
 
-/// Friction as one half knows it on a level, before or after lines were drawn for its mean.
+/// Returns the friction on a level from one half, before or after lines were drawn for its mean.
 double frictionOf(const Halves& halves, std::size_t half, int first, int last) {
   const LevelSums& lowest = sumsOf(halves, half, first);
   double mean = lowest.direct.count() > 0 ? lowest.direct.mean() : lowest.value.mean();
@@ -36,7 +36,7 @@ double frictionOf(const Halves& halves, std::size_t half, int first, int last) {
   return mean;
 }
 
-/// Variance (as one half knows it), cost and fewest lines on each level from `first` to `last`.
+/// Variance (from one half), cost and minimum number of lines on each level from `first` to `last`.
 struct Terms {
   std::vector<double> variances, costs;
   std::vector<std::int64_t> fewest;
@@ -60,7 +60,7 @@ Terms termsOf(const Halves& halves, std::size_t half, int first, int last) {
   return terms;
 }
 
-/// Of all lines of a plan, and of those that are not there yet.
+/// Work for all lines of a plan, and for those that are still missing.
 struct Work {
   double all = 0, missing = 0;
 };
@@ -78,7 +78,7 @@ CostedPlan planBetween(const Halves& halves, int first, int last, double relativ
     const std::size_t other = otherHalf(half);
     const Terms terms = termsOf(halves, other, first, last);
     const double error = relative * std::abs(frictionOf(halves, other, first, last));
-    // The mean of two means has half the variance of each. The other half may know less friction
+    // The mean of two means has half the variance of each. One half may give a smaller friction
     // than both together, by which the resolution is judged.
     const double allowed =
         2 * error *
@@ -107,7 +107,7 @@ std::vector<std::int64_t> optimalLines(std::span<const double> variances,
   std::vector<std::int64_t> lines;
   for (std::size_t k = 0; k < variances.size(); ++k) {
     const double wanted = std::ceil(std::sqrt(variances[k] / costs[k]) * sum / allowed);
-    // Beyond any run, but still a number.
+    // This is more than any run can do, but still finite.
     lines.push_back(std::max(fewest[k], static_cast<std::int64_t>(std::min(wanted, 1e15))));
   }
   return lines;

@@ -15,12 +15,12 @@ namespace {
 constexpr std::int64_t kFewestElements = 64;
 constexpr double kTimedVelocities = 41, kTimedLines = 2;
 constexpr double kOperationsOfRow = 18;  // to read one row of a profile's file
-constexpr double kBytesOfRow = 56;       // of a file's row: its text and two numbers
-constexpr double kOfProgram = 3e6;       // bytes that threads and transforms of any run take
+constexpr double kBytesOfRow = 56;       // of a row in a file: its text and two numbers
+constexpr double kOfProgram = 3e6;       // bytes that threads and transforms of any run need
 
-/// Sum of j^-power over j = first ... last, to about 1e-6.
+/// Returns the sum of j^-power over j = first ... last, to about 1e-6.
 double sumOfPowers(double first, double last, double power) {
-  constexpr double kExact = 256;  // terms, after which the sum is an integral
+  constexpr double kExact = 256;  // number of terms that are added; an integral gives the rest
   double sum = 0, j = first;
   for (; j <= last && j < first + kExact; ++j) sum += std::pow(j, -power);
   if (j > last) return sum;
@@ -29,7 +29,8 @@ double sumOfPowers(double first, double last, double power) {
                            : (std::pow(from, 1 - power) - std::pow(to, 1 - power)) / (power - 1));
 }
 
-/// Sum of the spectrum over a line's modes, relative; flat below the roll-off.
+/// Returns the relative sum of the spectrum over a line's modes; the spectrum is flat below the
+/// roll-off.
 double sumOfModes(const Surface& surface) {
   const double last = std::floor((static_cast<double>(surface.elements) - 1) / 2);
   const double rollOff =
@@ -43,15 +44,16 @@ bool isIsolated(const Surface& surface) {
   return surface.kind == SurfaceKind::Wedge || surface.kind == SurfaceKind::Parabola;
 }
 
-/// Operations of one balance, per point of the line. With blocks of the line that are skipped it
-/// is a small part of them; elements with arms are passed over one by one, several times.
+/// Returns the operations of one balance per point of the line. They are a small part of the points
+/// where blocks of the line are skipped; a pass visits elements with arms one by one, several
+/// times.
 double operationsOfBalance(const Scene& scene) {
   const ElementLaw law = lawOf(scene.elastomer);
   if (law.kind() != ElementKind::Arms) return 0.1;
   return 3 * (1 + static_cast<double>(law.arms.size()));
 }
 
-/// A pilot that becomes smaller step by step.
+/// The size of a pilot, which is reduced step by step.
 struct Shape {
   double lines, refinedLines, velocities;
   double perPoint(double balance) const {
@@ -106,7 +108,7 @@ PilotScene shortened(const PilotScene& whole, std::int64_t factor) {
         static_cast<std::int64_t>(std::clamp(waves, 1.0, static_cast<double>((wanted - 1) / 2)));
     return part;
   }
-  // The waves that are left keep their strength: one of them stands for 1 / share of the line's.
+  // The remaining waves keep their strength: one of them represents 1 / share of the line's waves.
   surface.rmsHeight *=
       std::pow(share, surface.hurst) * std::sqrt(sumOfModes(surface) / sumOfModes(all));
   return part;
@@ -145,7 +147,7 @@ PilotPlan planPilot(const Scene& scene, int threads) {
     if (whole.operations(perPoint, points) <= allowed) break;
   }
   plan.sample = sampleWithin(whole, perPoint, points, allowed);
-  // The resolution is that of the run, however many elements the pilot has.
+  // The resolution is that of the run, whatever the number of the pilot's elements.
   if (scene.accuracy.scheme != Scheme::Nodal)
     plan.sample.scene.accuracy.oversampling = static_cast<std::int64_t>(points);
   const double timed = std::min(velocities, kTimedVelocities);
@@ -168,7 +170,8 @@ double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
   const Scheme scheme = scene.accuracy.scheme;
   const double elements = run.elements(), nodes = elements * static_cast<double>(finest);
   constexpr double kNumber = sizeof(double);
-  // Numbers a node: Line, PreparedProfile with its blocks, and the buffers of the transform.
+  // Memory in numbers per node: Line, PreparedProfile with its blocks, and the buffers of the
+  // transform.
   const double ofLine = scheme == Scheme::Linear && isRandom ? 1 : 2;
   const double ofTravel = scheme == Scheme::Cubic    ? 3 + 5 * 4.0 / 3
                           : scheme == Scheme::Linear ? 2 + 5 / 3.0
@@ -178,11 +181,11 @@ double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
   double bytes = kOfProgram + (ofLine + ofTravel) * nodes * kNumber * parallel;
   bytes += ofTransform * nodes * kNumber * (isRandom ? parallel : 1);
   if (isRandom) bytes += (0.5 + parallel) * elements * kNumber;  // amplitudes and phases
-  if (!isRandom) bytes += 2 * nodes * kNumber;                   // of the only line
-  // The text of a file and its numbers are gone before the line is made.
+  if (!isRandom) bytes += 2 * nodes * kNumber;                   // for the only line
+  // The text of a file and its numbers are freed before the line is made.
   bytes = std::max(bytes, kOfProgram + kBytesOfRow * static_cast<double>(run.rows));
   if (callsFor(scene, Purpose::Curve, Stage::SummitCorrelation))
-    bytes += 18 * elements * kNumber * parallel;  // its transform at four nodes an element
+    bytes += 18 * elements * kNumber * parallel;  // its transform at four nodes per element
   // Results of a batch of 32 lines wait for their turn, and those of the first are kept.
   const auto points = static_cast<double>(scene.sweep.points);
   return bytes + points * ((std::min(lines, 32.0) + 1) * sizeof(SteadyResult) +

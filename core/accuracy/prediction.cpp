@@ -18,22 +18,23 @@
 namespace asperity {
 namespace {
 
-/// A line so much longer no longer lies in the caches, and a transform has more steps.
+/// Relative slowdown for each doubling of the length: a longer line no longer fits the caches, and
+/// a transform has more steps.
 constexpr double kSlowdownOfDoubling = 0.08;
 constexpr std::int64_t kTargetVelocities = 9;
-/// A point: of some lines on two levels at all those velocities.
+/// Operations of one point: some lines on two levels at all those velocities.
 constexpr double kOperationsOfTarget = 5;
-constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line measured against
+constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line used as reference
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0 : values[values.size() / 2];
 }
 
-/// One resolution of a scene's lines: slides them and takes the time.
+/// One resolution of a scene's lines: slides them and measures the time.
 class Pilot {
  public:
-  /// profile: of the scene where it is no other line; else null.
+  /// profile: replaces the one in the scene's file if it is not null.
   Pilot(const Scene& scene, const Profile* profile, std::vector<double> velocities)
       : scene_(scene),
         source_(scene, pointsPerElementOfCurve(scene), profile),
@@ -41,13 +42,13 @@ class Pilot {
         velocities_(std::move(velocities)),
         row_(velocities_.size()) {}
 
-  /// mu at each velocity.
+  /// Slides one line; returns mu at each velocity.
   std::vector<double> slide(std::int64_t realization) {
     const double begin = threadSeconds();
     source_.makeInto(line_, realization);
-    prepareProfileInto(travel_, line_, scene_.accuracy.scheme);
+    prepareProfileInto(prepared_, line_, scene_.accuracy.scheme);
     const double made = threadSeconds();
-    sliding_.sweep(travel_, scene_.load, velocities_, row_);
+    sliding_.sweep(prepared_, scene_.load, velocities_, row_);
     making_.push_back(made - begin);
     sweeping_.push_back(threadSeconds() - made);
     std::vector<double> mu;
@@ -59,7 +60,7 @@ class Pilot {
   }
 
   double largestResidual() const { return residual_; }
-  /// Processor time to make one line, and to slide it at one velocity: medians.
+  /// Return the processor time to make one line, and to slide it at one velocity: medians.
   double secondsOfLine() const { return median(making_); }
   double secondsOfBalance() const {
     return median(sweeping_) / static_cast<double>(velocities_.size());
@@ -75,16 +76,16 @@ class Pilot {
   std::vector<double> velocities_;
   std::vector<SteadyResult> row_;
   Line line_;
-  PreparedProfile travel_;
+  PreparedProfile prepared_;
   double residual_ = 0;
-  std::vector<double> making_, sweeping_;  // s, of each line
+  std::vector<double> making_, sweeping_;  // s, for each line
 };
 
 void throwIfStopped(const std::stop_token& stop) {
   if (stop.stop_requested()) throw StudyStopped{};
 }
 
-/// The scene on another resolution; its own where that is none.
+/// Returns the scene with a finer resolution; its own where there is no finer one.
 Scene refined(const Scene& scene, std::int64_t factor) {
   Scene fine = scene;
   fine.accuracy = {
@@ -93,7 +94,8 @@ Scene refined(const Scene& scene, std::int64_t factor) {
   return fine;
 }
 
-/// What is left of the error at `factor` times the points, to be added again.
+/// Returns the factor from the difference to a line with `factor` times the points to the full
+/// error.
 double remainder(const Scene& scene, std::int64_t factor) {
   if (scene.accuracy.scheme == Scheme::Nodal) return 1;
   const double order = scene.accuracy.scheme == Scheme::Linear ? 2 : 4;
@@ -106,7 +108,7 @@ double rms(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-/// Means of mu at each velocity over the first `lines` lines.
+/// Returns means of mu at each velocity over the first `lines` lines.
 std::vector<RunningMean> meansOver(Pilot& pilot, std::size_t velocities, std::int64_t lines,
                                    const std::stop_token& stop) {
   std::vector<RunningMean> means(velocities);
@@ -118,7 +120,7 @@ std::vector<RunningMean> meansOver(Pilot& pilot, std::size_t velocities, std::in
   return means;
 }
 
-/// Root mean square over the velocities of what the coarser means are off, relative.
+/// Returns the root mean square over the velocities of the coarser means' relative errors.
 double differenceOf(const std::vector<RunningMean>& low, const std::vector<RunningMean>& high,
                     double remainder) {
   std::vector<double> differences;
@@ -128,7 +130,8 @@ double differenceOf(const std::vector<RunningMean>& low, const std::vector<Runni
   return differences.empty() ? 0 : rms(differences);
 }
 
-/// Relative difference of mean friction between the scene and a finer one over the same lines.
+/// Returns the relative difference of mean friction between the scene and a finer one over the same
+/// lines.
 double resolutionDifference(const Scene& scene, const std::vector<double>& velocities,
                             std::int64_t lines, std::int64_t factor, const std::stop_token& stop) {
   Pilot coarse(scene, nullptr, velocities), fine(refined(scene, factor), nullptr, velocities);
@@ -137,8 +140,7 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
   return differenceOf(low, high, remainder(scene, factor));
 }
 
-/// How many times finer the line is that an error is measured against: 4, or what memory allows; 1:
-/// nothing finer.
+/// Returns how many times finer the reference line is: 4, or less where memory limits it; 1: none.
 std::int64_t measuringFactor(const Scene& scene) {
   const std::int64_t nodes = lineExtent(scene).elements * pointsPerElementOfCurve(scene);
   return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
@@ -148,8 +150,8 @@ int threadsOf(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// What the pilot's lines say: the coarse ones give spread and force balance, the finer ones with
-/// them the resolution.
+/// Returns the errors from the pilot's lines: the coarse ones give spread and force balance;
+/// together with the finer ones they give the resolution.
 ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot, double lines,
                     const std::stop_token& stop) {
   const Scene& scene = plan.sample.scene;
@@ -179,8 +181,9 @@ ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot,
   return error;
 }
 
-/// The run's own pilot is tried on fewer velocities, and on shorter lines where they are long. A
-/// line that is given has no pilot but the run itself, of which a small part is tried.
+/// Predicts a run with a target. The run's own pilot is tried with fewer velocities, and with
+/// shorter lines where they are long. For a given line the run itself is the pilot, of which a
+/// small part is tried.
 Prediction predictTarget(const Scene& scene, int threads, const std::stop_token& stop) {
   const PilotPlan pilot = planPilot(scene, threads);
   const bool isAveraged = pilot.run.lines > 1;
@@ -253,7 +256,7 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   const double slower = 1 + kSlowdownOfDoubling * std::log2(plan.shortening);
   const double making = pilot.secondsOfLine() * plan.shortening * slower;
   const double line = making + balance * plan.shortening * static_cast<double>(scene.sweep.points);
-  // The first line is slid alone; it is to be seen at once.
+  // The first line is slid alone, so that its result appears at once.
   prediction.seconds = planning * plan.shortening * slower + line * (1 + (lines - 1) / parallel);
   prediction.memory = memoryOfCurve(plan.run, prediction.threads, pointsPerElementOfCurve(scene));
   return prediction;
@@ -264,7 +267,7 @@ ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads) {
   options.threads = threads;
   ErrorBudget error;
   std::vector<CurvePoint> points;
-  std::map<std::int64_t, std::vector<double>> velocities;  // by the points per element used
+  std::map<std::int64_t, std::vector<double>> velocities;  // by the number of points per element
   if (choosesAccuracy(scene)) {
     const TargetCurve result = targetCurve(scene, options);
     error.forceBalance = result.curve.largestResidual;

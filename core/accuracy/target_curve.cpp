@@ -15,13 +15,14 @@
 namespace asperity {
 namespace {
 
-/// Two levels say nothing of the error of a line, because they may agree by chance.
+/// The first level that can be accepted: two levels do not determine the error of a line, because
+/// they may agree by chance.
 constexpr int kFirstAccepted = 2;
 
-/// Digits that friction has at best.
+/// The relative rounding error of friction at best.
 constexpr double kRounding = 1e-13;
 
-/// Lines beyond those that an error too large asks for, so that more rounds are rare.
+/// Factor for the number of additional lines, so that further rounds are rare.
 constexpr double kSurplus = 1.02;
 
 constexpr std::int64_t kFewestAtOnce = 4;
@@ -92,7 +93,7 @@ class Targeting {
     return all;
   }
 
-  // ---- A random line: pilot, plan, lines until it is met -------------------------------------
+  // ---- A random line: pilot, plan, lines until the target is met ------------------------------
 
   bool sampleBoth(int level, bool isDirect, const States& states, std::int64_t linesOfEach) {
     return sampler_.sample({level, isDirect, 0}, states, linesOfEach) &&
@@ -122,7 +123,7 @@ class Targeting {
     return false;
   }
 
-  /// A plan for every velocity, sampling finer levels where the resolution asks for it.
+  /// Makes a plan for every velocity, and samples finer levels where the resolution needs them.
   bool planAll() {
     for (;;) {
       States unresolved;
@@ -146,9 +147,9 @@ class Targeting {
     }
   }
 
-  /// Where all the lines of the plan are there and the error that they state is still too large,
-  /// both halves get more in proportion: that the spreads of the halves differ says nothing of
-  /// their common mean.
+  /// Adopts a plan. Where all its lines have been drawn and their error is still too large, both
+  /// halves get proportionally more lines: a difference between the spreads of the halves gives no
+  /// information on their common mean.
   void adopt(VelocityState& state, const LevelPlan& plan) const {
     const bool isSame =
         state.isPlanned && state.plan.first == plan.first && state.plan.last == plan.last;
@@ -182,7 +183,7 @@ class Targeting {
         state.plan.lines[half][k] = std::max(state.plan.lines[half][k], state.least[half][k]);
   }
 
-  /// The finest line there may be does not do: the best that can be had, as it is.
+  /// Accepts the best possible result where even the finest allowed line is not sufficient.
   void exhaust(VelocityState& state) const {
     const int last = state.known - 1;
     state.plan = {last, last, {}, 0, 0, resolutionErrorOf(state.halves, last)};
@@ -210,8 +211,9 @@ class Targeting {
     return true;
   }
 
-  /// One batch for each level, purpose and half, as many lines as the velocity next to its goal
-  /// needs; at most twice what is there, because variances are known better then. False: stopped.
+  /// Draws one batch for each level, purpose and half, with as many lines as the velocity nearest
+  /// to its goal needs; at most twice the present number, because variances are known better then.
+  /// Returns false where stopped.
   bool sampleWanted() {
     for (int level = 0; level < sampler_.levelsAllowed(); ++level)
       for (const bool isDirect : {true, false})
@@ -227,14 +229,14 @@ class Targeting {
             lines = std::min(lines, std::min(still, twice));
           }
           if (wanting.empty()) continue;
-          // Not a round for every single line.
+          // A minimum batch avoids a round for every single line.
           if (!sampler_.sample({level, isDirect, half}, wanting, std::max(lines, kFewestAtOnce)))
             return false;
         }
     return true;
   }
 
-  // ---- A single line: finer and finer ---------------------------------------------------------
+  // ---- A single line, with increasing resolution ------------------------------------------------
 
   bool runSingle() {
     States open = allStates();
@@ -268,7 +270,8 @@ class Targeting {
 
   // ---- No friction at all ---------------------------------------------------------------------
 
-  /// What is computed is rounding, about the 0 that the law of the elements says.
+  /// Computes a body whose friction is 0 by the law of its elements: the results are rounding
+  /// errors.
   bool runFrictionless() {
     const int level = std::min(kFirstAccepted, sampler_.levelsAllowed() - 1);
     States all = allStates();
@@ -289,7 +292,7 @@ class Targeting {
     return true;
   }
 
-  // ---- The answer -------------------------------------------------------------------------------
+  // ---- The result -------------------------------------------------------------------------------
 
   AchievedAccuracy achievedBy(const VelocityState& state) const {
     const LevelPlan& plan = state.plan;
@@ -328,7 +331,7 @@ class Targeting {
     return point;
   }
 
-  /// No friction by law is known exactly.
+  /// Returns the relative error; a friction of 0 by law has none.
   double relativeError(const AchievedAccuracy& achieved, double mu) const {
     if (isFrictionless_) return 0;
     const double error = std::hypot(achieved.standardError, achieved.resolutionError);
@@ -345,7 +348,8 @@ class Targeting {
       const double error = relativeError(achieved, point.mu);
       result.worst = std::max(result.worst, error);
       result.isReached &= error <= target();
-      // Two levels of a line may agree by chance: too few nodes are allowed for a third.
+      // Two levels of a line may agree by chance, and the allowed nodes do not suffice for a third
+      // one.
       result.isReached &= isRandom_ || isFrictionless_ || state.plan.last >= kFirstAccepted;
       result.plainOperations += state.plan.plainOperations;
     }
@@ -360,7 +364,8 @@ class Targeting {
     return result;
   }
 
-  /// A new plan may begin at a level of which too few lines were drawn yet to know their spread.
+  /// Returns whether there is an estimate. A new plan may begin at a level with too few lines for a
+  /// spread.
   bool hasEstimate(const VelocityState& state) const {
     if (!isRandom_) return true;
     for (const std::size_t half : {0U, 1U})
@@ -369,15 +374,15 @@ class Targeting {
     return true;
   }
 
-  /// The mean over all lines drawn, of whatever level.
+  /// Returns the mean over all lines drawn, on any level.
   CurvePoint sampledSoFar(const VelocityState& state) const {
     CurvePoint point = state.facts.point(state.velocity);
     columns_.addTo(point, state.facts);
     return point;
   }
 
-  /// Lines drawn so far, and those that the plans still ask for: none in the last report, else one
-  /// at least. A line that is given is one line, done with the last level.
+  /// Reports the lines drawn so far and those that the plans still need: none in the last report,
+  /// else at least one. A given line counts as one line, which is finished with the last level.
   void report(bool isLast = false) {
     if (!options_.progress) return;
     std::vector<CurvePoint> points;
@@ -407,7 +412,7 @@ class Targeting {
 
 TargetPlan planTarget(const Scene& scene, const std::stop_token& stop, const Profile* profile) {
   CurveOptions options;
-  options.threads = 1;  // its processor time is this thread's
+  options.threads = 1;  // its processor time is measured on this thread
   options.stop = stop;
   return Targeting(scene, options, profile).plan();
 }

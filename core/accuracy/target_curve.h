@@ -1,9 +1,9 @@
-// The friction curve of a scene to a target accuracy at least cost: at every velocity of the sweep
-// the standard error over random lines and the resolution error of the line together are to be at
+// The friction curve of a scene with a target accuracy at the lowest cost: at every velocity of the
+// sweep the standard error over random lines and the resolution error of the line together are at
 // most `accuracy.target_relative_error` of mu. Resolution and number of lines are chosen for each
 // velocity from the first lines, by counted operations and never by a clock: the same scene gives
-// the same bytes. A line that is given is refined until its last differences say that it is
-// resolved. Without friction nothing is to be reached.
+// the same bytes. A given line is refined until its last differences show that it is resolved.
+// Without friction there is no target.
 // Threading, failure: as frictionCurve.
 #pragma once
 
@@ -17,51 +17,53 @@
 
 namespace asperity {
 
-/// What was achieved at one velocity.
+/// The accuracy achieved at one velocity.
 struct AchievedAccuracy {
   double standardError = 0;       // of mu, absolute
-  double resolutionError = 0;     // of mu, absolute, an upper estimate
-  double low = 0, high = 0;       // 95 % confidence interval of mu, both parts together
+  double resolutionError = 0;     // absolute error of mu, an upper estimate
+  double low = 0, high = 0;       // 95 % confidence interval of mu, both errors together
   std::int64_t oversampling = 1;  // of the finest level
-  std::int64_t coarsest = 1;      // of the coarsest: equal for plain averaging
+  std::int64_t coarsest = 1;      // of the coarsest level: equal for plain averaging
   std::int64_t lines = 1;
 };
 
 struct TargetCurve {
   Curve curve;
   std::vector<AchievedAccuracy> achieved;  // for each point
-  bool isReached = false;  // at every velocity; else more lines or memory than allowed were needed
-  double worst = 0;        // largest relative error achieved
-  double operations = 0;   // nodes passed over, pilot included
+  // at every velocity; false: more lines or memory than allowed were needed
+  bool isReached = false;
+  double worst = 0;            // largest relative error achieved
+  double operations = 0;       // nodes passed over, pilot included
   double plainOperations = 0;  // predicted for plain averaging on the finest level, without pilot
 };
 
-/// scene.accuracy.targetRelativeError > 0; its scheme and oversampling are not used.
+/// Computes the curve. scene.accuracy.targetRelativeError > 0; its scheme and oversampling are not
+/// used.
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// What the pilot of a target curve says of the whole run.
+/// Prediction of the whole run from the pilot of a target curve.
 struct TargetPlan {
   double operations = 0;          // nodes passed over after the pilot
   double secondsOfPilot = 0;      // processor time
-  double secondsOfSources = 0;    // of it, that any number of velocities needs once
-  double secondsOfOperation = 0;  // measured in the pilot; for people only
-  double mostLines = 0;           // at the velocity that needs most
+  double secondsOfSources = 0;    // part of it that is needed once for any number of velocities
+  double secondsOfOperation = 0;  // measured in the pilot; shown to users only
+  double mostLines = 0;           // at the velocity that needs most lines
   double simulations = 0;
   std::int64_t finest = 1;  // points per element of the finest line
-  /// Relative, root mean square over velocities; without friction not applicable.
+  /// Relative errors, root mean square over velocities; not applicable without friction.
   double standardError = kNotApplicable, resolutionError = kNotApplicable;
   double largestResidual = 0;
 };
 
-/// profile: instead of that in the scene's file.
+/// profile: replaces that in the scene's file.
 TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {},
                       const Profile* profile = nullptr);
 
-/// Lines of the pilot, and how many a run may use at one velocity and level.
+/// Number of lines in the pilot, and the maximum at one velocity and level in a run.
 inline constexpr std::int64_t kPilotLines = 2 * kFewestDirect, kMostLines = 1000000;
 
-/// An elastic body dissipates nothing: its friction is rounding, and an error relative to it has no
-/// meaning. A curve to a target then states an interval about 0.
+/// Returns whether the body is elastic and dissipates nothing: its friction is a rounding error,
+/// and an error relative to it has no meaning. A curve with a target then has an interval around 0.
 bool isFrictionless(const Scene& scene);
 
 }  // namespace asperity

@@ -18,11 +18,12 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kVelocities = 8;  // of a region: as many as share a vector
+constexpr std::size_t kVelocities = 8;  // per region: as many as fill a vector
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 22;
-constexpr std::int64_t kReference = 32;        // and twice that
-constexpr std::int64_t kLongestMarch = 20000;  // elements; beyond, a part is timed
-constexpr std::int64_t kTimedSteps = 50;       // of a longer march
+// points per element of the reference, also used doubled
+constexpr std::int64_t kReference = 32;
+constexpr std::int64_t kLongestMarch = 20000;  // elements; a part of a longer march is timed
+constexpr std::int64_t kTimedSteps = 50;       // of a longer march that are timed
 constexpr std::int64_t kLinesOfMarch = 2;
 constexpr std::int64_t kMostLinesOfSpread = 512;
 
@@ -38,7 +39,7 @@ double quantile(std::vector<double> values, double part) {
       std::llround(part * static_cast<double>(values.size() - 1)))];
 }
 
-/// One resolution of all lines, ready to slide on.
+/// All lines at one resolution, prepared for sliding.
 struct Prepared {
   Scene scene;  // with the scheme of the method
   std::vector<PreparedProfile> lines;
@@ -54,7 +55,7 @@ Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t li
                                                                      : Scheme::Cubic;
   const LineSource source(prepared.scene, choice.oversampling);
   Line line;
-  source.makeInto(line, 0);  // the first one plans
+  source.makeInto(line, 0);  // the first one plans the transform
   std::vector<double> seconds;
   for (std::int64_t r = 0; r < lines; ++r) {
     const double start = threadSeconds();
@@ -66,7 +67,7 @@ Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t li
   return prepared;
 }
 
-/// mu of every line and velocity: [line * velocities + i].
+/// Returns mu of every line and velocity: [line * velocities + i].
 std::vector<double> slideAll(const Prepared& prepared, const std::vector<double>& velocities) {
   const SteadySolver sliding(prepared.scene);
   std::vector<double> mu;
@@ -148,7 +149,7 @@ class Comparison {
     if (options_.progress) options_.progress(std::min(1.0, done_ / total_));
   }
 
-  /// From a curve over few lines; the whole sweep where it has no regions.
+  /// Returns the regions of a curve over few lines; the whole sweep where it has no regions.
   std::vector<CurveRegion> regionsOfSweep() const {
     Scene scene = scene_;
     scene.accuracy = {};
@@ -168,7 +169,8 @@ class Comparison {
     return regionsWithin(regionBorders(velocities, mu), velocities.front(), velocities.back());
   }
 
-  /// Evenly spaced in the logarithm over the middle of the region, two decades at most.
+  /// Returns velocities with equal logarithmic spacing in the middle of the region, over at most
+  /// two decades.
   static std::vector<double> velocitiesOf(const CurveRegion& region) {
     const double middle = std::sqrt(region.from * region.to);
     const double half = std::min(10.0, std::pow(region.to / region.from, 0.4));
@@ -179,7 +181,7 @@ class Comparison {
     const std::vector<double> reference = referenceOf(region);
     step(2);
     std::vector<std::vector<double>> seconds(prepared_.size());
-    // By turns, so that a busy moment falls on all.
+    // Methods take turns, so that a load of the machine affects all of them.
     for (int repeat = 0; repeat < options_.repeats; ++repeat)
       for (std::size_t k = 0; k < prepared_.size(); ++k) {
         const double start = threadSeconds();
@@ -234,7 +236,7 @@ class Comparison {
     return point;
   }
 
-  /// The literal march on some of the lines and two of the velocities.
+  /// Runs the literal march on some of the lines and two of the velocities.
   WorkPrecisionPoint march(const RegionPrecision& region,
                            const std::vector<double>& reference) const {
     WorkPrecisionPoint point{{Method::Literal, 1}, 0, 0, true};
@@ -279,7 +281,7 @@ class Comparison {
           });
   }
 
-  /// Standard error of the mean over n lines, from the spread of means over groups of n.
+  /// Adds the standard error of the mean over n lines, from the spread of means over groups of n.
   void addSpread(RegionPrecision& region) const {
     if (!source_.isRandom()) return;
     Scene scene = scene_;
@@ -323,7 +325,7 @@ class Comparison {
   LineSource source_;
   std::int64_t lines_ = 1;
   std::vector<MethodChoice> choices_;
-  std::vector<Prepared> prepared_;  // of all choices but the literal one, in their order
+  std::vector<Prepared> prepared_;  // for all choices except for the literal one, in their order
   double done_ = 0, total_ = 1;
 };
 

@@ -55,7 +55,7 @@ DiagramSeries frontSeries(const RegionPrecision& region) {
   return series;
 }
 
-/// "cubic \u00D72".
+/// Returns "cubic \u00D72".
 Message printedName(const MethodChoice& choice) {
   switch (choice.method) {
     case Method::Linear:
@@ -67,13 +67,13 @@ Message printedName(const MethodChoice& choice) {
   }
 }
 
-/// A ring around the method that the scene has.
+/// Returns a ring around the scene's present method.
 DiagramSeries presentSeries(const WorkPrecisionPoint& present) {
   DiagramSeries series;
   series.name = message("this scene: {}", printedName(present.choice));
   series.mark = SeriesMark::Ring;
   series.stroke = SeriesStroke::None;
-  series.isTheory = true;  // in the colour of texts, set apart from every method's
+  series.isTheory = true;  // drawn in the colour of texts, which no method has
   series.points = {{present.secondsWithLine, present.error}};
   return series;
 }
@@ -110,7 +110,7 @@ Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& re
   return diagram;
 }
 
-/// Seconds of one more line on one velocity, at the scene's present choice.
+/// Returns the seconds for one more line at one velocity, with the scene's present method.
 double secondsOfLine(const WorkPrecision& comparison, const RegionPrecision& region) {
   const WorkPrecisionPoint* present = findPoint(region, comparison.present);
   if (!present) return kNotApplicable;

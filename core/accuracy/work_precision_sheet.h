@@ -8,17 +8,17 @@
 
 namespace asperity {
 
-/// One row for each region and method.
+/// Returns one row for each region and method.
 std::string workPrecisionCsv(const WorkPrecision& comparison);
 
-/// The same with scene, version, references and the spread over lines.
+/// Returns the same with scene, version, references and the spread over lines.
 std::string workPrecisionJson(const WorkPrecision& comparison);
 
-/// Error against seconds for each region: one line a method, the front, the scene's present choice,
-/// and the target where there is one.
+/// Returns error versus seconds for each region: one curve per method, the front, the scene's
+/// present method, and the target where there is one.
 DiagramSheet workPrecisionSheet(const WorkPrecision& comparison);
 
-/// Standard error against realizations, and against seconds.
+/// Returns standard error versus number of realizations, and versus seconds.
 DiagramSheet standardErrorSheet(const WorkPrecision& comparison);
 
 }  // namespace asperity

@@ -29,8 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Through a link the file it points to is written, and the link stays. Throws InputError where the
-/// link leads nowhere.
+/// Returns the file to write: the target of a link, so that the link stays. Throws InputError where
+/// the link leads nowhere.
 fs::path targetOf(const fs::path& file) {
   std::error_code error;
   if (!fs::is_symlink(file, error)) return file;
@@ -45,7 +45,8 @@ fs::path folderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// While it lives, this thread is not interrupted: a handler that waits for it runs on another one.
+/// Blocks interruptions of this thread while an object lives: a handler that waits for it runs on
+/// another thread.
 class NoInterruption {
  public:
   NoInterruption() {
@@ -63,12 +64,13 @@ class NoInterruption {
   sigset_t before_;
 };
 
-/// The hidden names of files that are being written, where a signal handler can read them: in
-/// memory that is never given back. Files beyond the places are not listed, and the next write of
+/// The hidden names of files that are being written, in memory that is never freed, so that a
+/// signal handler can read them. Files beyond the table's size are not listed; the next write of
 /// the same file removes what they leave.
 class UnfinishedNames {
  public:
-  /// A place for a name that a file is about to get, or -1. Until settle() removeAll() waits.
+  /// Returns a place for a name that a file is about to get, or -1. removeAll() waits until
+  /// settle().
   int claim(const std::string& name) {
     waitIfEnding();
     if (name.size() >= sizeof Place::name) return -1;
@@ -110,22 +112,23 @@ class UnfinishedNames {
 };
 UnfinishedNames unfinishedNames;
 
-/// The hidden name that every write of this file takes if it needs one, so that the next write
-/// finds what a kill left behind. A number, because a name of 255 bytes bears no addition.
+/// Returns the hidden name that every write of this file uses if it needs one, so that the next
+/// write finds the rest of a killed one. It is a number, because a name of 255 bytes cannot be made
+/// longer.
 std::string partOf(const fs::path& target) {
   const std::string name = target.filename().string();
-  std::uint64_t number = 14695981039346656037U;  // Fowler, Noll and Vo, 1a
+  std::uint64_t number = 14695981039346656037U;  // FNV-1a hash (Fowler, Noll and Vo)
   for (const unsigned char byte : name) number = (number ^ byte) * 1099511628211U;
   return (target.parent_path() / fmt::format(".asperity.{:016x}.part", number)).string();
 }
 
-/// Only for a moment of two writes of the same file at once.
+/// Returns another name, for the moment when two writes of the same file run at once.
 std::string partOfItsOwn(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   return (target.parent_path() / fmt::format(".asperity.{}_{}.part", ::getpid(), count++)).string();
 }
 
-/// Whoever writes holds the lock, and the end of a process gives it back, however it ends.
+/// Locks the file for its writer. The end of a process releases the lock, however it ends.
 bool lock(int descriptor) {
   return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
 }
@@ -136,7 +139,7 @@ bool isNamed(int descriptor, const std::string& name) {
          open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
-/// Removes a part that nobody writes any more.
+/// Removes a part whose writer has ended.
 void removeStale(const std::string& part) {
   const int found = ::open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (found < 0) return;
@@ -166,7 +169,7 @@ AtomicFile::AtomicFile(const fs::path& file) {
   name_ = partOf(target_);
   removeStale(name_);
   const fs::path folder = folderOf(target_);
-  // A file without a name gets one through /proc, which a bare chroot has not.
+  // A file without a name gets one through /proc, which may be missing after chroot.
   if (::access("/proc/self/fd", X_OK) == 0)
     descriptor_ = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0666);
   if (descriptor_ >= 0)
@@ -176,21 +179,22 @@ AtomicFile::AtomicFile(const fs::path& file) {
   takePermissions();
 }
 
-/// Before anything is written: what nobody else may read is never open to them. Where the owner or
-/// the group cannot be handed on, those of this process get no more than all others have.
+/// Sets the permissions before anything is written, so that private content is never readable by
+/// others. Where owner or group cannot be passed on, this process' own get only the rights of all
+/// others.
 void AtomicFile::takePermissions() const {
   struct stat old, own;
   if (::stat(target_.c_str(), &old) != 0 || ::fstat(descriptor_, &own) != 0) return;
   mode_t mode = old.st_mode & 0777U;
   if (own.st_gid != old.st_gid && ::fchown(descriptor_, static_cast<uid_t>(-1), old.st_gid) != 0)
     mode &= ~static_cast<mode_t>(S_IRWXG) | (mode & S_IRWXO) << 3;
-  // Only the superuser can give a file away; for everybody else the new file is one's own.
+  // Only the superuser can give a file to another owner; for other users the new file is their own.
   if (own.st_uid != old.st_uid)
     std::ignore = ::fchown(descriptor_, old.st_uid, static_cast<gid_t>(-1));
   ::fchmod(descriptor_, mode);
 }
 
-/// Gives the file the name name_; whoever ends the process knows of it from the first moment.
+/// Gives the file the name name_, which a signal handler knows from the first moment.
 template <class Give>
 bool AtomicFile::giveHiddenName(const Give& give) {
   const NoInterruption whole;
@@ -207,7 +211,8 @@ bool AtomicFile::openNamed() {
   return giveHiddenName([this] {
     descriptor_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) return false;
-    // Another write may find it before it is locked, and take it for stale.
+    // Another write may find the file before it is locked, and treat it as the rest of a killed
+    // write.
     const bool isTaken = !lock(descriptor_) && errno == EWOULDBLOCK;
     const bool isOurs = !isTaken && isNamed(descriptor_, name_);
     if (!isOurs) ::close(std::exchange(descriptor_, -1));
@@ -251,7 +256,8 @@ void AtomicFile::replace(std::string_view bytes) {
 
 void AtomicFile::commit() {
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail();
-  // Some file systems tell only at a closing what went wrong; the lock lasts until the other one.
+  // Some file systems report errors only when a file is closed; the lock lasts until the second
+  // closing.
   if (::close(::dup(descriptor_)) != 0) fail();
   if (hasName_ || !linkAsNew()) {
     if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
@@ -261,8 +267,8 @@ void AtomicFile::commit() {
   ::close(std::exchange(descriptor_, -1));
 }
 
-/// A link cannot replace a file, a renaming can; a new file needs no name in between, which a kill
-/// would leave behind. Returns whether it is done.
+/// Tries to link the file as a new one. A link cannot replace a file, but renaming can; a new file
+/// needs no temporary name, which a kill would leave behind. Returns whether the file has its name.
 bool AtomicFile::linkAsNew() {
   const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
   const auto linkAs = [&self](const char* name) {
@@ -308,7 +314,7 @@ std::string readWholeFile(const fs::path& file, std::size_t limit) {
     if (size > limit)
       throw InputError(file.string(), "", message("is larger than the {} bytes allowed", limit));
   };
-  // What says how large it is need not be read to be refused; a pipe does not.
+  // A file that reports too large a size is refused without reading it; a pipe reports no size.
   const std::uintmax_t size = fs::file_size(file, error);
   if (!error) refuseAbove(size);
   std::string bytes;

@@ -10,13 +10,13 @@ namespace {
 
 using std::literals::operator""sv;
 
-/// What follows the first `mark`; empty where there is none.
+/// Returns the bytes after the first `mark`; empty where there is none.
 std::string_view after(std::string_view bytes, std::string_view mark) {
   const std::size_t at = bytes.find(mark);
   return at == std::string_view::npos ? std::string_view{} : bytes.substr(at + mark.size());
 }
 
-/// What stands before the first `mark`; empty where there is none.
+/// Returns the bytes before the first `mark`; empty where there is none.
 std::string_view before(std::string_view bytes, std::string_view mark) {
   const std::size_t at = bytes.find(mark);
   return at == std::string_view::npos ? std::string_view{} : bytes.substr(0, at);
@@ -28,12 +28,12 @@ std::uint64_t bigEndian(std::string_view bytes) {
   return number;
 }
 
-/// The first `size` bytes; empty where there are fewer.
+/// Returns the first `size` bytes; empty where there are fewer.
 std::string_view first(std::string_view bytes, std::uint64_t size) {
   return size <= bytes.size() ? bytes.substr(0, size) : std::string_view{};
 }
 
-/// The text chunk in front of the picture.
+/// Returns the text chunk before the image data.
 std::string_view textOfPng(std::string_view bytes) {
   constexpr std::string_view kKey = "asperity\0\0\0\0\0"sv;  // not compressed, no language
   constexpr std::size_t kSignature = 8, kAround = 12;        // length, type and checksum
@@ -48,7 +48,7 @@ std::string_view textOfPng(std::string_view bytes) {
   return {};
 }
 
-/// Of MP4: a comment is a box that holds one box of data.
+/// MP4: a comment is a box that contains one box of data.
 std::string_view textOfMp4(std::string_view bytes) {
   constexpr std::string_view kUtf8 = "data\0\0\0\1\0\0\0\0"sv;
   while (!(bytes = after(bytes,
@@ -62,8 +62,8 @@ std::string_view textOfMp4(std::string_view bytes) {
   return {};
 }
 
-/// Of WebM: a tag of this name, then its string, whose length has as many bytes as its first one
-/// has leading zeros, and one more.
+/// WebM: a tag of this name, then its string. The number of leading zero bits in the length's first
+/// byte, plus one, is the number of bytes of the length.
 std::string_view textOfWebm(std::string_view bytes) {
   const std::string_view rest = after(bytes,
                                       "\x45\xA3\x87"
@@ -78,17 +78,18 @@ std::string_view textOfWebm(std::string_view bytes) {
   return first(rest.substr(width), marked & ((std::uint64_t{1} << 7 * width) - 1));
 }
 
-/// The first element of this name, to its end; in escaped text there is no other bracket.
+/// Returns the text from the first element of this name to its end; escaped text has no other
+/// bracket.
 std::string_view textOfElement(std::string_view bytes, std::string_view beginning) {
   return before(after(after(bytes, beginning), ">"), "<");
 }
 
-/// Of PDF, GIF and WebP: the description in a packet of XMP.
+/// PDF, GIF and WebP: the description in an XMP packet.
 std::string_view textOfXmp(std::string_view bytes) {
   return textOfElement(after(bytes, "<dc:description>"), "<rdf:li");
 }
 
-/// The entities that a writer of XML may have used for what stands in JSON.
+/// Replaces the entities that a writer of XML may have used for characters of JSON.
 std::string withoutEntities(std::string_view xml) {
   constexpr std::array<std::pair<std::string_view, char>, 7> kEntities{{{"&quot;", '"'},
                                                                         {"&amp;", '&'},
@@ -114,7 +115,7 @@ std::string withoutEntities(std::string_view xml) {
   return text;
 }
 
-/// Of a table: its first line.
+/// Table: its first line.
 std::string_view textOfTable(std::string_view bytes) {
   constexpr std::string_view kBeginning = "# asperity: ";
   if (!bytes.starts_with(kBeginning)) return {};

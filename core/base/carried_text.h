@@ -1,7 +1,7 @@
-// What a file that the program wrote says of itself, found by the file's own structure: the text
+// The provenance in a file that the program wrote, found by the structure of the file: the text
 // chunk "asperity" of a PNG, the metadata of SVG, PDF, GIF, WebP, MP4 and WebM, the first line of a
-// table. What else stands in the file (a title, a label) is not looked at, whatever it says.
-// Pure; any thread. Time and memory grow with the bytes, for any bytes.
+// table. Other texts in the file (a title, a label) are ignored. Pure; any thread. Time and memory
+// grow linearly with the bytes, whatever they are.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// The text as it was given to the writer of the file, without the entities of XML; empty where
+/// Returns the text that was given to the writer of the file, without XML entities; empty where
 /// there is none. `bytes`: the file, or its first and its last bytes where it is very large.
 std::string carriedText(std::string_view bytes);
 

@@ -1,5 +1,6 @@
-// While it lives, this thread's vector arithmetic takes denormal numbers for zero: decayed depths
-// below 1e-308 m mean nothing, and computing with them is a hundred times slower.
+// While an object of this class lives, this thread's vector arithmetic treats denormal numbers as
+// zero: decayed depths below 1e-308 m have no meaning, and computing with them is a hundred times
+// slower.
 #pragma once
 
 #if defined(__SSE2__)
@@ -8,9 +9,9 @@
 
 namespace asperity {
 
-/// Whether invalid operations and divisions by zero trap, where somebody asked for that. Lanes
-/// compute both sides of every choice and keep one, so what the other raises (a root that is not
-/// there, a division by no slope) means nothing.
+/// Whether invalid operations and divisions by zero keep trapping, if traps were enabled. Vector
+/// lanes compute both sides of every choice and keep one, so exceptions of the other side (a root
+/// that does not exist, a division by a zero slope) have no meaning.
 enum class Traps { AsBefore, None };
 
 class FlushDenormals {

@@ -1,9 +1,11 @@
-// Errors that people read. InputError is the one type for bad input, which a user gave and can
-// mend: the command line prints it as one line and exits 2, the window shows it beside the control.
+// Errors shown to users. InputError is the only type for invalid input, which the user can correct:
+// the command line prints it as one line and exits with 2, the window shows it beside the control.
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,51 +14,52 @@
 
 namespace asperity {
 
-/// An error that people read: what it says is a message, and before it stands what it is about.
-/// what() is all of it in English.
+/// An error for users: a message, and before it the names of its subject. what() is the full
+/// English text.
 class TextError : public std::runtime_error {
  public:
   explicit TextError(Message message, std::vector<std::string> about = {})
-      : std::runtime_error(joined(about, message.english())),
+      : std::runtime_error(withNames(about, message).english()),
         message_(std::move(message)),
         about_(std::move(about)) {}
 
   const Message& message() const { return message_; }
-  /// The names in front of it, such as file and key; each may be empty.
+  /// The names before the message, such as file and key; each may be empty.
   const std::vector<std::string>& about() const { return about_; }
 
-  /// "file: key: message"; what is empty is left out.
-  static std::string joined(const std::vector<std::string>& about, const std::string& message) {
-    std::string text;
-    for (const std::string& part : about)
-      if (!part.empty()) text += part + ": ";
-    return text + message;
-  }
+  /// Returns "file: key: message"; an empty name is left out.
+  static Message withNames(const std::vector<std::string>& names, Message message);
 
  private:
   Message message_;
   std::vector<std::string> about_;
 };
 
-/// What an error says, with what it is about in front; of an error that is not a TextError what().
+/// Returns the message of an error with the names before it; for an error that is not a TextError,
+/// what().
 Message messageOf(const std::exception& error);
 
-/// What a user gave and can mend.
+/// An error in the user's input.
 class InputError : public TextError {
  public:
-  /// file and key may be empty. message says what is wrong and what is allowed. Each may hold what
-  /// a user wrote as it is: it is quoted in printable characters, and the error is one line.
+  /// file and key may be empty. message tells what is wrong and what is allowed. Each may contain
+  /// unchecked text of a user: it is quoted in printable characters, and the error is one line.
   InputError(const std::string& file, const std::string& key, const Message& message)
       : TextError(message.quoted(), {printable(file), printable(key)}) {}
 
   const std::string& file() const { return about()[0]; }
   const std::string& key() const { return about()[1]; }
 
-  /// Whether it is about a word of the command line and not of a file: "--frames".
+  /// Returns whether the error is about an option of the command line such as "--frames", not a
+  /// file.
   bool isOfOption() const { return key().starts_with("--"); }
 
-  /// The same error, said of this file.
+  /// Returns the same error with the name of this file.
   InputError in(const std::string& file) const { return {file, key(), message()}; }
 };
+
+/// Returns the error for a file whose extension (with its dot) is not one of the known ones.
+InputError unknownExtension(const std::string& file, const std::string& extension,
+                            std::initializer_list<std::string_view> known);
 
 }  // namespace asperity

@@ -9,8 +9,8 @@
 namespace asperity {
 namespace {
 
-/// oneTBB warns on stderr where an arena asks for more threads than the machine has, unless it was
-/// told before that they are wanted.
+/// oneTBB warns on stderr where an arena asks for more threads than the machine has, unless such a
+/// limit has been set explicitly before.
 std::optional<tbb::global_control> moreThanTheMachine(int threads) {
   const int usual = tbb::this_task_arena::max_concurrency();
   if (threads <= usual) return std::nullopt;

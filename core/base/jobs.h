@@ -1,6 +1,6 @@
-// Numbered jobs on oneTBB's threads, the caller's among them. What was written before is there for
-// every job, and what jobs wrote is there for the caller and for later jobs: by an atomic of our
-// own, since what oneTBB does inside its library is out of sight for tools that look for races.
+// Numbered jobs on oneTBB's threads and the caller's. Every job sees the caller's earlier writes,
+// and the caller and later jobs see the writes of jobs: an atomic of this class ensures it, because
+// race detectors cannot see the synchronization inside oneTBB's library.
 // Ownership: one owner, from whose thread run() is called. Failure: run() throws what a job threw;
 // jobs that have not begun are then left out.
 #pragma once
@@ -13,11 +13,11 @@ namespace asperity {
 
 class Jobs {
  public:
-  /// threads: 0 for as many as the machine has.
+  /// threads: 0 means as many as the machine has.
   explicit Jobs(int threads);
   ~Jobs();
 
-  /// job(0) to job(count - 1), each once, in any order and on any thread.
+  /// Calls job(0) to job(count - 1), each once, in any order and on any thread.
   template <class Job>
   void run(std::int64_t count, const Job& job) {
     const HandOver caller;
@@ -25,8 +25,8 @@ class Jobs {
   }
 
  private:
-  /// Gives what this thread wrote to the next one that takes, at its end too. One for the process,
-  /// because a job must take before it follows the first pointer.
+  /// Publishes this thread's writes for the next thread that takes them, also in the destructor.
+  /// There is one for the process, because a job must take before it follows the first pointer.
   struct HandOver {
     HandOver() { count.fetch_add(1, std::memory_order_acq_rel); }
     ~HandOver() { count.fetch_add(1, std::memory_order_acq_rel); }

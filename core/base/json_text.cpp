@@ -1,7 +1,5 @@
 #include "core/base/json_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -16,17 +14,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Keys of one object: more than any file of ours has. Each is compared with all before.
+/// The maximum number of keys in one object, more than any of the program's files has. Each key is
+/// compared with all earlier ones.
 constexpr std::size_t kMostKeys = 256;
 
-/// The parser's message without its own name in front, and without the middle of what it quotes
-/// where that is long.
+/// Returns the parser's message without its own name in front, and with the middle of a long
+/// quotation cut.
 Message parserMessage(const std::exception& error) {
   constexpr std::size_t kMost = 300, kKept = 120;
   std::string text = error.what();
   const std::size_t bracket = text.find("] ");
   if (bracket != std::string::npos) text.erase(0, bracket + 2);
-  const auto isInside = [&text](std::size_t i) { return (text[i] & 0xC0) == 0x80; };  // of a letter
+  const auto isInside = [&text](std::size_t i) {
+    return (text[i] & 0xC0) == 0x80;
+  };  // of a UTF-8 character
   if (text.size() > kMost) {
     std::size_t from = kKept, to = text.size() - kKept;
     while (isInside(from)) --from;
@@ -36,13 +37,15 @@ Message parserMessage(const std::exception& error) {
   return message("is not valid JSON: {}", text);
 }
 
-/// Receives the parser's events and makes values of them, each in its turn. (The library's own way
-/// of looking at a text while it is read takes a time that grows with the square of a list.)
-/// Refuses what it would take in silence: a key that stands twice in one object (it keeps the
+/// Makes values from the parser's events. (With the library's own callback, the time would grow
+/// with the square of a list's length.) It also refuses what the library accepts silently: a key
+/// that occurs twice in one object (the library keeps the last), too deep nesting, and objects with
+/// very many keys.
 /// last), nesting that no file of ours has, and objects of very many keys.
 class Reader : public nlohmann::json_sax<Json> {
  public:
-  /// `wanted`: a member of the outermost object to stop behind; null: everything is read.
+  /// `wanted`: a member of the outermost object after which the parser stops; null: everything is
+  /// read.
   Reader(int deepest, const std::string* wanted) : deepest_(deepest), wanted_(wanted) {}
 
   bool null() override { return take(nullptr); }
@@ -73,14 +76,14 @@ class Reader : public nlohmann::json_sax<Json> {
     throw InputError("", "", parserMessage(error));
   }
 
-  /// All that was read; a member that was wanted stands last in it.
+  /// Returns everything that was read; a wanted member is the last one in it.
   Json& root() { return root_; }
 
  private:
   /// An object or a list that is not closed yet.
   struct Place {
     Json* value;
-    std::string key;  // of an object: the present one
+    std::string key;  // present key of an object
   };
 
   void checkDepth() const {
@@ -97,7 +100,7 @@ class Reader : public nlohmann::json_sax<Json> {
     return place.value->back();
   }
 
-  /// Whether the parser goes on: not behind what is wanted.
+  /// Returns whether the parser continues: not after the wanted member.
   bool goesOn() const {
     return !wanted_ || places_.size() != 1 || !root_.is_object() || places_[0].key != *wanted_;
   }

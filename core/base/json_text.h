@@ -1,5 +1,5 @@
-// JSON that a user wrote: scenes and batches. Refuses what a parser would take in silence. Pure;
-// any thread.
+// JSON that a user wrote: scenes and batches. Refuses errors that a parser would accept silently.
+// Pure; any thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,15 +9,15 @@
 
 namespace asperity {
 
-/// Throws InputError with the place where the text is no JSON, where a key stands twice in one
-/// object or an object has more than 256 keys, and where objects and lists stand deeper in each
-/// other than `deepest`. wanted: the sentence that says of a file of another kind what is needed
-/// instead. The time grows with the text alone.
+/// Parses the text. Throws InputError with the position where the text is not JSON, where a key
+/// occurs twice in one object or an object has more than 256 keys, and where the nesting is deeper
+/// than `deepest`. wanted: the sentence that tells, for a file of another kind, what is needed
+/// instead. The time grows linearly with the text.
 nlohmann::ordered_json parseJson(std::string_view text, int deepest,
                                  std::string_view wanted = "JSON in UTF-8 is needed");
 
-/// What the outermost object holds under this name, without reading what follows it; null where it
-/// holds nothing under it. `others`: gets the names that stand before it. Throws as parseJson.
+/// Returns the value of this member of the outermost object, without reading what follows it; null
+/// where there is none. `others`: receives the names of the members before it. Throws as parseJson.
 nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest,
                                 std::set<std::string>* others = nullptr);
 

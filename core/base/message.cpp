@@ -1,9 +1,10 @@
 #include "core/base/message.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
-#include "core/base/input_error.h"
 #include "core/base/text.h"
 
 namespace asperity {
@@ -77,13 +78,9 @@ Message sentences(const std::vector<Message>& parts) {
   return joined(parts, "%1 %2");
 }
 
-Message messageOf(const std::exception& error) {
-  const auto* text = dynamic_cast<const TextError*>(&error);
-  if (!text) return Message::name(error.what());
-  Message whole = text->message();
-  for (auto name = text->about().rbegin(); name != text->about().rend(); ++name)
-    if (!name->empty()) whole = message("{}: {}", *name, whole);
-  return whole;
+Message notOneOf(std::string_view given, std::span<const std::string_view> known) {
+  return message("{} is not one of {}", shortened(given),
+                 Message::name(fmt::format("{}", fmt::join(known, ", "))));
 }
 
 namespace detail {

@@ -1,11 +1,12 @@
-// A text for people that core makes: a template in English and the values that stand in it. Tables,
-// JSON and standard error have it in English; whoever shows it in another language looks up the
-// template and puts the values in (ui/language/translated.h). Plain values; any thread.
+// A text for users that core makes: an English template and the values in it. Tables, JSON and
+// standard error have it in English; other languages look up the template and insert the values
+// (ui/language/translated.h). Plain values; any thread.
 #pragma once
 
 #include <fmt/core.h>
 
 #include <ostream>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -13,16 +14,16 @@
 
 namespace asperity {
 
-/// A number, or a quantity with its unit, that is printed already: "1.5", "10 mN".
+/// A number, or a quantity with its unit, that has been formatted: "1.5", "10 mN".
 struct PrintedNumber {
   std::string text;
 };
 
 struct Message {
   enum class Kind {
-    Template,  // English, with %1, %2, ... where the values stand; it is looked up
-    Number,    // as machines write it ("1e-10") or printed; only its style depends on the language
-    Name,      // what is the same in every language: keys, files, what a user wrote
+    Template,  // English, with %1, %2, ... for the values; it is looked up
+    Number,    // in machine format ("1e-10") or formatted; only its style depends on the language
+    Name,      // the same in every language: keys, files, a user's text
   };
 
   std::string text{};
@@ -39,29 +40,33 @@ struct Message {
 
   bool empty() const { return text.empty(); }
   std::string english() const;
-  /// With everything in it in printable characters (core/base/text.h).
+  /// Returns the message with all its texts in printable characters (core/base/text.h).
   Message quoted() const;
 
   bool operator==(const Message&) const = default;
-  /// An order for sets.
+  /// Orders messages for use in sets.
   bool operator<(const Message& other) const;
   friend std::ostream& operator<<(std::ostream& out, const Message& message) {
     return out << message.english();
   }
 };
 
-/// The places %1, %2, ... of a template, filled with the values; any other text stays as it is.
+/// Returns the template with its places %1, %2, ... filled with the values; other text is
+/// unchanged.
 std::string filled(std::string_view form, const std::vector<std::string>& values);
 
-/// All of them as one list: "a, b, c". The empty ones are left out.
+/// Returns all messages as one list: "a, b, c". Empty ones are left out.
 Message listed(const std::vector<Message>& parts);
 
-/// All of them behind each other, a space between two. The empty ones are left out.
+/// Returns all messages one after the other, with a space between two. Empty ones are left out.
 Message sentences(const std::vector<Message>& parts);
+
+/// Returns "pink is not one of light, dark, print".
+Message notOneOf(std::string_view given, std::span<const std::string_view> known);
 
 namespace detail {
 
-/// "waves above {:.3g} m" as "waves above %1 m" and {"{:.3g}"}.
+/// Splits "waves above {:.3g} m" into "waves above %1 m" and {"{:.3g}"}.
 struct Places {
   explicit Places(std::string_view format);
 
@@ -84,8 +89,9 @@ Message messageValue(const std::string& format, const Value& value) {
 
 }  // namespace detail
 
-/// A template in the syntax of fmt, and its values in the order of their places: numbers, texts
-/// that are names, and messages. The German file has it as "waves above %1 m".
+/// Makes a message from a template in the syntax of fmt and its values in the order of their
+/// places: numbers, texts that are names, and messages. The German file has the template as "waves
+/// above %1 m".
 template <class... Values>
 Message message(fmt::format_string<const Values&...> format, const Values&... values) {
   const fmt::string_view view = format;

@@ -13,8 +13,8 @@ namespace {
 constexpr std::string_view kMinus = "\u2212";
 constexpr std::array<std::string_view, 11> kPrefixes = {"f", "p", "n", "\u00B5", "m", "",
                                                         "k", "M", "G", "T",      "P"};
-constexpr int kSmallestPrefix = -15;        // power of ten of the first
-constexpr int kFirstPower = -4, kMost = 6;  // written out from 10^-4 on, below 10^6
+constexpr int kSmallestPrefix = -15;        // power of ten of the first prefix
+constexpr int kFirstPower = -4, kMost = 6;  // plain decimals from 10^-4 to below 10^6
 
 std::string withoutTrailingZeros(std::string text) {
   if (text.find('.') == std::string::npos) return text;
@@ -23,7 +23,7 @@ std::string withoutTrailingZeros(std::string text) {
   return text;
 }
 
-/// Power of ten of the first digit after rounding to `digits` digits.
+/// Returns the power of ten of the first digit after rounding to `digits` digits.
 int leadingPower(double value, int digits) {
   std::array<char, 64> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
@@ -36,7 +36,7 @@ int leadingPower(double value, int digits) {
   return power;
 }
 
-/// "1" is left out before a power of ten.
+/// Leaves out "1" before a power of ten.
 std::string withPower(double value, int power, int digits, Zeros zeros) {
   std::string mantissa = printedDecimals(value / std::pow(10.0, power), digits - 1);
   if (zeros == Zeros::Drop) mantissa = withoutTrailingZeros(std::move(mantissa));
@@ -70,7 +70,7 @@ std::string printedDecimals(double value, int decimals) {
 
 UnitPrefix prefixFor(double magnitude) {
   if (!(magnitude > 0) || !std::isfinite(magnitude)) return {"", 1};
-  // A little upwards: 0.001 is 1 m, whatever its logarithm rounds to.
+  // The logarithm is rounded up a little: 0.001 gives 1 m, whatever the rounding error.
   const int power = static_cast<int>(std::floor((std::log10(magnitude) + 1e-12) / 3));
   const int last = static_cast<int>(kPrefixes.size()) - 1;
   const int index = std::clamp(power - kSmallestPrefix / 3, 0, last);
@@ -81,7 +81,7 @@ std::string printedNumber(double value, int digits, Zeros zeros) {
   if (!std::isfinite(value)) return "\u2013";
   if (value == 0) return "0";
   const int power = leadingPower(value, digits);
-  if (power >= digits && power < kMost) {  // whole numbers are rounded as well
+  if (power >= digits && power < kMost) {  // integers are rounded, too
     const double unit = std::pow(10.0, power - digits + 1);
     return printedDecimals(std::round(value / unit) * unit, 0);
   }
@@ -101,14 +101,14 @@ std::string printedQuantity(double value, std::string_view unit, int digits, Zer
   UnitPrefix prefix = unit == "K" ? UnitPrefix{} : prefixFor(magnitude);
   if (prefix.size > 1 && hasNoLargePrefix(unit)) prefix = {};
   const double shown = magnitude / prefix.size;
-  if (value != 0 && (shown < 1 || shown >= 1e6)) prefix = {};  // beyond them
+  if (value != 0 && (shown < 1 || shown >= 1e6)) prefix = {};  // outside the range of prefixes
   return printedNumber(value / prefix.size, digits, zeros) + " " + std::string(prefix.text) +
          std::string(unit);
 }
 
 namespace {
 
-/// "1e-06" and "1e+15" as "1e-6" and "1e15".
+/// Changes "1e-06" and "1e+15" into "1e-6" and "1e15".
 std::string withoutPadding(std::string number) {
   const std::size_t e = number.find('e');
   if (e == number.npos) return number;

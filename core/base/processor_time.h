@@ -1,4 +1,4 @@
-// Processor time of the calling thread: what work costs however busy the machine is.
+// Processor time of the calling thread: the cost of work independent of other programs' load.
 #pragma once
 
 #include <ctime>

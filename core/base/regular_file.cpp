@@ -1,7 +1,6 @@
 #include "core/base/regular_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <algorithm>
@@ -31,8 +30,8 @@ RegularFile::RegularFile(const std::filesystem::path& file) : name_(file.string(
   };
   if (file.native().find('\0') != std::string::npos)
     throw InputError(name_, "", "is no name of a file");
-  // The opening alone may wait (pipes) or act (tapes), so the kind is asked first; and again
-  // afterwards, because the name may mean another file by then.
+  // Opening a special file may wait (pipes) or act (tapes), so the kind is checked before; and
+  // again afterwards, because the name may then mean another file.
   struct stat status;
   requireSuccess(::stat(file.c_str(), &status));
   requireRegular(status, name_);
@@ -61,7 +60,7 @@ std::string RegularFile::read(std::uint64_t offset, std::size_t count) const {
     if (now < 0 && errno == EINTR) continue;
     if (now < 0)
       throw InputError(name_, "", message("cannot be read: {}", Message(std::strerror(errno))));
-    if (now == 0) break;  // it has become shorter
+    if (now == 0) break;  // the file has become shorter
     done += static_cast<std::size_t>(now);
   }
   bytes.resize(done);
@@ -84,7 +83,7 @@ struct Signature {
   std::string_view kind;
 };
 
-/// The longer ones before those that they begin with.
+/// A longer signature comes before one that is its beginning.
 constexpr std::array<Signature, 18> kSignatures{
     {{"\xFF\xFE\0\0"sv, "text in UTF-32"},
      {"\0\0\xFE\xFF"sv, "text in UTF-32"},
@@ -107,7 +106,7 @@ constexpr std::array<Signature, 18> kSignatures{
      {"\x89HDF"sv, "an HDF5 file"},
      {"\x1A\x45\xDF\xA3"sv, "a WebM film"}}};
 
-/// UTF-16 without its mark: of mostly Latin letters every other byte is 0.
+/// UTF-16 without a byte order mark: in mostly Latin text every second byte is 0.
 bool looksLikeUtf16(std::string_view beginning) {
   std::array<std::size_t, 2> zeros{};
   for (std::size_t i = 0; i < beginning.size(); ++i) zeros[i % 2] += beginning[i] == '\0' ? 1 : 0;

@@ -1,6 +1,6 @@
-// Reading of plain files on a disk, and of nothing else: a pipe or a device might never answer; and
-// what a file is that cannot be read as text in UTF-8.
-// Failure: InputError that names the file; nothing of its content.
+// Reading of plain files on a disk only, because a pipe or a device might never answer; and the
+// kind of a file that is not text in UTF-8.
+// Failure: InputError that names the file, but contains nothing of its content.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ namespace asperity {
 /// An open file. Opening and reading never wait for another program. One thread at a time.
 class RegularFile {
  public:
-  /// Throws InputError where there is no such file, or where it is not a regular one.
+  /// Throws InputError where the file is missing or is not a regular one.
   explicit RegularFile(const std::filesystem::path& file);
   ~RegularFile();
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
 
-  std::uint64_t size() const { return size_; }  // bytes, when it was opened
+  std::uint64_t size() const { return size_; }  // bytes, at the time of opening
 
-  /// At most `count` bytes from `offset` on; fewer where the file ends.
+  /// Returns at most `count` bytes from `offset` on; fewer where the file ends.
   std::string read(std::uint64_t offset, std::size_t count) const;
 
  private:
@@ -30,11 +30,11 @@ class RegularFile {
   std::uint64_t size_ = 0;
 };
 
-/// The whole of a regular file of at most `limit` bytes.
+/// Returns the content of a regular file of at most `limit` bytes.
 std::string readRegularFile(const std::filesystem::path& file, std::size_t limit);
 
-/// "text in UTF-16", "a PNG picture", "a ZIP archive (as of a spreadsheet)", "a binary file"; empty
-/// where the bytes may be text in UTF-8. Looks at the beginning alone.
+/// Returns "text in UTF-16", "a PNG picture", "a ZIP archive (as of a spreadsheet)" or "a binary
+/// file"; empty where the bytes may be text in UTF-8. It examines only the beginning.
 std::string_view foreignKindOf(std::string_view bytes);
 
 }  // namespace asperity

@@ -1,7 +1,6 @@
 #include "core/base/text.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -14,11 +13,11 @@ namespace {
 
 struct Character {
   std::uint32_t code = 0;
-  std::size_t bytes = 0;  // 0: the first byte begins no character of UTF-8
+  std::size_t bytes = 0;  // 0: the first byte does not begin a UTF-8 character
 };
 
-/// The character that the text begins with; the shortest form alone is UTF-8, and half of a pair of
-/// UTF-16 is none.
+/// Returns the first character of the text. Only the shortest encoding is UTF-8, and half of a
+/// UTF-16 surrogate pair is not a character.
 Character firstCharacter(std::string_view text) {
   constexpr std::array<std::uint32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
   const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -40,8 +39,8 @@ struct Range {
   std::uint32_t first, last;
 };
 
-/// Control characters, marks of direction and of no width, separators of lines, tags, and what
-/// Unicode keeps free for programs.
+/// Control characters, marks of direction and of zero width, line separators, tags, and characters
+/// that Unicode reserves for programs.
 constexpr std::array<Range, 13> kUnprintable{{{0, 0x1F},
                                               {0x7F, 0x9F},
                                               {0xAD, 0xAD},
@@ -116,7 +115,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::string shortened(std::string_view text) {
   constexpr std::size_t kMost = 60;
-  const auto isInside = [&text](std::size_t i) { return (text[i] & 0xC0) == 0x80; };  // of a letter
+  const auto isInside = [&text](std::size_t i) {
+    return (text[i] & 0xC0) == 0x80;
+  };  // of a UTF-8 character
   if (text.size() <= kMost) return std::string(text);
   std::size_t end = kMost;
   while (end > 0 && isInside(end)) --end;
@@ -129,10 +130,6 @@ std::string_view nearestOf(std::string_view word, std::span<const std::string_vi
       known, {}, [start](std::string_view one) { return editDistance(start, one); });
   if (nearest == known.end() || 2 * editDistance(start, *nearest) > start.size()) return {};
   return *nearest;
-}
-
-std::string notOneOf(std::string_view given, std::span<const std::string_view> known) {
-  return fmt::format("{} is not one of {}", shortened(given), fmt::join(known, ", "));
 }
 
 std::string fileNameOf(std::string_view name) {

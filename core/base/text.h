@@ -1,5 +1,5 @@
-// Texts that a user wrote or a file holds: quoting them in printable characters, shortening them,
-// naming the nearest known word, making file names of them. Pure; any thread.
+// Texts from a user or a file: quoting them in printable characters, shortening them, finding the
+// nearest known word, making file names from them. Pure; any thread.
 #pragma once
 
 #include <span>
@@ -8,24 +8,21 @@
 
 namespace asperity {
 
-/// The text with every character that a terminal would obey, or that shows as something else than
-/// it is, written out: line ends and tabs as \n, \r and \t, other control characters and bytes that
-/// are no UTF-8 as \x1b, marks without a shape (directions of writing, zero width) as \u202e. What
-/// is printable stays, so that a text quoted twice is the same.
+/// Returns the text with every character escaped that a terminal would interpret, or that is
+/// displayed as something else: line ends and tabs as \n, \r and \t, other control characters and
+/// bytes that are not UTF-8 as \x1b, invisible marks (directions of writing, zero width) as \u202e.
+/// Printable characters are unchanged, so quoting twice has the same result.
 std::string printable(std::string_view text);
 
-/// At most this much of what a user wrote is said back.
+/// Returns a user's text, shortened so that it can be quoted in a message.
 std::string shortened(std::string_view text);
 
-/// The known word nearest to `word` by edit distance; empty where none is as near as half of the
-/// word's length.
+/// Returns the known word nearest to `word` by edit distance; empty where the distance to all
+/// exceeds half of the word's length.
 std::string_view nearestOf(std::string_view word, std::span<const std::string_view> known);
 
-/// "pink is not one of light, dark, print".
-std::string notOneOf(std::string_view given, std::span<const std::string_view> known);
-
-/// Letters and digits of ASCII, '-' and '_' stay, every other byte becomes '_'; 60 at most. Empty
-/// for an empty name.
+/// Returns a file name: letters and digits of ASCII, '-' and '_' stay, every other byte becomes
+/// '_'; 60 bytes at most. Empty for an empty name.
 std::string fileNameOf(std::string_view name);
 
 }  // namespace asperity

@@ -83,10 +83,12 @@ bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<d
   return place == end;
 }
 
-/// Without the mark of a comment.
-std::string_view withoutMark(std::string_view line) {
+/// Without the mark of a comment; a semicolon is one where it separates no fields.
+std::string_view withoutMark(std::string_view line, const TextDialect& dialect) {
   line = trimmedBlanks(line);
-  while (line.starts_with('#') || line.starts_with('%') || line.starts_with('!'))
+  const bool orSemicolon = dialect.separator != TextDialect::Separator::Semicolon;
+  while (line.starts_with('#') || line.starts_with('%') || line.starts_with('!') ||
+         (orSemicolon && line.starts_with(';')))
     line = trimmedBlanks(line.substr(1));
   if (line.starts_with("//")) line = trimmedBlanks(line.substr(2));
   return line;
@@ -94,12 +96,13 @@ std::string_view withoutMark(std::string_view line) {
 
 /// Where ":" or "=" ends a key; npos where there is none.
 std::size_t keyEnd(std::string_view line) {
-  const std::size_t at = line.find_first_of(":=");
+  constexpr std::string_view kWideColon = "\uFF1A";
+  const std::size_t at = std::min(line.find_first_of(":="), line.find(kWideColon));
   return at == 0 ? std::string_view::npos : at;
 }
 
 TextEntry entryOf(std::string_view line, std::size_t number, const TextDialect& dialect) {
-  line = withoutMark(line);
+  line = withoutMark(line, dialect);
   TextEntry entry{{}, std::string(line), number};
   std::vector<std::string_view> fields;
   splitFields(line, dialect.separator, fields);
@@ -124,7 +127,12 @@ TextEntry entryOf(std::string_view line, std::size_t number, const TextDialect& 
         value += (value.empty() ? "" : " ") + std::string(part);
     setKey(fields.front(), value);
   } else if (end != std::string_view::npos) {
-    setKey(line.substr(0, end), line.substr(end + 1));
+    constexpr std::size_t kWide = 3;  // bytes of a full-width colon
+    setKey(line.substr(0, end),
+           line.substr(end + (line[end] == ':' || line[end] == '=' ? 1 : kWide)));
+  } else if (const std::size_t semicolon = line.find(';');
+             semicolon != std::string_view::npos && semicolon > 0) {
+    setKey(line.substr(0, semicolon), line.substr(semicolon + 1));
   } else if (tab != std::string_view::npos && tab > 0) {
     setKey(line.substr(0, tab), line.substr(tab + 1));
   } else if ((fields.size() == 2 || fields.size() == 3) &&
@@ -147,7 +155,7 @@ std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
   constexpr std::size_t kMostRows = 4;
   std::vector<std::vector<std::string>> rows;
   for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
-    const std::string_view text = withoutMark(line->text);
+    const std::string_view text = withoutMark(line->text, dialect);
     if (text.empty()) continue;
     // A comma or a semicolon in front is an unnamed column, too: the mark alone was taken off.
     std::vector<std::string> fields = splitNames(text, dialect, columns);
@@ -381,7 +389,8 @@ class TableReader {
     // Separators at the ends of all lines enclose nothing, unless the column has a name.
     const auto isNamed = [this](std::size_t columns) {
       return !above_.empty() &&
-             !splitNames(withoutMark(above_.back().text), table_.dialect, columns).empty();
+             !splitNames(withoutMark(above_.back().text, table_.dialect), table_.dialect, columns)
+                  .empty();
     };
     while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
            !isNamed(fields_.size())) {

@@ -1,7 +1,5 @@
 #include "core/chart/curve_diagram.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,13 +12,14 @@
 namespace asperity {
 namespace {
 
-constexpr double kDifferenceHeight = 0.42;  // of the curves' height
+constexpr double kDifferenceHeight = 0.42;  // relative to the curves' height
 constexpr double kAir = 1.3;                // factor between the outermost points and the frame
 constexpr double kLowestPercent = -100, kHighestPercent = 200;  // of the axis of a difference
 constexpr double kLeastPercent = 0.1;
 constexpr int kLawPoints = 160;
 
-/// Curves are of the deformation, also where local friction stands beside it.
+/// Returns the name of the mean. Curves show the friction of the deformation, also where there is
+/// local friction.
 Message nameOfMean(const NamedCurve& curve) {
   const std::vector<CurvePoint>& points = curve.points;
   const bool isPart = hasLocalFriction(curve.scene);
@@ -31,8 +30,8 @@ Message nameOfMean(const NamedCurve& curve) {
                 : message("mean of {} lines \u00B1 standard error", lines);
 }
 
-/// A point on the axes, with its own factors: lines whose slopes differ have others at each
-/// velocity.
+/// Returns a point on the axes. It has its own factors: lines with different slopes have different
+/// factors at each velocity.
 DiagramPoint pointOf(const CurvePoint& point, CurveAxes axes, int row) {
   if (axes == CurveAxes::Physical)
     return {point.velocity, point.mu, point.mu - point.muStandardError,
@@ -42,7 +41,7 @@ DiagramPoint pointOf(const CurvePoint& point, CurveAxes axes, int row) {
           point.normalizedMu + error, row};
 }
 
-/// The points that are known, with error bars.
+/// Returns the known points with error bars.
 DiagramSeries meanSeries(const NamedCurve& curve, CurveAxes axes) {
   DiagramSeries series;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
@@ -51,7 +50,8 @@ DiagramSeries meanSeries(const NamedCurve& curve, CurveAxes axes) {
   return series;
 }
 
-/// Eq. (11) between two points of a curve, exactly: by it 1 / mu^2 is linear in 1 / v^2.
+/// Interpolates Eq. (11) between two points of a curve, exactly: in it, 1 / mu^2 is linear in 1 /
+/// v^2.
 double lawBetween(const CurvePoint& a, const CurvePoint& b, double velocity) {
   const auto inverseSquare = [](double value) { return 1 / (value * value); };
   const double start = inverseSquare(a.velocity), end = inverseSquare(b.velocity);
@@ -59,7 +59,8 @@ double lawBetween(const CurvePoint& a, const CurvePoint& b, double velocity) {
   return 1 / std::sqrt(std::lerp(inverseSquare(a.muLaw), inverseSquare(b.muLaw), part));
 }
 
-/// Sampled more finely than the sweep, where the law would have corners.
+/// Samples the law more finely than the sweep, because straight lines between its points would be
+/// visible.
 DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
   const auto [velocity, friction] = factorsOf(curve.points, axes);
   DiagramSeries law;
@@ -83,7 +84,8 @@ DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
   return law;
 }
 
-/// Pinned curves keep their look when others go; where colours repeat, mark and stroke are others.
+/// Returns a pinned curve. It keeps its colour and mark when others leave; where colours repeat,
+/// mark and stroke differ.
 DiagramSeries pinnedSeries(const NamedCurve& curve, CurveAxes axes) {
   constexpr std::array marks{SeriesMark::Square, SeriesMark::Triangle, SeriesMark::Diamond};
   DiagramSeries series = meanSeries(curve, axes);
@@ -137,7 +139,7 @@ bool isOnLogarithmicAxes(const DiagramPoint& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && point.x > 0 && point.y > 0;
 }
 
-/// Why none of the present curve's points is on the axes; empty where one is.
+/// Returns why none of the present curve's points is on the axes; empty where one is.
 Message blankOf(const NamedCurve& curve, CurveAxes axes) {
   const auto isShown = [&](CurveAxes on) {
     return std::ranges::any_of(meanSeries(curve, on).points, isOnLogarithmicAxes);
@@ -180,7 +182,8 @@ Diagram curvesDiagram(const CurveSet& set) {
   return diagram;
 }
 
-/// The same range for all that share an axis: that of the curves, with some air.
+/// Sets the same x-range for all diagrams that share the axis: the range of the curves, with a
+/// margin.
 void fixAlong(Diagram& diagram) {
   if (diagram.x.from < diagram.x.to) return;
   double low = 0, high = 0;
@@ -195,7 +198,7 @@ void fixAlong(Diagram& diagram) {
   diagram.x.to = high * kAir;
 }
 
-/// Ends around all values and 0, held within what can be read.
+/// Sets ends around all values and 0, limited to a readable range.
 void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
   constexpr double kAround = 1.1, kBesideZero = 0.15;
   double low = 0, high = 0;
@@ -209,12 +212,12 @@ void fixDifferenceAxis(DiagramAxis& axis, const DiagramSeries& series) {
   axis.to = std::min(std::max(kAround * high, least), kHighestPercent);
 }
 
-/// In per cent, over the axis of the curves. What lies beyond the axis stands at its end as a
-/// triangle.
-Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& along) {
+/// Makes the diagram of the difference in per cent, over the axis of the curves. A value beyond the
+/// axis is a triangle at its end.
+Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
   Diagram diagram;
   diagram.height = kDifferenceHeight;
-  diagram.x = along;
+  diagram.x = x;
   diagram.y = {"difference \u0394", "%", AxisScale::Linear};
   const double factor = factorsOf(set.present.points, set.axes).velocity;
   DiagramSeries series, zero;

@@ -1,6 +1,6 @@
-// Friction curves as a diagram, in the window and in every file: friction over velocity with
-// Eq. (11), error bars and the regions of the present curve, other curves beside it, and below them
-// the difference of two settings. Pure; any thread.
+// Friction curves as a diagram, in the window and in every file: friction over velocity with Eq.
+// (11), error bars and the regions of the present curve, further curves, and below them the
+// difference of two settings. Pure; any thread.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@
 
 namespace asperity {
 
-/// What DiagramSeries::id says of a friction curve. Curves that are pinned have their own numbers,
-/// all above 0.
+/// Values of DiagramSeries::id for a friction curve. Pinned curves have their own numbers, all
+/// above 0.
 inline constexpr int kPresentCurve = 0, kLawCurve = -2, kDifferenceCurve = -3;
 
-/// The curve of one scene.
+/// Returns the diagram of one scene's curve.
 DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points);
 
-/// Curves that are shown together, and below them, over the same axis, the difference of two
+/// Returns the diagram of several curves, and below it, over the same axis, the difference of two
 /// settings where there is one. The rows of the points count CurvePoint and DifferencePoint.
 DiagramSheet curveSheet(const CurveSet& set);
 

@@ -33,11 +33,11 @@ const RegionText* textOf(std::string_view name) {
   return nullptr;
 }
 
-/// The known part of a curve, where friction has a logarithm.
+/// The known part of a curve, where friction is positive and has a logarithm.
 struct Known {
   std::vector<double> velocities, mu;
 
-  /// d ln mu / d ln v between two points.
+  /// Returns d ln mu / d ln v between two points.
   double exponent(std::size_t i) const {
     return std::log(mu[i + 1] / mu[i]) / std::log(velocities[i + 1] / velocities[i]);
   }
@@ -54,16 +54,16 @@ Known knownPart(std::span<const CurvePoint> points) {
   return known;
 }
 
-// On the line the exponent is 1; where Eq. (12) has reached 95 % of its plateau it is 0.1.
+// In region I the exponent is 1; where Eq. (12) has reached 95 % of its plateau it is 0.1.
 constexpr double kLinear = 0.9, kFlat = 0.1;
 
-/// Regions from the curve's first velocity on, each where the one before it ends.
+/// Collects regions from the curve's first velocity on, each beginning where the previous one ends.
 class Regions {
  public:
   explicit Regions(const Known& known)
       : begin_(known.velocities.front()), end_(known.velocities.back()) {}
 
-  /// To the curve's end where the border is not on it.
+  /// Adds a region, which ends at the border or, if that is not on the curve, at the curve's end.
   void add(std::size_t name, double border) {
     const double end = std::isfinite(border) ? std::min(border, end_) : end_;
     if (!(end > begin_)) return;
@@ -136,7 +136,7 @@ double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
 double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points) {
   const ElementLaw law = lawOf(scene.elastomer);
   for (const CurvePoint& point : points) {
-    // Eq. (13) solved for h.
+    // This is Eq. (13) solved for h.
     const double slope = point.mu / point.normalizedMu;
     const double height = law.relaxationTime * point.velocity * slope /
                           (std::numbers::sqrt2 * point.dimensionlessVelocity);

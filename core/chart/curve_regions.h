@@ -1,6 +1,6 @@
-// Regions I to IV of a computed friction curve, for whoever draws one: decided from the curve
-// itself by the rule of regions.h, and only where the curve shows them; and where few summits carry
-// the load, which is what region IV is. Pure; any thread.
+// Regions I to IV of a computed friction curve. They are determined from the curve itself by the
+// rule of curve_features.h, and only where the curve shows them; and the range in which few summits
+// carry the load, which is region IV. Pure; any thread.
 //
 // In fast sliding of Kelvin elements every contact is viscous and one-sided, p = 4 eta v |z'|, so
 // that F_N / (4 eta v) is the height which the contacts of one period climb together. Below about
@@ -23,15 +23,16 @@
 
 namespace asperity {
 
-/// In order of velocity; those that begin or end beyond the curve end with it. Region I needs a
-/// linear beginning, region III a maximum inside the curve or a flat end. None for bodies with more
-/// than one relaxation time, which the paper's regions do not describe, and without friction.
+/// Returns the regions in order of velocity; those that begin or end beyond the curve end with it.
+/// Region I needs a linear beginning, region III a maximum inside the curve or a flat end. There
+/// are none for bodies with more than one relaxation time, which the paper's regions do not
+/// describe, and without friction.
 std::vector<CurveRegion> regionsOfCurve(const Scene& scene, std::span<const CurvePoint> points);
 
-/// "linear", "transition", "plateau", "decrease" for "I" to "IV"; empty for others.
+/// Returns "linear", "transition", "plateau", "decrease" for "I" to "IV"; empty for others.
 std::string_view wordOfRegion(std::string_view name);
 
-/// What happens in the region and how its borders were found, one sentence each.
+/// Returns what happens in the region and how its borders were found, one sentence each.
 std::string_view sentenceOfRegion(std::string_view name);
 
 struct VelocityRange {
@@ -41,30 +42,32 @@ struct VelocityRange {
 /// Part of the rms height that counts as few summits.
 inline constexpr double kFewSummits = 0.1;
 
-/// What the tint of a diagram says.
+/// The sentence for the shade in a diagram.
 inline constexpr const char* kFewSummitsSentence =
     "Tinted: F\u2099/(4\u03B7v), the height that the contacts of one period climb together, is "
     "below "
     "0.1 h; the border moves with the period L.";
 
-/// F_N / (4 eta v) in m.
+/// Returns F_N / (4 eta v) in m.
 double climbedHeight(double normalForce, double viscosity, double velocity);
 
-/// The velocity (m/s) above which F_N / (4 eta v) is below a tenth of the rms height (m). NaN where
-/// that says nothing: for elastic elements and those with arms, a constant indentation, lines that
-/// are not rough.
+/// Returns the velocity (m/s) above which F_N / (4 eta v) is below a tenth of the rms height (m).
+/// NaN where this has no meaning: for elastic elements and those with arms, a constant indentation,
+/// lines that are not rough.
 double fewSummitsVelocity(const Scene& scene, double rmsHeight);
 
-/// The same for a computed curve, whose dimensionless columns hold the rms height of its lines.
+/// Returns the same for a computed curve, whose dimensionless columns contain the rms height of its
+/// lines.
 double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points);
 
-/// Where it is so between two velocities; nothing where it is nowhere so.
+/// Returns the part of a velocity range in which few summits carry the load; nothing where there is
+/// none.
 std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last);
 
-/// The same of all velocities of a curve.
+/// Returns the same for all velocities of a curve.
 std::optional<VelocityRange> fewSummitsOf(const Scene& scene, std::span<const CurvePoint> points);
 
-/// Tints the diagram there, whose axis along is velocity times `factor`.
+/// Adds this range as a shade to the diagram, whose x-axis is velocity times `factor`.
 void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor = 1);
 
 }  // namespace asperity

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-/// A text as one cell.
+/// Returns a text as one cell of CSV.
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == text.npos) return text;
   std::string quoted = "\"";
@@ -34,7 +34,7 @@ AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
 }
 
 int colourOfPin(int place) {
-  // Without the first two, which the present curve and its marker have; those come last.
+  // The first two colours belong to the present curve and its marker, so they come last.
   constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
   return order[static_cast<std::size_t>(place % kPinColours)];
 }

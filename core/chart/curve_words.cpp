@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-/// The table's symbols in the letters of a printed text.
+/// Returns the table's symbol in printed letters.
 std::string printed(std::string_view symbol) {
   constexpr std::pair<std::string_view, std::string_view> letters[] = {
       {"tau", "\u03C4"},    {"eta", "\u03B7"},  {"kappa", "\u03BA"}, {"lambda_r", "\u03BB\u1D63"},
@@ -22,7 +22,7 @@ std::string printed(std::string_view symbol) {
   return std::string(symbol);
 }
 
-/// Empty where the row has no symbol, or the effect is not there.
+/// Returns the parameter as text; empty where the row has no symbol, or the effect is not present.
 Message inWords(const Parameter& row, const Scene& scene) {
   if (row.symbol.empty() || !isApplicable(row, scene)) return {};
   const ParameterValue value = valueOf(row, scene);
@@ -36,19 +36,19 @@ Message inWords(const Parameter& row, const Scene& scene) {
   return {};
 }
 
-/// Of the temperature nothing is said where it shifts nothing.
+/// Returns whether a row belongs to a temperature shift that shifts nothing.
 bool isShiftIdle(const Parameter& row, const Scene& scene) {
   const bool shifts = row.key == "elastomer.temperature" || row.key.starts_with("elastomer.shift");
   return shifts && !shiftsTimes(scene.elastomer);
 }
 
-/// The value, or what is chosen where it is left open.
+/// Returns the value, or the automatic choice where the scene leaves it open.
 ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
   if (row.key == "accuracy.oversampling") return pointsPerElementOfCurve(scene);
   return valueOf(row, scene);
 }
 
-/// "seed 3", "linear", "local shear = 2 N/m": of rows that have no symbol.
+/// Returns "seed 3", "linear", "local shear = 2 N/m": rows without a symbol.
 Message inPlainWords(const Parameter& row, const Scene& scene) {
   const ParameterValue value = valueInCurve(row, scene);
   const Message label(row.label);
@@ -63,13 +63,13 @@ Message inPlainWords(const Parameter& row, const Scene& scene) {
   return word;
 }
 
-/// What a friction curve does not depend on.
+/// Returns whether a friction curve is independent of the row.
 bool isOfNoCurve(const Parameter& row) {
   return row.key == "title" || row.key == "description" || row.key == "chapter" ||
          row.key.starts_with("sliding.");
 }
 
-/// Whether a row says something in one scene that it does not in the other.
+/// Returns whether two scenes have different texts for a row.
 bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   if (isOfNoCurve(row) || !isApplicable(row, scene)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;

@@ -1,5 +1,5 @@
-// A curve's parameters in words, for legends and lines under pictures: the symbols of the table
-// with prefixed units. Pure; any thread. UTF-8.
+// A curve's parameters as text, for legends and lines under pictures: the symbols of the table with
+// prefixed units. Pure; any thread. UTF-8.
 #pragma once
 
 #include <string_view>
@@ -9,15 +9,15 @@
 
 namespace asperity {
 
-/// One of them: "H = 0.3", "F\u2099 = 10 mN"; where it has no symbol, "seed 3", "linear". Empty for
-/// arms and for a key that is not known.
+/// Returns one parameter: "H = 0.3", "F\u2099 = 10 mN"; without a symbol, "seed 3", "linear". Empty
+/// for arms and for an unknown key.
 Message parameterInWords(std::string_view key, const Scene& scene);
 
-/// One line of what a scene sets: "H = 0.7, h = 500 nm, G = 10 MPa, ...".
+/// Returns one line with a scene's parameters: "H = 0.7, h = 500 nm, G = 10 MPa, ...".
 Message parametersInWords(const Scene& scene);
 
-/// Only what `scene` has otherwise than `from` and its friction curve depends on: "G = 20 MPa,
-/// linear"; empty where the curves are of the same parameters.
+/// Returns the parameters in which `scene` differs from `from` and on which its friction curve
+/// depends: "G = 20 MPa, linear"; empty where the curves have the same parameters.
 Message differencesInWords(const Scene& scene, const Scene& from);
 
 }  // namespace asperity

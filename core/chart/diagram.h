@@ -1,10 +1,9 @@
-// A diagram as a plain value: what a chart has to show, without saying how it is drawn. The one
-// model of every chart: made by core beside the data that it shows, composed as a picture by
-// ui/chart/diagram_picture.h, shown to a person who points into it by ui/chart/chart_view.h.
-// Copied freely; any thread.
-// All values are SI; an axis with a unit shows its numbers with a fitting prefix where it is
-// linear, and as powers of ten where it is logarithmic. Texts are English templates with their
-// values, which ui/language translates.
+// A diagram as a plain value: the content of a chart, without its drawing. It is the only model of
+// every chart: core makes it beside the data, ui/chart/diagram_picture.h composes it as a picture,
+// ui/chart/chart_view.h shows it interactively. Copied freely; any thread. All values are SI; an
+// axis with a unit shows its numbers with a suitable prefix if it is linear, and as powers of ten
+// if it is logarithmic. Texts are English templates with their values, which ui/language
+// translates.
 #pragma once
 
 #include <limits>
@@ -22,21 +21,21 @@ struct DiagramAxis {
   Message title{};     // "sliding velocity"
   std::string unit{};  // "m/s"; empty: a pure number
   AxisScale scale = AxisScale::Logarithmic;
-  double from = 0, to = 0;  // equal: as the points need
+  double from = 0, to = 0;  // equal: automatic
 };
 
-/// What has no place (not finite, or not positive on a logarithmic axis) is not drawn and breaks
-/// the line.
+/// A point. One without a place on the axes (not finite, or not positive on a logarithmic axis) is
+/// not drawn and interrupts the line.
 struct DiagramPoint {
   double x = 0, y = 0;
   double low = std::numeric_limits<double>::quiet_NaN();   // of the error bar or band; NaN: none
   double high = std::numeric_limits<double>::quiet_NaN();  // the same
-  int row = -1;  // of the table that the point can be read from; -1: of none
+  int row = -1;  // row of the table with the point's values; -1: none
 
   bool operator==(const DiagramPoint&) const = default;
 };
 
-/// A ring is open and larger than the others, to stand around one of them.
+/// A ring is open and larger than the others, because it encloses one of them.
 enum class SeriesMark { None, Circle, Square, Triangle, Diamond, Ring };
 enum class SeriesStroke { None, Solid, Dashed, Dotted };
 
@@ -45,34 +44,34 @@ struct DiagramSeries {
   SeriesMark mark = SeriesMark::None;
   SeriesStroke stroke = SeriesStroke::Solid;
   bool isBand = false;    // low to high as a filled band instead of error bars
-  bool isTheory = false;  // drawn in the colour of text, thinner, under the data
-  int colour = -1;        // of the palette's distinct colours, in order; -1: the next one
-  /// Place on the colour ramp, 0 to 1, instead of a distinct colour; NaN: not on the ramp.
+  bool isTheory = false;  // in the colour of text, thinner, under the data
+  int colour = -1;        // index in the palette of distinct colours; -1: the next one
+  /// Position on the colour ramp, 0 to 1, instead of a distinct colour; NaN: not on the ramp.
   double ramp = std::numeric_limits<double>::quiet_NaN();
   std::vector<DiagramPoint> points{};
-  int id = -1;           // tells its maker which series somebody points at; -1: none
-  bool isFaded = false;  // belongs to a state that is over
+  int id = -1;           // identifies the series under the pointer; -1: none
+  bool isFaded = false;  // belongs to an earlier state
 };
 
-/// A range along x that has a name ("I transition", "zone 1").
+/// A named range in x ("I transition", "zone 1").
 struct DiagramSpan {
   double from = 0, to = 0;
   Message label{};
-  std::string shortLabel{};      // "I": where the label has no room
-  std::vector<Message> notes{};  // what to know of it, for a person who points at its name
-  bool isFaded = false;          // belongs to a state that is over
+  std::string shortLabel{};      // "I": used where the label does not fit
+  std::vector<Message> notes{};  // information for the user's pointer at its name
+  bool isFaded = false;          // belongs to an earlier state
 };
 
-/// A vertical line at x with a dot at y where y has a place: what is so now, on a curve of what may
-/// be. A person can drag it in the window.
+/// A vertical line at x with a dot at y if y has a place: the present state on a curve of possible
+/// states. The user can drag it in the window.
 struct DiagramMarker {
   Message name{};   // for the legend
   Message label{};  // beside the line: "v = 1 m/s"
   double x = 0;
   double y = std::numeric_limits<double>::quiet_NaN();
-  bool isFixed = false;               // moves by itself and is not dragged
-  bool isFaded = false;               // belongs to a state that is over
-  std::vector<DiagramPoint> trace{};  // the way it came; breaks where a point has no place
+  bool isFixed = false;               // moves by itself and cannot be dragged
+  bool isFaded = false;               // belongs to an earlier state
+  std::vector<DiagramPoint> trace{};  // its earlier places; interrupted where a point has no place
 };
 
 /// A text at a point, with an arrow from (x, y) to (arrowX, arrowY) where these are given.
@@ -83,7 +82,7 @@ struct DiagramLabel {
   double arrowY = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What the colours of a ramp mean; shown instead of a legend entry for each of its series.
+/// The meaning of a colour ramp; it replaces the legend entries of its series.
 struct DiagramRamp {
   Message title{};   // "normal force"
   Message from, to;  // "1 mN", "100 N"
@@ -93,23 +92,23 @@ struct Diagram {
   Message title{};  // over this diagram; may be empty
   DiagramAxis x, y;
   std::vector<DiagramSeries> series;  // later ones over earlier ones
-  std::vector<DiagramSpan> spans;     // shaded by turns, named above the frame
+  std::vector<DiagramSpan> spans;     // every second one is shaded, names are above the frame
   std::vector<DiagramLabel> labels;
   std::optional<DiagramRamp> ramp;
-  double height = 1;                  // of its row among rows, where a sheet has one column
+  double height = 1;                  // relative height of its row in a sheet with one column
   std::vector<DiagramSpan> shades{};  // tinted over the spans, named inside the frame at its foot
   std::optional<DiagramMarker> marker{};
-  Message blank{};  // in the middle of the frame: why nothing is to be seen
+  Message blank{};  // why there is no curve, in the middle of the frame
 };
 
 /// Diagrams side by side under one heading.
 struct DiagramSheet {
   Message title{};     // "Fig. 3: six Hurst exponents"
   Message subtitle{};  // the parameters, one line
-  Message note{};      // below, small: what to know when reading it
+  Message note{};      // small text below: information for the reader
   std::vector<Diagram> diagrams;
   int columns = 0;          // diagrams in a row; 0: up to three in one row, more in a square
-  bool sharesAxis = false;  // of one column: all have one axis along and stand in one line
+  bool sharesAxis = false;  // of one column: all share the x-axis and are aligned
   Message status{};         // of work in progress: "37 of 200 realizations"; not in pictures
 };
 

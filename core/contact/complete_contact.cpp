@@ -6,8 +6,8 @@
 namespace asperity {
 namespace {
 
-/// take(level, block) for the largest blocks that together are the whole segments; ends where it
-/// returns false.
+/// Calls take(level, block) for the largest blocks that together are the whole segments; ends where
+/// it returns false.
 template <class Take>
 bool forLargestBlocks(const PreparedProfile& line, const Take& take) {
   for (std::size_t place = 0; place < line.blockCount(0);) {
@@ -23,7 +23,8 @@ bool forLargestBlocks(const PreparedProfile& line, const Take& take) {
   return true;
 }
 
-/// Looks for depth that the line needs beyond what is known: p / 4G = d - z - c dz/ds.
+/// Searches for the indentation that complete contact of the line needs: p / 4G = d - z - c dz/ds >
+/// 0.
 class Needed {
  public:
   Needed(const PreparedProfile& line, double relaxationLength, double known)
@@ -31,7 +32,7 @@ class Needed {
 
   double most() const { return most_; }
 
-  /// Ends at the first place that needs more.
+  /// Returns whether the depth suffices; ends at the first place that needs more.
   bool isEnough() const {
     return segmentNeed(0) < most_ && segmentNeed(line_.segments() - 1) < most_ &&
            forLargestBlocks(line_, [this](std::size_t level, std::size_t block) {
@@ -39,7 +40,7 @@ class Needed {
            });
   }
 
-  /// Goes on to the largest.
+  /// Continues to the largest necessary depth.
   void raise() {
     most_ = std::max({most_, segmentNeed(0), segmentNeed(line_.segments() - 1)});
     forLargestBlocks(line_, [this](std::size_t level, std::size_t block) {
@@ -84,8 +85,8 @@ class Needed {
   double relaxationLength_, most_;
 };
 
-/// Force at rest, looked up in the blocks: those above the depth carry nothing, those below it
-/// their mean, and only those that it cuts are opened. Single segments count by their mean.
+/// Returns the force at rest from the blocks: blocks above the depth carry nothing, blocks below it
+/// their mean, and only those that it cuts are divided. Single segments count with their mean.
 PassSums forceAtRest(const PreparedProfile& line, double depth) {
   PassSums sums;
   const auto carry = [&](const SegmentBounds& block, double length) {
@@ -129,7 +130,7 @@ PassSums completeContactSums(const PreparedProfile& line, double depth, double r
     return true;
   });
   PassSums sums;
-  // What the dashpots add to the pressure is as much below 0 as above over the period.
+  // Over the period the dashpots add as much negative as positive pressure.
   sums.depth = sums.pressure = (depth - line.meanHeight) * line.length;
   sums.work = sums.dissipation = relaxationLength * slopes;
   sums.stiffness = sums.contactLength = line.length;
@@ -144,7 +145,7 @@ double depthAtRest(const PreparedProfile& line, double load, const std::stop_tok
   for (int step = 0; step < kMostSteps && !stop.stop_requested(); ++step) {
     const PassSums sums = forceAtRest(line, depth);
     if (!(sums.depth > 0)) break;
-    // Newton's step in the logarithms, in which the force is nearly straight.
+    // This is Newton's step in logarithms, in which the force is nearly straight.
     const double next =
         depth * std::exp(std::log(load / sums.depth) * sums.depth / (sums.stiffness * depth));
     const bool close = std::abs(next - depth) <= kCloseEnough * depth;

@@ -1,9 +1,8 @@
-// What the bounds over blocks of a line say about contact without a search for its edges: whether
-// everything is in contact, depth and friction where it is (Li et al. 2013, Eqs. 3 and 8, of the
-// line as resolved), and the indentation of the line at rest. Complete contact is not guessed:
-// where the bounds do not prove it, the segments themselves are looked at.
-// Pure functions for elements without arms, on linear and cubic segments; any thread; no
-// allocation. relaxationLength: c = v tau (m).
+// Contact from the bounds over blocks of a line, without a search for its edges: whether contact is
+// complete, depth and friction in complete contact (Li et al. 2013, Eqs. 3 and 8, of the resolved
+// line), and the indentation of the line at rest. Complete contact is not guessed: where the bounds
+// do not prove it, the segments themselves are examined. Pure functions for elements without arms,
+// on linear and cubic segments; any thread; no allocation. relaxationLength: c = v tau (m).
 #pragma once
 
 #include <stop_token>
@@ -13,23 +12,23 @@
 
 namespace asperity {
 
-/// Whether pressure is above 0 along the whole line at this depth (m). Cheap where the answer is
-/// clear.
+/// Returns whether the pressure is above 0 along the whole line at this depth (m). It is fast in
+/// clear cases.
 bool isContactComplete(const PreparedProfile& line, double depth, double relaxationLength);
 
-/// The depth (m) above which it is: max(z + c dz/ds).
+/// Returns the depth (m) above which contact is complete: max(z + c dz/ds).
 double completeAbove(const PreparedProfile& line, double relaxationLength);
 
-/// The depth (m) at which complete contact carries a load = F_N / 4G (m^2).
+/// Returns the depth (m) at which complete contact carries a load = F_N / 4G (m^2).
 inline double completeContactDepth(const PreparedProfile& line, double load) {
   return load / line.length + line.meanHeight;
 }
 
-/// What a pass would find in complete contact at that depth.
+/// Returns the sums of a pass in complete contact at that depth.
 PassSums completeContactSums(const PreparedProfile& line, double depth, double relaxationLength);
 
-/// A depth (m) close to the one that carries the load (m^2, per 4G) at rest. Sliding carries more.
-/// Where `stop` is requested any depth comes back, soon.
+/// Returns a depth (m) close to the one that carries the load (m^2, per 4G) at rest. Sliding
+/// carries more. Where `stop` is requested, it soon returns any depth.
 double depthAtRest(const PreparedProfile& line, double load, const std::stop_token& stop = {});
 
 }  // namespace asperity

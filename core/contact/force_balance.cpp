@@ -9,7 +9,8 @@ namespace asperity {
 
 void ForceBalance::start(const PreparedProfile& line, double load, double guess) {
   load_ = load;
-  // Complete contact is the lightest way to carry a load at a depth: the root is not beyond it.
+  // At a given depth complete contact carries the smallest load, so the root is not beyond its
+  // depth.
   low_ = load / line.length;
   high_ = complete_ = low_ + line.meanHeight;
   depth_ = guess > low_ && guess < high_ ? guess : high_;
@@ -39,8 +40,8 @@ void ForceBalance::move(const PassSums& sums) {
   constexpr double kRoundedStep = 1e-9;
   const Pass pass{std::log1p((sums.depth - load_) / load_), sums.depth / (sums.stiffness * depth_),
                   depth_};
-  // Newton's step in the logarithms first; then the cubic of ln d over ln F_N through the last two
-  // passes and their slopes, read at the target force.
+  // The first step is Newton's in logarithms; later ones use the cubic of ln d over ln F_N through
+  // the last two passes and their slopes, evaluated at the target force.
   double step = -pass.excess * pass.slope;
   const double gap = last_.excess - pass.excess;
   if (passes_ > 1 && gap != 0) {
@@ -52,7 +53,7 @@ void ForceBalance::move(const PassSums& sums) {
   }
   last_ = pass;
   double next = depth_ * (1 + std::expm1(step));
-  // Near the end rounding of the force may have put the bracket beside the answer.
+  // Near the end, rounding of the force may have moved the bracket away from the solution.
   const bool isLast = std::abs(step) < kRoundedStep;
   if (!isLast && !(next >= low_ && next <= high_)) next = 0.5 * (low_ + high_);
   // In complete contact the force is linear.

@@ -9,26 +9,26 @@
 
 namespace asperity {
 
-/// Relative error of F_N beyond which a balance is not accepted.
+/// Relative error of F_N above which a balance is not accepted.
 inline constexpr double kAcceptedResidual = 1e-10;
 /// Relative error of F_N at which iteration ends.
 inline constexpr double kWantedResidual = 1e-13;
 
-/// Passes over a resolved line before a balance is given up.
+/// Maximum number of passes over a resolved line in one balance.
 inline constexpr int kMostPasses = 200;
-/// Passes without a smaller residual before the best one is taken.
+/// Number of passes without a smaller residual after which the best one is taken.
 inline constexpr int kPatience = 2;
 
-/// How a balance ended.
+/// The result of a balance.
 struct Balance {
   double depth = 0;     // m, indentation below the lowest point
-  int passes = 0;       // over the line
+  int passes = 0;       // number of passes over the line
   double residual = 0;  // |F_N - target| / target
   bool isMet() const { return residual <= kAcceptedResidual; }
 };
 
-/// The balance of one line at one velocity and force, one pass at a time: whoever runs the passes
-/// asks for a depth and brings back its sums, so that many balances can run side by side. A plain
+/// The balance of one line at one velocity and force, one pass at a time: the caller runs the pass
+/// at the requested depth and returns its sums, so that many balances can run side by side. A plain
 /// value; no allocation.
 class ForceBalance {
  public:
@@ -36,12 +36,12 @@ class ForceBalance {
   void start(const PreparedProfile& line, double load, double guess);
 
   bool isDone() const { return done_; }
-  /// The depth (m) of the next pass.
+  /// Returns the depth (m) of the next pass.
   double depth() const { return depth_; }
-  /// Takes what a pass at depth() found.
+  /// Takes the sums of a pass at depth().
   void take(const PassSums& sums);
 
-  /// The best pass so far and its sums.
+  /// Returns the best pass so far, and its sums.
   Balance balance() const { return {bestDepth_, passes_, residual_}; }
   const PassSums& sums() const { return bestSums_; }
 
@@ -55,8 +55,8 @@ class ForceBalance {
   void move(const PassSums& sums);
 
   double load_ = 0;
-  double low_ = 0, high_ = 0;  // m, bracket of the answer
-  double complete_ = 0;        // m, the answer if contact is complete
+  double low_ = 0, high_ = 0;  // m, bracket of the solution
+  double complete_ = 0;        // m, the solution if contact is complete
   double depth_ = 0, bestDepth_ = 0, residual_ = 0;
   PassSums bestSums_;
   Pass last_{};
@@ -64,7 +64,8 @@ class ForceBalance {
   bool done_ = false, triedComplete_ = false;
 };
 
-/// The balance by plain passes. load = F_N / 4G (m^2, > 0). relaxationLength: c = v tau (m).
+/// Solves the balance with plain passes. load = F_N / 4G (m^2, > 0). relaxationLength: c = v tau
+/// (m).
 Balance balanceResolved(const PreparedProfile& line, double relaxationLength, double load,
                         double guess = 0);
 

@@ -1,7 +1,5 @@
 #include "core/contact/steady_sliding.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +20,8 @@ PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLeng
              : resolvedPass(line, depth, relaxationLength, Output::Everything, shape);
 }
 
-/// Complete contact is the whole line, of which a sum of a million lengths falls short.
+/// Returns the sums. Complete contact has exactly the length of the line, which a sum of a million
+/// lengths misses by rounding.
 PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLength,
                 bool isComplete) {
   PassSums sums = sumsAt(line, depth, relaxationLength);
@@ -36,8 +35,8 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
                           double depth, const PassSums& sums) {
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
   const double stiffness = 4 * conditions.shearModulus;
-  // Of the two ways to the tangential force the dissipation has only positive terms, so it keeps
-  // its digits where friction is small. The paper's nodes have Eqs. (3) and (4) alone.
+  // The dissipation has only positive terms, so of the two ways to the tangential force it keeps
+  // its digits where friction is small. The paper's nodes have only Eqs. (3) and (4).
   const bool isNodal = line.scheme == Scheme::Nodal;
   const double normal = isNodal ? sums.pressure : sums.depth;
   const double tangential = isNodal ? sums.work : sums.dissipation;
@@ -45,7 +44,7 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   result.indentation = depth;
   result.normalForce = stiffness * normal;
   result.tangentialForce = stiffness * tangential;
-  // Pressed by nothing there is no coefficient.
+  // Without a normal force there is no coefficient.
   result.mu = normal != 0 ? tangential / normal : kNotANumber;
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
   result.rmsSlopeContact =
@@ -67,7 +66,7 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   return result;
 }
 
-/// The two ways to the forces of separate elements differ by nature: only the residual counts.
+/// For separate elements the two ways to the forces differ by nature: only the residual counts.
 SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
                           const NodalBalance& nodal) {
   SteadyResult result = steadyResult(line, conditions, nodal.balance.depth, nodal.sums);

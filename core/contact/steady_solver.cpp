@@ -24,7 +24,7 @@ SlidingConditions SteadySolver::conditions(double velocity) const {
   return {law_.equilibriumModulus, law_.relaxationTime, velocity};
 }
 
-/// At rest every arm has relaxed.
+/// Returns whether arms matter at this velocity; at rest every arm has relaxed.
 bool SteadySolver::hasArmsAt(double velocity) const {
   return hasArms_ && velocity > 0;
 }
@@ -102,7 +102,7 @@ SteadyShape SteadySolver::shape(const PreparedProfile& line, double velocity,
     shape = {std::move(found.nodes), std::move(found.modes)};
   } else {
     shape.nodes = shapeAt(line, conditions(velocity), state.result.indentation);
-    // Relaxed under its pressure, every mode has crept as far as it will.
+    // In equilibrium with its pressure, every mode has reached its final creep.
     if (hasArms_)
       for (const double pressure : shape.nodes.pressure)
         for (std::size_t j = 0; j < modes_.modes(); ++j)

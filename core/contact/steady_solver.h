@@ -1,8 +1,8 @@
-// Steady sliding as a scene describes it: the one place that chooses the computation. Elastic
-// and Kelvin elements have one of their own, without arms; local friction is added where there is
-// some. Threading: const members may be called by several threads at once.
-// Failure: the constructor throws InputError where the scene's effects exclude each other or it
-// has no steady state; after that `status` of a result says how it went.
+// Steady sliding of a scene: the only place that chooses the computation. Elastic and Kelvin
+// elements have their own, without arms; local friction is added where there is some. Threading:
+// const members may be called by several threads at once.
+// Failure: the constructor throws InputError where the scene's effects exclude each other or it has
+// no steady state; afterwards `status` of a result tells its quality.
 #pragma once
 
 #include <span>
@@ -20,13 +20,13 @@ namespace asperity {
 /// A result with the strains of its elements' arms.
 struct SteadyState {
   SteadyResult result;
-  ArmBalance arms;  // of elements with arms; else empty
+  ArmBalance arms;  // for elements with arms; else empty
 };
 
-/// Shape at the line's nodes in travel order.
+/// Shape at the line's nodes in order of travel.
 struct SteadyShape {
   NodeShape nodes;            // pressure in N/m
-  std::vector<double> modes;  // m, [node][mode] of elements with arms; else empty
+  std::vector<double> modes;  // m, [node][mode] for elements with arms; else empty
 };
 
 class SteadySolver {
@@ -36,14 +36,15 @@ class SteadySolver {
   const ElementLaw& law() const { return law_; }
   const RetardationModes& modes() const { return modes_; }
 
-  /// results[i] is for velocities[i] (m/s, ascending); others: of another line; as slideSweep.
+  /// Computes results[i] for velocities[i] (m/s, ascending); others: of another line; as
+  /// slideSweep.
   bool sweep(const PreparedProfile& line, const Load& load, std::span<const double> velocities,
              std::span<SteadyResult> results, const std::stop_token& stop = {},
              std::span<const SteadyResult> others = {}) const;
 
-  /// Under the scene's load. velocity: m/s, >= 0.
+  /// Returns the state under the scene's load. velocity: m/s, >= 0.
   SteadyState at(const PreparedProfile& line, double velocity) const;
-  /// Whether everything is in contact at this depth (m), and the depth above which it is. Not for
+  /// Return whether contact is complete at this depth (m), and the depth above which it is. Not for
   /// nodal.
   bool isComplete(const PreparedProfile& line, double depth, double velocity) const;
   double completeAbove(const PreparedProfile& line, double velocity) const;

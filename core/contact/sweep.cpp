@@ -16,19 +16,20 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kCoarsest = 4;
-constexpr double kHardly = 1e-3;  // less says that this line may well be in complete contact
+constexpr double kHardly = 1e-3;  // a smaller value means that this line may be in complete contact
 
-/// Depths found so far at several forces and velocities of one line, and what they say about the
-/// next one. They change what a balance costs, not its answer beyond the residual.
+/// Depths found so far at several forces and velocities of one line, and a guess of the next one
+/// from them. They change the cost of a balance, but not its result beyond the residual.
 ///
 /// results[row * velocities.size() + column], a row for each force (N, ascending), a column for
 /// each velocity (m/s, ascending); passes is 0 where a result is still to come.
 struct InitialGuess {
   std::span<const double> forces, velocities;
   std::span<SteadyResult> results;
-  /// Those of another line with the same spectrum, or none: depths over those at rest are alike.
+  /// Results of another line with the same spectrum, or none: the ratios of depth to depth at rest
+  /// are similar.
   std::span<const SteadyResult> others;
-  /// Depths (m) of the line at rest, of the last few rows, row k at k % kRests.
+  /// Depths (m) of the line at rest, for the last few rows, row k at k % kRests.
   static constexpr std::size_t kRests = 4;
   std::array<double, kRests> rests{};
 
@@ -37,7 +38,7 @@ struct InitialGuess {
   }
   bool isKnown(std::size_t row, std::size_t column) const { return at(row, column).passes > 0; }
 
-  /// A depth (m) near the answer there.
+  /// Returns a depth (m) near the solution.
   double guess(std::size_t row, std::size_t column) const;
 
  private:
@@ -46,7 +47,8 @@ struct InitialGuess {
   double fromForces(std::size_t row, std::size_t column) const;
 };
 
-/// ln(depth / depth at rest) of the other line: 0 at rest and in full contact, negative in between.
+/// Returns ln(depth / depth at rest) of the other line: 0 at rest and in full contact, negative in
+/// between.
 double InitialGuess::expected(std::size_t row, std::size_t column) const {
   if (others.empty()) return 0;
   const SteadyResult& other = others[row * velocities.size() + column];
@@ -55,12 +57,13 @@ double InitialGuess::expected(std::size_t row, std::size_t column) const {
   return sinking < -kHardly ? sinking : 0;
 }
 
-/// What this line has beyond that.
+/// Returns this line's deviation from the expected value.
 double InitialGuess::excess(std::size_t row, std::size_t column) const {
   return std::log(at(row, column).indentation / rests[row % kRests]) - expected(row, column);
 }
 
-/// The excess by Lagrange's polynomial in the logarithm of the force, through the rows before.
+/// Returns the deviation by Lagrange's polynomial in the logarithm of the force, through the
+/// previous rows.
 double InitialGuess::fromForces(std::size_t row, std::size_t column) const {
   constexpr std::size_t kMostRows = kRests - 1;
   std::size_t rows = 0;
@@ -100,8 +103,8 @@ double InitialGuess::guess(std::size_t row, std::size_t column) const {
   return rests[row % kRests] * std::exp(std::min(sinking, 0.0));
 }
 
-/// The n-th of `count` columns in the order in which they are best computed: every fourth, then
-/// those halfway, and so on, so that most lie between known ones.
+/// Returns the n-th of `count` columns in an efficient order: every fourth, then those halfway, and
+/// so on, so that most lie between known ones.
 std::size_t columnInOrder(std::size_t n, std::size_t count) {
   const std::size_t first = (count + kCoarsest - 1) / kCoarsest;
   if (n < first) return n * kCoarsest;
@@ -115,7 +118,7 @@ std::size_t columnInOrder(std::size_t n, std::size_t count) {
   return count - 1;
 }
 
-/// Whether contact is complete, and then what a pass would find: no edge of contact is sought.
+/// Returns whether contact is complete, and then fills the sums of a pass without computing edges.
 bool takeComplete(const PreparedProfile& line, double depth, double relaxationLength,
                   PassSums& sums) {
   if (!isContactComplete(line, depth, relaxationLength)) return false;
@@ -123,7 +126,7 @@ bool takeComplete(const PreparedProfile& line, double depth, double relaxationLe
   return true;
 }
 
-/// All balances of a table, each in the first lane that is free.
+/// All balances of a table, each in the first free lane.
 class SweepQueue final : public PassQueue {
  public:
   SweepQueue(const PreparedProfile& line, const SlidingConditions& conditions,
@@ -198,7 +201,8 @@ class SweepQueue final : public PassQueue {
     return {conditions_.shearModulus, conditions_.relaxationTime, table_.velocities[column]};
   }
 
-  /// Long passes are cut, by what the last one at this velocity cost, or might.
+  /// Returns the request. Long passes are cut according to the cost of the last one at this
+  /// velocity, or its estimate.
   PassRequest requestFor(const Lane& one) {
     constexpr double kInspectedByPart = 48, kMostParts = 4096, kSegmentsToOneInspected = 1024;
     double& inspected = segmentsInspected(one.column);
@@ -215,7 +219,7 @@ class SweepQueue final : public PassQueue {
   std::size_t begun_ = 0, restRow_ = std::numeric_limits<std::size_t>::max();
   bool hasSearched_ = false;
   std::array<Lane, kMostStreams> lanes_;
-  std::array<double, 64> inspected_{};  // by the last pass at each velocity
+  std::array<double, 64> inspected_{};  // in the last pass at each velocity
 };
 
 /// One pass for each velocity at a given depth.
@@ -282,7 +286,7 @@ void runPasses(const PreparedProfile& line, PassQueue& queue) {
     runCubicPasses(line, queue);
 }
 
-/// Depths to start from: the trend of the last two answers, which fall with velocity.
+/// Returns initial depths: the trend of the last two solutions, which decrease with velocity.
 LaneValues guessesFor(std::span<const double> velocities, std::span<const double> known,
                       std::span<const SteadyResult> answers) {
   LaneValues guesses{};
@@ -300,7 +304,7 @@ LaneValues guessesFor(std::span<const double> velocities, std::span<const double
   return guesses;
 }
 
-/// Neighbouring velocities of the separate elements go side by side, group after group.
+/// Solves adjacent velocities of the separate elements side by side, group after group.
 bool sweepNodal(const PreparedProfile& line, const SlidingConditions& conditions,
                 double normalForce, std::span<const double> velocities,
                 std::span<SteadyResult> results, const std::stop_token& stop) {
@@ -354,7 +358,7 @@ bool slideSweep(const PreparedProfile& line, const SlidingConditions& conditions
                          others);
   const FlushDenormals flush;
   if (line.scheme == Scheme::Nodal) {
-    // There is nothing to search for at a given depth.
+    // At a given depth no search is needed.
     for (std::size_t i = 0; i < velocities.size(); ++i)
       results[i] = slideAtDepth(
           line, {conditions.shearModulus, conditions.relaxationTime, velocities[i]}, load.depth);

@@ -1,7 +1,7 @@
-// One line at many velocities, force balance met at each: the shipped path of every curve.
+// One line at many velocities, with the force balance met at each: the computation of every curve.
 // Velocities run side by side in the lanes of the machine's vectors, sharing the line's data; the
 // widest instruction set is chosen at run time.
-// Threading: a function of its arguments. No allocation inside, beyond what the line holds.
+// Threading: a function of its arguments. It allocates no memory that depends on the line.
 #pragma once
 
 #include <span>
@@ -13,20 +13,20 @@
 
 namespace asperity {
 
-/// results[i] is for velocities[i] (m/s, ascending); both of one length. `conditions.velocity` is
-/// not used. Of resolved lines powerIn is not gathered: NaN. Returns false where `stop` was
-/// requested in between, which is looked at inside passes too; `passes` is 0 in results that are
-/// then missing. others: the results of another line with the same spectrum at the same loads and
-/// velocities, or none; they change the cost, not the answer beyond the residual.
+/// Computes results[i] for velocities[i] (m/s, ascending); both of one length.
+/// `conditions.velocity` is not used. For resolved lines powerIn is not computed: NaN. Returns
+/// false where `stop` was requested, which is checked inside passes, too; `passes` is then 0 in
+/// missing results. others: the results of another line with the same spectrum at the same loads
+/// and velocities, or none; they change the cost, but not the result beyond the residual.
 bool slideSweep(const PreparedProfile& line, const SlidingConditions& conditions, const Load& load,
                 std::span<const double> velocities, std::span<SteadyResult> results,
                 const std::stop_token& stop = {}, std::span<const SteadyResult> others = {});
 
-/// The same at several forces (N, ascending), which costs less than one after the other: depths
-/// found at some forces and velocities lead to those at others. results[k * velocities.size() + i]
-/// is for forces[k] and velocities[i].
-/// Steady sliding depends on F_N / G alone, and on F_N / (G h) with mu in units of the rms slope:
-/// moduli and rms heights of one line are forces too.
+/// Computes several forces (N, ascending), which costs less than one after the other: depths found
+/// at some forces and velocities lead to those at others. results[k * velocities.size() + i] is for
+/// forces[k] and velocities[i]. Steady sliding depends only on F_N / G, and on F_N / (G h) with mu
+/// in units of the rms slope: other moduli and rms heights of one line are equivalent to other
+/// forces.
 bool slideAtForces(const PreparedProfile& line, const SlidingConditions& conditions,
                    std::span<const double> forces, std::span<const double> velocities,
                    std::span<SteadyResult> results, const std::stop_token& stop = {},

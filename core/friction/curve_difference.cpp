@@ -1,7 +1,5 @@
 #include "core/friction/curve_difference.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -16,7 +14,8 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kLargestPart = 32;  // realizations of one setting before the other's turn
+// realizations of one setting before the other setting continues
+constexpr std::int64_t kLargestPart = 32;
 
 /// One way to compute the curve, a few lines at a time.
 class Side {
@@ -30,7 +29,7 @@ class Side {
   std::int64_t total() const { return total_; }
   std::int64_t done() const { return done_; }
 
-  /// mu of so many lines more, line by line; false where stop was requested.
+  /// Appends mu of lines up to this number, line by line; returns false where stop was requested.
   bool slide(std::int64_t upTo, const DifferenceOptions& options,
              std::vector<std::vector<double>>& rows) {
     const std::int64_t count = std::min(upTo, total_) - done_;
@@ -69,7 +68,7 @@ void PairedMeans::addPair(double a, double b) {
 }
 
 /// With n pairs, N_a and N_b lines of each and ratio R, mean_b - R mean_a is a sum of independent
-/// terms: of a pair (b / N_b - R a / N_a), of a line that only one side has its own part.
+/// terms: one for each pair (b / N_b - R a / N_a), and one for each line that only one side has.
 PairedMeans::Ratio PairedMeans::ratio() const {
   Ratio ratio{meanB() / meanA(), kNotApplicable};
   const auto count = [](const RunningMean& mean) { return static_cast<double>(mean.count()); };
@@ -79,7 +78,7 @@ PairedMeans::Ratio PairedMeans::ratio() const {
   const double covariance = products_ / (n - 1);
   const double ofPairs =
       wb * wb * b_.variance() - 2 * wa * wb * covariance + wa * wa * a_.variance();
-  // Lines of one side alone vary as all of that side do.
+  // Lines of one side only have the variance of all lines of that side.
   const double ofA = both(a_, onlyA_).variance(), ofB = both(b_, onlyB_).variance();
   const double variance =
       n * std::max(0.0, ofPairs) + onlyA * wa * wa * ofA + onlyB * wb * wb * ofB;

@@ -1,6 +1,6 @@
 // Two ways to compute the same friction curve (scheme, oversampling, number of realizations) on
-// common lines: the difference of their means with an error in which the noise that both share has
-// cancelled. Realizations of equal number have equal phases at every resolution, so they are pairs.
+// common lines: the difference of their means, with an error in which the noise of common lines
+// cancels. Realizations of equal number have equal phases at every resolution, so they are pairs.
 // Threading, failure, cancelling: as frictionCurve. The same bits for any number of threads.
 #pragma once
 
@@ -16,31 +16,32 @@
 
 namespace asperity {
 
-/// What is compared with: how the scene's curve might be computed as well.
+/// The setting of the comparison: another way to compute the scene's curve.
 struct CurveSetting {
   Scheme scheme = Scheme::Cubic;
-  std::int64_t oversampling = 8;  // `nodal`: 1, always
+  std::int64_t oversampling = 8;  // always 1 for `nodal`
   std::int64_t realizations = 20;
 
   bool operator==(const CurveSetting&) const = default;
 };
 
-/// "cubic x8, 20 lines"; nodal has no oversampling.
+/// Returns "cubic x8, 20 lines"; nodal has no oversampling.
 Message nameOf(const CurveSetting& setting);
 
-/// The scene computed that way; its target accuracy, if any, is dropped.
+/// Returns the scene with this setting; its target accuracy, if any, is dropped.
 Scene withSetting(Scene scene, const CurveSetting& setting);
 
 struct DifferencePoint {
   double velocity = 0;  // m/s
-  double mu = 0;        // of the setting compared with
+  double mu = 0;        // with the setting of the comparison
   double muStandardError = kNotApplicable;
-  double relative = 0;                    // its mean over the scene's own, less 1
-  double standardError = kNotApplicable;  // of that, pairs told from strangers; needs two lines
+  double relative = 0;  // mean over the scene's own, minus 1
+  // of `relative`, with pairs treated as correlated; needs two lines
+  double standardError = kNotApplicable;
 };
 
 struct CurveDifference {
-  std::shared_ptr<const Scene> scene;  // as it stands
+  std::shared_ptr<const Scene> scene;  // the unchanged scene
   CurveSetting setting;
   std::vector<DifferencePoint> points;
   std::int64_t done = 0, total = 0;  // realizations of both settings together
@@ -52,8 +53,8 @@ struct DifferenceOptions {
   std::function<void(const CurveDifference&)> progress;  // from the calling thread; may be empty
 };
 
-/// scene: without a target accuracy, else InputError. Cut short where `stop` is requested: the
-/// points are those of the part done.
+/// Computes the difference. scene: without a target accuracy, else InputError. Where `stop` is
+/// requested, the points are those of the finished part.
 CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
                                 const DifferenceOptions& options = {});
 
@@ -81,7 +82,7 @@ class PairedMeans {
   }
 
   RunningMean a_, b_, onlyA_, onlyB_;
-  double products_ = 0;  // sum of the products of deviations of pairs
+  double products_ = 0;  // sum of the products of the deviations in pairs
 };
 
 }  // namespace asperity

@@ -9,10 +9,12 @@
 namespace asperity {
 namespace {
 
-/// A line that rises by less of the largest value, from its first x to its last, is flat.
+/// A line is flat if it rises from its first x to its last by less than this part of the largest
+/// value.
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
-/// Where values pass `level` between two velocities, straight in logarithms; NaN: never.
+/// Returns where values pass `level` between two velocities, by linear interpolation of logarithms;
+/// NaN: never.
 template <class Value>
 double crossing(std::span<const double> velocities, std::size_t from, double level,
                 const Value& value) {

@@ -1,6 +1,6 @@
-// What is read off curves: straight lines and power laws through points by least squares, the
-// maximum, and the borders of regions I to IV of a friction curve (Li et al. 2013, Fig. 2), found
-// on any curve by the same rule. Pure; any thread.
+// Features of curves: straight lines and power laws through points by least squares, the maximum,
+// and the borders of regions I to IV of a friction curve (Li et al. 2013, Fig. 2), found on any
+// curve by the same rule. Pure; any thread.
 #pragma once
 
 #include <span>
@@ -17,21 +17,22 @@ struct LineFit {
   double rmsResidual = 0;
 };
 
-/// Points of equal weight; x and y of one length, at least two different x. The slope of a plateau,
-/// where y does not change but in its last digits, is 0.
+/// Fits points of equal weight; x and y have one length, with at least two different x. The slope
+/// of a plateau, where y changes only in its last digits, is 0.
 LineFit fitLine(std::span<const double> x, std::span<const double> y);
 
-/// A power law, ln y = intercept + slope ln x; all values positive.
+/// Fits a power law, ln y = intercept + slope ln x; all values positive.
 LineFit fitPower(std::span<const double> x, std::span<const double> y);
 
-/// Where the curve leaves one region for the next (m/s); NaN where it never does.
+/// The velocities at which the curve passes from one region to the next (m/s); NaN where it never
+/// does.
 struct RegionBorders {
-  double endOfLinear = 0;  // I to II: so far below its line through region I
+  double endOfLinear = 0;  // I to II: this far below its line through region I
   double toPlateau = 0;    // II to III: this part of the maximum reached
-  double offPlateau = 0;   // III to IV: below that again
+  double offPlateau = 0;   // III to IV: below this part again
 };
 
-/// How a border is recognized; the paper does not say.
+/// The rule that defines a border; the paper gives none.
 struct BorderRule {
   double ofLine = 0.8;
   double ofMaximum = 0.95;
@@ -42,11 +43,11 @@ struct CurveMaximum {
   double value = 0;
 };
 
-/// From the parabola in ln v through the highest value and its neighbours.
+/// Returns the maximum of the parabola in ln v through the highest value and its neighbours.
 CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values);
 
-/// velocities ascending and evenly spaced in their logarithm, values > 0. Region I is that of the
-/// lowest velocity.
+/// Returns the borders. velocities: ascending and evenly spaced in their logarithm, values > 0.
+/// Region I is the region of the lowest velocity.
 RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
                             const BorderRule& rule = {});
 
@@ -55,7 +56,7 @@ struct CurveRegion {
   double from = 0, to = 0;  // m/s
 };
 
-/// Those that lie within the velocities, in order.
+/// Returns the regions that lie within the velocities, in order.
 std::vector<CurveRegion> regionsWithin(const RegionBorders& borders, double from, double to);
 
 }  // namespace asperity

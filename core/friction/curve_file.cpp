@@ -31,8 +31,8 @@ constexpr std::array<CurveColumn, 10> kCurveColumns{{
 }};
 constexpr ColumnName kRealizations = "realizations";
 
-/// Further columns, each where its first row applies: local friction, a constant indentation, a
-/// target accuracy, the paper's single elements.
+/// Further columns, each for the rows to which it applies: local friction, a constant indentation,
+/// a target accuracy, the paper's single elements.
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);

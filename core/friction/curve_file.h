@@ -1,6 +1,6 @@
 // Friction curves as text: the columns of one table as CSV, the same with scene, version and seed
-// as JSON. Numbers in the shortest form that reads back to the same value; what does not apply is
-// empty in CSV and null in JSON. Pure functions; equal curves give equal bytes.
+// as JSON. Numbers have the shortest form that reads back to the same value; a value that does not
+// apply is empty in CSV and null in JSON. Pure functions; equal curves give equal bytes.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@
 
 namespace asperity {
 
-/// Empty where it is not finite.
+/// Returns a number as text; empty where it is not finite.
 std::string csvNumber(double value);
-/// The names of the columns and the cells of a point, each with its line end.
+/// Return the names of the columns and the cells of a point, each with a line end.
 std::string curveHeader();
 std::string curveRow(const CurvePoint& point);
 
@@ -29,23 +29,23 @@ std::string curveRow(const CurvePoint& point);
 std::string notesOf(const CurvePoint& point);
 NoteSet noteSetOf(const CurvePoint& point);
 
-/// The columns of a table that may hold several curves: those of every curve, and further ones
-/// (local friction, an interval, notes, ...) where one of them needs them.
+/// The columns of a table that may contain several curves: the columns of every curve, and further
+/// ones (local friction, an interval, notes, ...) where one of the curves needs them.
 class CurveTable {
  public:
   explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves);
 
-  /// Names and cells of one row, separated by commas, without a line end.
+  /// Return names and cells of one row, separated by commas, without a line end.
   std::string header() const;
   std::string row(const CurvePoint& point) const;
   nlohmann::ordered_json json(const CurvePoint& point) const;
 
  private:
-  std::vector<std::size_t> extra_;  // places in the list of further columns
+  std::vector<std::size_t> extra_;  // indices in the list of further columns
   bool hasNotes_ = false;
 };
 
-/// With a column of notes where a point has one.
+/// Returns the table, with a column of notes where a point has one.
 std::string curveCsv(const std::vector<CurvePoint>& points);
 std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene);
 

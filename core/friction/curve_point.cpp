@@ -56,7 +56,7 @@ LawColumns::LawColumns(const Scene& scene, const LineSource& source)
   notes_.add(notesOf(scene.elastomer, source, kNotApplicable));
 }
 
-/// The mean of the lines' own ratios, for a mean `mu` that may come from other lines as well.
+/// Returns the mean of the lines' own ratios, for a mean `mu` that may include other lines.
 double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   const double sampled = averages.mu.mean();
   if (!slopesDiffer_ || !(sampled > 0)) return mu / rmsSlope_;
@@ -110,7 +110,7 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
                     point.velocity};
   point.normalizedMu = normalized(point.mu, averages);
   point.dimensionlessForce = dimensionlessForce(in);
-  if (hasArms_) return;  // Eqs. (5) to (14) know one relaxation time
+  if (hasArms_) return;  // Eqs. (5) to (14) have one relaxation time
   point.dimensionlessVelocity = dimensionlessVelocity(in);
   if (hasLaw_) point.muLaw = frictionLaw(in);
 }

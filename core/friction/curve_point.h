@@ -1,6 +1,6 @@
-// The rows of a friction curve: one row, and how it is made of averages over realizations at one
-// velocity and of columns that come from the analytical law. Every way to compute a curve uses
-// these. Plain values; one thread at a time.
+// The rows of a friction curve: one row, and its computation from averages over realizations at one
+// velocity and from columns of the analytical law. Every way to compute a curve uses these. Plain
+// values; one thread at a time.
 #pragma once
 
 #include <cmath>
@@ -22,24 +22,26 @@ inline constexpr double kNotApplicable = std::numeric_limits<double>::quiet_NaN(
 
 /// One row of a friction curve, in the order of its columns.
 struct CurvePoint {
-  double velocity = 0;                            // m/s
-  double mu = 0;                                  // mean over realizations
-  double muStandardError = kNotApplicable;        // of that mean; needs two realizations
-  double muLaw = kNotApplicable;                  // Eq. (11)
-  double contactFraction = 0;                     // L_cont / L
-  double rmsSlopeContact = kNotApplicable;        // grad z_cont
-  double indentation = 0;                         // m, d above the line's lowest point
-  double normalizedMu = kNotApplicable;           // mean of mu / rms slope of the whole line
+  double velocity = 0;                      // m/s
+  double mu = 0;                            // mean over realizations
+  double muStandardError = kNotApplicable;  // standard error of the mean; needs two realizations
+  double muLaw = kNotApplicable;            // Eq. (11)
+  double contactFraction = 0;               // L_cont / L
+  double rmsSlopeContact = kNotApplicable;  // grad z_cont
+  double indentation = 0;                   // m, d above the line's lowest point
+  double normalizedMu = kNotApplicable;     // mean of mu / rms slope of the whole line
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;
-  double muLow = kNotApplicable;   // 95 % confidence interval of mu, resolution included; of curves
-  double muHigh = kNotApplicable;  // to a target accuracy
-  double muInterface = kNotApplicable;  // of local friction, where the scene has some; beside mu
+  // 95 % confidence interval of mu, including resolution; for curves
+  double muLow = kNotApplicable;
+  double muHigh = kNotApplicable;  // with a target accuracy
+  // of local friction, in addition to mu, where the scene has some
+  double muInterface = kNotApplicable;
   /// Mean tangential over mean normal force, where lines carry different forces: at a constant
   /// indentation. mu is the mean of the lines' own ratios.
   double muRatioOfMeans = kNotApplicable;
-  /// Of `nodal`: mean over realizations of the share of its load that the element on the edge of
+  /// For `nodal`: mean over realizations of the part of its load that the element on the edge of
   /// contact bears, where F_N(d) jumps past the force; 1 where it does not jump.
   double marginalShare = kNotApplicable;
   /// Where the scene gives the nominal pressure: the force on one period that it means (N), the
@@ -52,7 +54,7 @@ struct CurvePoint {
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
-/// Mean and spread of a stream of numbers (Welford's recurrence).
+/// Mean and variance of a stream of numbers (Welford's recurrence).
 class RunningMean {
  public:
   void add(double value) {
@@ -72,11 +74,11 @@ class RunningMean {
     count_ = all;
   }
   double mean() const { return count_ > 0 ? mean_ : kNotApplicable; }
-  /// Of one number, with n - 1; needs two.
+  /// Returns the variance of one number, with n - 1; needs two.
   double variance() const {
     return count_ > 1 ? squares_ / static_cast<double>(count_ - 1) : kNotApplicable;
   }
-  /// Of the mean; needs two.
+  /// Returns the standard error of the mean; needs two numbers.
   double standardError() const { return std::sqrt(variance() / static_cast<double>(count_)); }
   std::int64_t count() const { return count_; }
 
@@ -85,15 +87,15 @@ class RunningMean {
   double mean_ = 0, squares_ = 0;
 };
 
-/// Averages of everything in a row but mu's standard error.
+/// Averages of all columns of a row except for mu's standard error.
 struct CurveAverages {
   RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
       tangentialForce, marginalShare;
-  RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of its own line
+  RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of the same line
 
-  /// Pressed by nothing a line has no coefficient; what is averaged is counted.
+  /// Adds a result. A line without normal force has no coefficient and does not count.
   void add(const SteadyResult& result);
-  /// With contact, slope and indentation, and mu and its realizations.
+  /// Returns a row with contact, slope and indentation, and mu and its realizations.
   CurvePoint point(double velocity) const;
 };
 

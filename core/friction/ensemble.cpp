@@ -1,7 +1,5 @@
 #include "core/friction/ensemble.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -77,7 +75,7 @@ class Averaging {
 
 constexpr std::int64_t kLongLine = std::int64_t{1} << 15;  // points
 
-/// Velocities at which the purpose asks for steady sliding.
+/// Returns the velocities at which the purpose needs steady sliding.
 std::vector<double> velocitiesOf(const Scene& scene, Purpose purpose) {
   return purpose == Purpose::Picture ? std::vector<double>{scene.sliding.velocity}
                                      : sweepVelocities(scene.sweep);
@@ -110,7 +108,7 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   const SteadySolver sliding(scene);
   const std::int64_t points =
       purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
-  // What a long line would say costs as much as to slide it.
+  // For a long line, this information costs as much as sliding it.
   const LineExtent extent = lineExtent(scene);
   if (std::max(extent.rows, extent.elements * points) > kLongLine) return stages;
   const PreparedProfile line =
@@ -121,7 +119,7 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
           : completeContactDepth(line, loadOn(scene.load, line.length).normalForce /
                                            (4 * sliding.law().equilibriumModulus));
   const std::vector<double> velocities = velocitiesOf(scene, purpose);
-  // The faster, the deeper it has to be pressed.
+  // The higher the velocity, the greater the necessary indentation.
   const auto complete = static_cast<std::size_t>(
       std::partition_point(
           velocities.begin(), velocities.end(),

@@ -19,7 +19,7 @@ namespace asperity {
 struct CurveProgress {
   std::int64_t realizationsDone = 0;
   std::int64_t realizationsTotal = 0;
-  const std::vector<CurvePoint>& points;  // averaged over those done
+  const std::vector<CurvePoint>& points;  // averaged over the realizations done
 };
 
 struct CurveOptions {
@@ -30,25 +30,25 @@ struct CurveOptions {
 
 struct Curve {
   std::vector<CurvePoint> points;
-  bool isComplete = false;      // false: cancelled, and the points are those of the part done
+  bool isComplete = false;      // false: cancelled, and the points are those of the finished part
   double largestResidual = 0;   // of all force balances
-  double meanPasses = 0;        // over the line, per force balance
-  double marginalFraction = 0;  // nodal: part of the solves with a partly loaded element
-  /// Of curves to a target: the largest relative error of all velocities, and whether it is met.
+  double meanPasses = 0;        // passes over the line per force balance
+  double marginalFraction = 0;  // nodal: part of the solutions with a partly loaded element
+  /// With a target: the largest relative error of all velocities, and whether it meets the target.
   double achievedError = kNotApplicable;
   bool isTargetMet = true;
 };
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// x_i = from (to / from)^(i / (points - 1)), the last one `to` to the last bit.
+/// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
 std::vector<double> logSpaced(double from, double to, std::int64_t points);
 
-/// The same of a scene's velocities, m/s.
+/// Returns the velocities of a scene's sweep, m/s.
 std::vector<double> sweepVelocities(const Sweep& sweep);
 
-/// What the scene calls for (planOf), with one of its lines at hand: only then is it known whether
-/// contact is complete and the search for its edges is left out. Costs a line and a few passes.
+/// Returns the plan of the scene (planOf) with one of its lines made. Only then is it known whether
+/// contact is complete and the search for its edges is left out. It costs a line and a few passes.
 /// Failure: as SteadySolver and LineSource.
 std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose);
 

@@ -8,8 +8,8 @@
 namespace asperity {
 namespace {
 
-/// beta at H = 0, 0.1, ... 1, each with a standard error of 0.003 to 0.006: what
-/// `asperity figure 5 --realizations 4000 --set accuracy.oversampling=4` writes.
+/// beta at H = 0, 0.1, ... 1, each with a standard error of 0.003 to 0.006, from the results of
+/// `asperity figure 5 --realizations 4000 --set accuracy.oversampling=4`.
 constexpr std::array<double, 11> kBeta{2.724, 2.187, 1.929, 1.806, 1.747, 1.715,
                                        1.691, 1.657, 1.593, 1.471, 1.274};
 

@@ -16,7 +16,7 @@ struct LawInput {
   double relaxationTime = 0;  // s, tau = eta / G
   double length = 0;          // m, L
   double rmsHeight = 0;       // m, h
-  double rmsSlope = 0;        // of the line, or of the line in contact where that is known
+  double rmsSlope = 0;        // of the line, or of the line in contact where known
   double hurst = 0;           // H
   double normalForce = 0;     // N
   double velocity = 0;        // m/s
@@ -56,9 +56,10 @@ double dimensionlessVelocity(const LawInput& in);
 /// Eq. (14): F_N / (G h L).
 double dimensionlessForce(const LawInput& in);
 
-/// The prefactor beta of Eq. (5) with alpha = H / (1 + H), as measured on the resolved line of 5000
-/// elements in the limit of low velocity: the mean of ln(mu ...) over 1e-3 <= F_N / G h L <= 1,
-/// interpolated in H. A standard error of 0.3 %; inside the window Eq. (5) itself is good to 10 %.
+/// Returns the prefactor beta of Eq. (5) with alpha = H / (1 + H), measured on the resolved line of
+/// 5000 elements in the limit of low velocity: the mean of ln(mu ...) over 1e-3 <= F_N / G h L <=
+/// 1, interpolated in H. It has a standard error of 0.3 %; inside the window Eq. (5) itself is
+/// accurate to 10 %.
 double betaOf(double hurst);
 
 }  // namespace asperity

@@ -1,7 +1,5 @@
 #include "core/friction/realizations.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -13,9 +11,10 @@ namespace {
 
 using Results = std::vector<SteadyResult>;
 
-/// What a thread uses again for one realization after another, of later ensembles too: the system
-/// takes longer to give and to take back the pages of a long line than it takes to fill them, and a
-/// cancelled ensemble would wait for that. Lines far shorter than the last one begin afresh.
+/// Memory that a thread uses again for one realization after another, also in later ensembles: the
+/// system needs more time to allocate and free the pages of a long line than it takes to fill them,
+/// and a cancelled ensemble would wait for that. Lines far shorter than the last one get new
+/// memory.
 struct Buffers {
   Line line;
   PreparedProfile profile;
@@ -34,7 +33,8 @@ class Realizations {
   Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
       : task_(task), sliding_(task.scene), stop_(stop), jobs_(threads) {}
 
-  /// The first call is for one realization, whose depths the others begin from.
+  /// Computes realizations. The first call is for one realization, from whose depths the others
+  /// begin.
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
     std::vector<Results> batch(static_cast<std::size_t>(count));
     jobs_.run(count, [&](std::int64_t i) {
@@ -46,11 +46,11 @@ class Realizations {
   }
 
  private:
-  /// Cut short where stop is requested.
+  /// Slides one realization; stops early where stop is requested.
   Results slide(std::int64_t realization) {
     Buffers& buffers = Buffers::forNodes(task_.source.nodes());
     const Scheme scheme = task_.scene.accuracy.scheme;
-    // A long line takes as long as all the rest.
+    // The making of a long line takes as long as everything else.
     const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
     if (!task_.source.makeInto(buffers.line, realization, slopes, stop_) ||
         !prepareProfileInto(buffers.profile, buffers.line, scheme, Direction::Forward, stop_))
@@ -91,7 +91,7 @@ bool slideRealizations(const RealizationTask& task, std::int64_t count, int thre
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone) {
   Realizations realizations(task, threads, stop);
-  // The first one comes at once; later batches are large enough to keep all threads busy.
+  // The first result comes at once; later batches are large enough to keep all threads busy.
   for (std::int64_t done = 0, batch = 1; done < count;
        batch = std::min<std::int64_t>(2 * batch, 32)) {
     batch = std::min(batch, count - done);

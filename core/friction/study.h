@@ -1,8 +1,8 @@
-// A scene at several loads and velocities on all its realizations, kept so that whatever is read
-// from the averages (a slope, a plateau, an exponent) comes with an honest uncertainty: the
-// jackknife over groups of realizations, which knows that all loads and velocities share the lines.
-// Immutable once computed; any thread.
-// Failure: as frictionCurve, whose averages these are.
+// A scene at several loads and velocities on all its realizations, kept so that every number
+// derived from the averages (a slope, a plateau, an exponent) has a valid uncertainty: the
+// jackknife over groups of realizations, which includes the correlation of loads and velocities on
+// the same lines. Immutable once computed; any thread.
+// Failure: as frictionCurve, which computes the same averages.
 #pragma once
 
 #include <array>
@@ -37,14 +37,15 @@ struct StudyStopped {};
 
 class Study {
  public:
-  /// Groups of realizations that the jackknife leaves out in turn; fewer lines: one each.
+  /// Number of groups of realizations that the jackknife leaves out in turn; fewer lines have one
+  /// group each.
   static constexpr int kGroups = 20;
   static constexpr int kAll = -1;  // no group left out
 
-  /// normalForces (N) and velocities (m/s) both ascending.
+  /// normalForces (N) and velocities (m/s) are both ascending.
   Study(const Scene& scene, const std::vector<double>& normalForces,
         const std::vector<double>& velocities, const StudyOptions& options);
-  /// Each force with velocities of its own, all of one number.
+  /// Each force has its own velocities, all of one number.
   Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options);
 
   const Scene& scene() const { return scene_; }
@@ -55,26 +56,29 @@ class Study {
   std::int64_t realizations() const { return realizations_; }
   int groups() const { return groups_; }
 
-  /// Averages over all realizations but those of one group, at force j and velocity i.
+  /// Return averages over all realizations except for those of one group, at force j and velocity
+  /// i.
   double mu(std::size_t j, std::size_t i, int leftOut = kAll) const;
-  /// Mean of mu over the rms slope of its own line.
+  /// Returns the mean of mu over the rms slope of the same line.
   double normalizedMu(std::size_t j, std::size_t i, int leftOut = kAll) const;
   double contactFraction(std::size_t j, std::size_t i, int leftOut = kAll) const;
-  /// Root mean square over realizations, each weighted by its contact: of the pooled contact.
+  /// Returns the root mean square over realizations, each weighted by its contact: of the pooled
+  /// contact.
   double rmsSlopeContact(std::size_t j, std::size_t i, int leftOut = kAll) const;
   double muStandardError(std::size_t j, std::size_t i) const;
-  /// Lines whose force fell into a jump of the nodal rule.
+  /// Returns the fraction of lines whose force fell into a jump of the nodal rule.
   double marginalFraction(std::size_t j, std::size_t i) const;
   double largestResidual() const { return largestResidual_; }
 
-  /// Eqs. (5) to (14) at force j and velocity i, with the rms slope of the whole line.
+  /// Returns the input of Eqs. (5) to (14) at force j and velocity i, with the rms slope of the
+  /// whole line.
   LawInput lawInput(std::size_t j, std::size_t i) const;
-  /// The row of a table.
+  /// Returns the row of a table.
   CurvePoint point(std::size_t j, std::size_t i) const;
 
  private:
-  /// Friction is summed from that of the first realization, so that no digits are lost where all
-  /// lines agree.
+  /// Friction is summed relative to that of the first realization, so that no digits are lost where
+  /// all lines agree.
   enum Quantity {
     Mu,
     MuSquared,
@@ -94,7 +98,7 @@ class Study {
   Scene scene_;
   std::vector<LoadCase> cases_;
   LineStatistics line_;
-  bool slopesDiffer_ = false;  // from line to line; line_ then has the first one's
+  bool slopesDiffer_ = false;  // from line to line; line_ has the values of the first one
   double length_ = 0;          // m
   std::int64_t realizations_ = 0;
   int groups_ = 1;
@@ -104,8 +108,8 @@ class Study {
   double largestResidual_ = 0;
 };
 
-/// A number read from the averages of one or more studies with the same realizations, and its
-/// standard error. `read` gets the group to leave out, or Study::kAll.
+/// Returns a number derived from the averages of one or more studies with the same realizations,
+/// with its standard error. `read` gets the group to leave out, or Study::kAll.
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read);
 
 }  // namespace asperity

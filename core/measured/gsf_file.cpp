@@ -74,7 +74,7 @@ SurfaceDraft readGsf(const SurfaceSource& source) {
   if (!draft.hasPositions) grid.columnSpacing = grid.rowSpacing = 1;
   draft.positionUnit = statedUnit(source, "XYUnits", header.text("XYUnits"));
   draft.heightUnit = statedUnit(source, "ZUnits", header.text("ZUnits"));
-  draft.facts.heightColumn = header.text("Title");
+  draft.facts.heightColumn = shortened(header.text("Title"));
   const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(float);
   appendHeights<float>(source, data.substr(0, bytes), false, 1, grid.height,
                        [](float) { return false; });

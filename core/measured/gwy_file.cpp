@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/length_unit.h"
 #include "core/measured/surface_draft.h"
@@ -209,7 +210,7 @@ SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps) {
 
   SurfaceDraft draft;
   draft.facts.format = "gwy";
-  draft.facts.heightColumn = titleOf(components, channel);
+  draft.facts.heightColumn = shortened(titleOf(components, channel));
   if (channels.size() > 1)
     draft.facts.notes.push_back(
         message("The channel '{}' is read, the file has {}; surface.height_column chooses another.",

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
+#include "core/base/program.h"
 #include "core/base/regular_file.h"
 #include "core/measured/surface_draft.h"
 
@@ -30,19 +32,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kLongest = 60s;
 constexpr std::size_t kLargestResult = std::size_t{1} << 30;  // bytes
-
-/// The program in PATH; empty where it is not there.
-std::string findGwyddion() {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(':');
-    const fs::path program = fs::path(rest.substr(0, end)) / "gwyddion";
-    if (::access(program.c_str(), X_OK) == 0) return program.string();
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
-  return {};
-}
 
 /// A folder of our own, removed with all that is in it.
 class TemporaryFolder {
@@ -122,7 +111,7 @@ class Process {
 std::string convertWithGwyddion(const fs::path& file, const std::stop_token& stop) {
   const std::string name = file.string();
   const RegularFile regular(file);  // no pipe, which it would wait for
-  const std::string program = findGwyddion();
+  const std::string program = findProgram("gwyddion");
   if (program.empty())
     throw InputError(
         name, "",

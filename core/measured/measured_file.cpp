@@ -61,7 +61,7 @@ UnitFact unitFact(const std::string& choice, const std::optional<StatedUnit>& st
 void requireChoices(const SurfaceSource& source) {
   const auto require = [&source](const char* key, const std::string& value, const auto& known) {
     if (std::ranges::find(known, value) == known.end())
-      throw InputError(source.name, key, Message::name(notOneOf(value, known)));
+      throw InputError(source.name, key, notOneOf(value, known));
   };
   require("surface.format", source.choices.format, kSurfaceFormats);
   require("surface.position_unit", source.choices.positionUnit, kSurfaceUnits);
@@ -96,8 +96,8 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
       throw InputError(
           source.name, "surface.position_unit",
           message("is needed ({}): the file states no unit of positions, and in metres "
-                  "it would be {} long",
-                  kUnits, plain(length)));
+                  "it would be {:.3g} m long",
+                  kUnits, length));
     throw InputError(source.name, "surface.position_unit",
                      message("is needed ({}): the file does not say how far its points are apart, "
                              "and they are taken as one unit apart",
@@ -118,9 +118,14 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
 
 void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   ReadingFacts& facts = draft.facts;
+  Topography& grid = draft.grid;
   facts.positionUnit = unitFact(source.choices.positionUnit, draft.positionUnit);
   facts.heightUnit = unitFact(source.choices.heightUnit, draft.heightUnit);
-  Topography& grid = draft.grid;
+  if (!draft.hasPositions && source.choices.spacing > 0) {
+    grid.columnSpacing = grid.rowSpacing = source.choices.spacing;
+    facts.positionUnit = {"m", 1, UnitSource::Choice};
+    draft.hasPositions = true;
+  }
   grid.columnSpacing *= facts.positionUnit.metres;
   grid.rowSpacing *= facts.positionUnit.metres;
   if (facts.heightUnit.metres != 1)
@@ -156,10 +161,9 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "points") return "points x, y, z as text";
   if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
   std::string name = facts.format;
-  std::ranges::transform(name, name.begin(),
-                         [](char letter) { return static_cast<char>(letter - 'a' + 'A'); });
-  if (facts.format == "x3p") name = "X3P";
-  return message("a {} file", name);
+  for (char& letter : name)
+    if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+  return Message::name(name);
 }
 
 /// What the reader took the file for comes first, what is special after it.
@@ -174,29 +178,31 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.push_back(message("Read as {}: {} x {} points, {} and {} apart.", formText(facts),
                             grid.columns, grid.rows, spacing,
                             PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
-  if (!facts.positionColumn.empty())
-    notes.push_back(
-        message("Positions are {}, heights {}.", facts.positionColumn, facts.heightColumn));
-  const auto unitNote = [&notes](const Message& what, const UnitFact& unit) {
-    if (unit.source == UnitSource::File)
-      notes.push_back(message("{} are in {}, as the file states.", what, unit.unit));
-    else if (unit.source == UnitSource::Choice)
-      notes.push_back(message("{} are in {}, as the scene says.", what, unit.unit));
-    else
-      notes.push_back(message("The file states no unit: {} are taken as metres.", what));
-  };
-  unitNote("Positions", facts.positionUnit);
-  unitNote("Heights", facts.heightUnit);
+  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
+  const UnitFact& position = facts.positionUnit;
+  if (position.source == UnitSource::File)
+    notes.push_back(message("Positions are in {}, as the file states.", position.unit));
+  else if (position.source == UnitSource::Choice)
+    notes.push_back(message("Positions are in {}, as the scene says.", position.unit));
+  else
+    notes.emplace_back("The file states no unit of positions: they are taken as metres.");
+  const UnitFact& height = facts.heightUnit;
+  if (height.source == UnitSource::File)
+    notes.push_back(message("Heights are in {}, as the file states.", height.unit));
+  else if (height.source == UnitSource::Choice)
+    notes.push_back(message("Heights are in {}, as the scene says.", height.unit));
+  else
+    notes.emplace_back("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
     notes.emplace_back(
         "The file does not say how far its points are apart: one unit of positions.");
   if (facts.gaps > 0) notes.push_back(message("{} points have no height.", facts.gaps));
-  notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   facts.notes = std::move(notes);
 }
 
 MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
   applyUnits(source, draft);
+  if (draft.grid.rows == 1) draft.grid.rowSpacing = 0;
   requireSound(source, draft.grid, draft.facts);
   requirePlausible(source, draft, draft.facts);
   requireNear(source, draft.grid);
@@ -245,13 +251,13 @@ void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t
 std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_view axis,
                                      std::string_view unit) {
   if (unit.empty()) return {};
-  if (const auto metres = metresPer(unit)) return StatedUnit{std::string(unit), *metres};
+  if (const auto metres = metresPer(unit)) return StatedUnit{shortened(unit), *metres};
   const bool ofHeights = axis.starts_with('z') || axis.starts_with('Z');
   if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
   throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
                    message("the axis {} is in '{}', which is no unit of length; the key can say "
                            "another one",
-                           axis, unit));
+                           axis, shortened(unit)));
 }
 
 MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
@@ -263,7 +269,9 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   if (bytes.empty()) source.fail("is empty");
   const std::string_view found = kindOf(bytes);
   const std::string& format = choices.format;
-  const std::string_view kind = format == "auto" ? found : isTextForm(format) ? "text" : format;
+  const std::string_view kind = format == "auto"     ? found
+                                : isTextForm(format) ? std::string_view("text")
+                                                     : std::string_view(format);
   if (kind.empty()) refuse(source);
   return finished(source, readDraft(source, kind));
 }

@@ -39,6 +39,7 @@ struct ReadingChoices {
   std::string heightUnit = "auto";    // likewise
   int positionColumn = 0;             // of a text profile or of points, counted from 1; 0: found
   int heightColumn = 0;  // likewise; in a GWY file the channel, in the order of the file; 0: found
+  double spacing = 0;    // m, between points where the file does not say; 0: one position unit
 
   bool operator==(const ReadingChoices&) const = default;
 };

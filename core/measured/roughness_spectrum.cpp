@@ -16,7 +16,8 @@ constexpr double kTwoPi = 2 * std::numbers::pi;
 /// Integral of a density from x0 to x, between the points (x0, y0) and (x1, y1): a power law where
 /// both are above 0, else a straight line.
 double segmentIntegral(double x0, double y0, double x1, double y1, double x) {
-  if (!(y0 > 0) || !(y1 > 0)) {
+  constexpr double kNear = 1e-9;  // of points that are too near each other for a power law
+  if (!(y0 > 0) || !(y1 > 0) || x1 - x0 < kNear * x0) {
     const double y = y0 + (y1 - y0) * (x - x0) / (x1 - x0);
     return 0.5 * (y0 + y) * (x - x0);
   }

@@ -94,7 +94,7 @@ void findValidity(const TextBlock& block, int column, std::string_view name, Col
 Message columnText(const TextBlock& block, int column) {
   const std::string& name = block.columns[static_cast<std::size_t>(column)].name;
   if (name.empty()) return message("column {}", column + 1);
-  return message("column {} '{}'", column + 1, name);
+  return message("column {} '{}'", column + 1, shortened(name));
 }
 
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
@@ -128,6 +128,7 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
       open.push_back(i);
   }
   roles.named = roles.x >= 0 || !roles.heights.empty();
+  const std::size_t namedHeights = roles.heights.size();
 
   // "x" and "y" without "z": y is the height, as a plot has it.
   const bool yIsHeight = roles.y >= 0 && roles.heights.empty() && heightChoice < 0 && open.empty();
@@ -156,6 +157,13 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
     roles.z = roles.heights.front();
   else if (roles.x >= 0 && positionChoice < 0)
     std::swap(roles.x, roles.z);  // one column alone holds heights, whatever its name
+  // Columns in the same unit could be the heights as well; without units, those named like them.
+  const auto unitOf = [&block](int column) -> const std::string& {
+    return block.columns[static_cast<std::size_t>(column)].unit;
+  };
+  for (const int column : roles.heights)
+    if (roles.z >= 0 && unitOf(column) == unitOf(roles.z)) ++roles.candidates;
+  if (namedHeights > 0 && roles.z >= 0 && unitOf(roles.z).empty()) roles.candidates = namedHeights;
   return roles;
 }
 
@@ -191,7 +199,8 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
                                      bool ofHeights) {
-  const std::vector<std::string> heights{"value units",
+  const std::vector<std::string> heights{"z",
+                                         "value units",
                                          "value unit",
                                          "z unit",
                                          "z units",
@@ -212,17 +221,33 @@ std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& bl
                                          "\u5024\u306E\u5358\u4F4D",
                                          "\u0415\u0434\u0438\u043D\u0438\u0446\u044B "
                                          "\u0438\u0437\u043C\u0435\u0440\u0435\u043D\u0438\u044F"};
-  const std::vector<std::string> positions{"x unit",  "x units",  "x-unit",       "unit x",
-                                           "units x", "xunit",    "lateral unit", "position unit",
-                                           "xy unit", "xy units", "x-einheit",    "einheit x"};
+  const std::vector<std::string> positions{
+      "x unit",        "x units", "x-unit",   "unit x",    "units x",   "xunit", "lateral unit",
+      "position unit", "xy unit", "xy units", "x-einheit", "einheit x", "x"};
   const std::vector<std::string> both{"unit", "units", "einheit", "length unit"};
   for (const auto& keys : {ofHeights ? heights : positions, both})
     for (const std::string& key : keys) {
       const std::string text = table.entry(key, block);
-      if (const auto metres = metresPer(text))
+      // "x: mm" states a unit, "x: 5 mm" a length.
+      const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
+      const auto metres = metresPer(text);
+      if (metres && (isAlone || key.size() > 1))
         return StatedUnit{std::string(withoutBrackets(text)), *metres};
     }
   return {};
+}
+
+std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
+                                     const TextBlock& block, int column, bool ofHeights) {
+  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
+  const bool isChosen =
+      (ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto";
+  if (unit.empty()) return headerUnit(table, block, ofHeights);
+  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
+  if (isChosen) return {};
+  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
+                   message("{} is in '{}', which is no unit of length; the key can say another one",
+                           columnText(block, column), shortened(unit)));
 }
 
 }  // namespace asperity

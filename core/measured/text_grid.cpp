@@ -16,8 +16,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // ---- Matrix ------------------------------------------------------------------------------------
 
-/// The width and height of the whole field, as Gwyddion writes them in each language; else the only
-/// two lengths above the numbers.
+/// The width and height of the whole field, as Gwyddion writes them in each language.
 struct Extent {
   std::optional<HeaderLength> width, height;
 };
@@ -26,15 +25,23 @@ Extent extentOf(const TextTable& table, const TextBlock& block) {
   Extent extent;
   extent.width = headerLength(
       table, block,
-      {"width", "breite", "largeur", "\u0161\u00ED\u0159ka", "larghezza", "anchura", "ancho",
-       "largura", "\u0448\u0438\u0440\u0438\u043D\u0430", "\u0428\u0438\u0440\u0438\u043D\u0430",
-       "\u5E45", "x size", "x range", "x length", "size x", "xreal", "scan size", "scansize"});
+      {"width", "breite", "largeur", "\u0160\u00ED\u0159ka", "\u0161\u00ED\u0159ka", "larghezza",
+       "anchura", "ancho", "largura", "\u0448\u0438\u0440\u0438\u043D\u0430",
+       "\u0428\u0438\u0440\u0438\u043D\u0430", "\u5E45", "x size", "x range", "x length", "size x",
+       "xreal", "scan size", "scansize"});
   extent.height =
       headerLength(table, block,
                    {"height", "h\u00F6he", "hauteur", "v\u00FD\u0161ka", "altezza", "altura",
                     "\u0432\u044B\u0441\u043E\u0442\u0430", "\u0412\u044B\u0441\u043E\u0442\u0430",
                     "\u9AD8\u3055", "y size", "y range", "y length", "size y", "yreal"});
-  if (extent.width || extent.height || block.header.size() > 5) return extent;
+  return extent;
+}
+
+/// Without any known key: the only two lengths above the numbers.
+Extent unnamedExtent(const TextBlock& block) {
+  Extent extent;
+  constexpr std::size_t kShortHeader = 5;
+  if (block.header.size() > kShortHeader) return extent;
   std::vector<HeaderLength> lengths;
   for (const TextEntry& entry : block.header)
     if (const auto quantity = quantityIn(entry.value); quantity && quantity->number > 0)
@@ -82,6 +89,14 @@ Frame frameOf(const TextBlock& block) {
   return frame;
 }
 
+}  // namespace
+
+bool hasPositionFrame(const TextBlock& block) {
+  return frameOf(block).hasColumn;
+}
+
+namespace {
+
 void flip(Topography& grid, bool columns, bool rows) {
   const auto width = static_cast<std::ptrdiff_t>(grid.columns);
   if (columns)
@@ -107,7 +122,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
     spacing = length->value / count * factor;
     return true;
   };
-  const Extent extent = extentOf(table, block);
+  Extent extent = extentOf(table, block);
   const auto columnStep =
       headerLength(table, block,
                    {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
@@ -115,6 +130,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
   const auto rowStep = headerLength(
       table, block,
       {"cellsize", "dy", "y spacing", "spacing y", "y step", "pixel size y", "y pixel size"});
+  if (!extent.width && !extent.height && !columnStep && !rowStep) extent = unnamedExtent(block);
   const bool hasX = set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
                     set(columnStep, 1, grid.columnSpacing);
   const bool hasY = set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
@@ -161,24 +177,12 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   if (none)
     for (double& height : grid.height)
       if (!std::isnan(height) && height == none->number) height = kNone;
-  if (grid.rows == 1) grid.rowSpacing = 0;
   return draft;
 }
 
 // ---- Points ------------------------------------------------------------------------------------
 
 namespace {
-
-std::optional<StatedUnit> unitOfPoints(const SurfaceSource& source, const TextTable& table,
-                                       const TextBlock& block, int column, bool ofHeights) {
-  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
-  if (unit.empty()) return headerUnit(table, block, ofHeights);
-  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
-  if ((ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto") return {};
-  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
-                   message("{} is in '{}', which is no unit of length; the key can say another one",
-                           columnText(block, column), unit));
-}
 
 struct PointColumns {
   int x = 0, y = 1, z = 2;
@@ -223,9 +227,12 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   draft.facts.format = "points";
   draft.facts.positionColumn = columnText(block, columns.x).english();
   draft.facts.heightColumn = columnText(block, columns.z).english();
-  draft.positionUnit = unitOfPoints(source, table, block, columns.x, false);
-  const auto rowUnit = unitOfPoints(source, table, block, columns.y, false);
-  draft.heightUnit = unitOfPoints(source, table, block, columns.z, true);
+  draft.facts.notes.push_back(message("Positions are {} and {}, heights {}.",
+                                      columnText(block, columns.x), columnText(block, columns.y),
+                                      columnText(block, columns.z)));
+  draft.positionUnit = columnUnit(source, table, block, columns.x, false);
+  const auto rowUnit = columnUnit(source, table, block, columns.y, false);
+  draft.heightUnit = columnUnit(source, table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
@@ -266,7 +273,6 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     std::swap(grid.columns, grid.rows);
     grid.columnSpacing = grid.rowSpacing;
   }
-  if (grid.rows == 1) grid.rowSpacing = 0;
   return draft;
 }
 

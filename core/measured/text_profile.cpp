@@ -1,28 +1,10 @@
 // Profiles in text tables: positions and heights, or heights alone.
 #include <cmath>
 
-#include "core/measured/length_unit.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 
 namespace asperity {
-namespace {
-
-std::optional<StatedUnit> unitOfColumn(const SurfaceSource& source, const TextTable& table,
-                                       const TextBlock& block, int column, bool ofHeights) {
-  const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
-  const bool isChosen =
-      (ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto";
-  if (unit.empty()) return headerUnit(table, block, ofHeights);
-  if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
-  if (isChosen) return {};
-  throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",
-                   message("{} is in '{}', which is no unit of length; the key can say another one",
-                           columnText(block, column), unit));
-}
-
-}  // namespace
-
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source) {
   const ColumnRoles roles = columnRoles(block, source);
@@ -39,18 +21,21 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
     draft.facts.notes.push_back(message("{} says which points are valid; the others are gaps.",
                                         columnText(block, roles.validity)));
   }
-  draft.heightUnit = unitOfColumn(source, table, block, roles.z, true);
-  if (roles.heights.size() > 1 && source.choices.heightColumn == 0)
+  draft.heightUnit = columnUnit(source, table, block, roles.z, true);
+  if (roles.candidates > 1 && source.choices.heightColumn == 0)
     draft.facts.notes.push_back(message(
         "Heights are {}, the first of {} columns that could be; surface.height_column chooses "
         "another.",
-        columnText(block, roles.z), roles.heights.size()));
+        columnText(block, roles.z), roles.candidates));
 
   Topography& grid = draft.grid;
   grid.rows = 1;
   if (roles.x >= 0) {
     draft.facts.positionColumn = columnText(block, roles.x).english();
-    draft.positionUnit = unitOfColumn(source, table, block, roles.x, false);
+    draft.facts.notes.insert(draft.facts.notes.begin(),
+                             message("Positions are {}, heights {}.", columnText(block, roles.x),
+                                     columnText(block, roles.z)));
+    draft.positionUnit = columnUnit(source, table, block, roles.x, false);
     PlacedProfile placed = placeUniformly(block.column(static_cast<std::size_t>(roles.x)),
                                           std::move(heights), block.lines, source);
     grid.height = std::move(placed.height);

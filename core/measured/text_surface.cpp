@@ -28,6 +28,7 @@ Form formOf(const TextTable& table, const TextBlock& block, const SurfaceSource&
   if (format == "points") return Form::Points;
   const std::size_t columns = block.columns.size();
   if (columns < 3) return Form::Profile;
+  if (hasPositionFrame(block)) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
   if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {
     // A profile with a second lateral coordinate that does not change, or points.

@@ -16,6 +16,7 @@ struct ColumnRoles {
   int validity = -1;
   bool validIsOne = true;      // 1 in the column of validity is a good point
   bool named = false;          // x or z were found by name
+  std::size_t candidates = 0;  // columns that could be the heights as well as z
   std::vector<int> heights{};  // all that are neither positions, nor counts, nor validity
 };
 
@@ -37,6 +38,11 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
                                      bool ofHeights);
 
+/// The unit of a column by its name, else by the header. Throws InputError where it is no length
+/// and the user says no other one.
+std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
+                                     const TextBlock& block, int column, bool ofHeights);
+
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source);
 SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
@@ -46,5 +52,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
 
 /// Whether the first two of three columns are the places of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
+
+/// Whether first row and first column of a matrix hold positions.
+bool hasPositionFrame(const TextBlock& block);
 
 }  // namespace asperity

@@ -90,20 +90,26 @@ Straight straightThrough(std::span<const double> positions) {
   return {meanPosition - spacing * meanIndex, spacing};
 }
 
-/// Whether no position is further from the line than `most` of a step or its rounding.
+/// Whether no position is further from the line than a negligible part of a step, or than its
+/// rounding. Where that is coarser than the steps for most of them, repeated and missing positions
+/// cannot be told from rounded ones, and they are taken as they stand.
 bool isStraight(std::span<const double> positions, const Straight& line, const Rounding* rounding) {
   // Least squares follow rounded numbers to about half of their rounding.
-  constexpr double kSlack = 1.5;
+  constexpr double kSlack = 1.5, kCoarsest = 0.375;
   const double step = std::abs(line.spacing);
   if (!(step > 0)) return false;
+  std::size_t coarse = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (std::isnan(positions[i])) continue;
     const double away =
         std::abs(positions[i] - (line.first + line.spacing * static_cast<double>(i)));
     if (away <= kNegligible * step) continue;
-    if (rounding == nullptr || away > kSlack * rounding->of(positions[i])) return false;
+    if (rounding == nullptr) return false;
+    const double rounded = rounding->of(positions[i]);
+    if (away > kSlack * rounded) return false;
+    coarse += rounded > kCoarsest * step ? 1 : 0;
   }
-  return true;
+  return 2 * coarse <= positions.size();
 }
 
 double variationOf(std::span<const double> positions, double spacing) {
@@ -120,13 +126,18 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
               PlacedProfile& profile) {
   const auto axis = gridAxis({positions.begin(), positions.end()},
                              2 * static_cast<std::int64_t>(positions.size()));
-  if (!axis) return false;
-  profile.spacing = axis->spacing;
-  profile.height.assign(static_cast<std::size_t>(axis->places), kNone);
+  if (!axis || axis->places < 2) return false;
+  std::vector<double> placed(static_cast<std::size_t>(axis->places), kNone);
+  std::vector<bool> isTaken(placed.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto place = std::llround((positions[i] - axis->first) / axis->spacing);
-    profile.height[static_cast<std::size_t>(place)] = heights[i];
+    if (place < 0 || place >= axis->places || isTaken[static_cast<std::size_t>(place)])
+      return false;
+    placed[static_cast<std::size_t>(place)] = heights[i];
+    isTaken[static_cast<std::size_t>(place)] = true;
   }
+  profile.spacing = axis->spacing;
+  profile.height = std::move(placed);
   profile.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
                                   static_cast<std::size_t>(axis->places) - positions.size()));
   return true;
@@ -197,22 +208,24 @@ std::optional<double> uniformSpacing(std::span<const double> positions) {
   return {};
 }
 
-std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most) {
-  std::ranges::sort(numbers);
-  const Rounding rounding(numbers);
-  // Numbers that differ by no more than their rounding are one place.
+namespace {
+
+/// The axis through sorted numbers; those that differ by no more than `merged` roundings are one
+/// place.
+std::optional<GridAxis> axisThrough(std::span<const double> numbers, const Rounding& rounding,
+                                    double merged, std::int64_t most) {
   std::vector<double> places;
   for (const double number : numbers)
-    if (places.empty() || number - places.back() > 2.5 * rounding.of(number))
+    if (places.empty() || number - places.back() > merged * rounding.of(number))
       places.push_back(number);
   if (places.size() < 2) return GridAxis{places.front(), 0, 1};
   double step = places[1] - places[0];
   for (std::size_t i = 2; i < places.size(); ++i) step = std::min(step, places[i] - places[i - 1]);
   const double range = places.back() - places.front();
+  // The smallest step may be short by its rounding: the number of places is what fits them all.
   const double count = std::round(range / step);
   if (!(count < static_cast<double>(most))) return {};
   GridAxis axis{places.front(), range / count, static_cast<std::int64_t>(count) + 1};
-  // The straight line through the places refines what rounding blurs.
   std::vector<double> lattice(static_cast<std::size_t>(axis.places), kNone);
   for (const double place : places) {
     const auto at = static_cast<std::size_t>(std::llround((place - axis.first) / axis.spacing));
@@ -225,6 +238,24 @@ std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most)
   axis.first = line.first;
   axis.spacing = line.spacing;
   return axis;
+}
+
+}  // namespace
+
+std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most) {
+  std::ranges::sort(numbers);
+  const Rounding rounding(numbers);
+  if (const auto exact = axisThrough(numbers, rounding, 0, most)) return exact;
+  // Rounding changes the smallest step: so many places as there are numbers are tried, too.
+  std::vector<double> places = numbers;
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  if (static_cast<std::int64_t>(places.size()) <= most)
+    if (const auto spacing = uniformSpacing(places)) {
+      const Straight line = straightThrough(places);
+      return GridAxis{line.first, *spacing, static_cast<std::int64_t>(places.size())};
+    }
+  constexpr double kMerged = 2.5;
+  return axisThrough(numbers, rounding, kMerged, most);
 }
 
 PlacedProfile placeUniformly(std::vector<double> positions, std::vector<double> heights,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/number_text.h"
+#include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
@@ -43,7 +44,7 @@ class Archive {
   /// All bytes of a file in it, at most `limit` of them.
   std::string read(const std::string& file, std::uint64_t limit) const {
     const zip_int64_t index = indexOf(file);
-    if (index < 0) source_.fail(message("has no file '{}' in its archive", file));
+    if (index < 0) source_.fail(message("has no file '{}' in its archive", shortened(file)));
     zip_stat_t stat;
     zip_stat_init(&stat);
     const bool isKnown =
@@ -51,12 +52,19 @@ class Archive {
         (stat.valid & ZIP_STAT_SIZE) != 0;
     if (!isKnown) fail(file);
     if (stat.size > limit)
-      source_.fail(message("'{}' in its archive is larger than the {} bytes allowed", file, limit));
+      source_.fail(message("'{}' in its archive is larger than the {} bytes allowed",
+                           shortened(file), limit));
+    // Deflate packs a thousand bytes into one at most: a directory that says more lies.
+    constexpr std::uint64_t kMostDeflated = 1100, kSlack = 4096;
+    if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 ||
+        stat.size / kMostDeflated > stat.comp_size + kSlack)
+      fail(file);
     const std::unique_ptr<zip_file_t, Close> open(
         zip_fopen_index(archive_.get(), static_cast<zip_uint64_t>(index), 0));
     if (!open) fail(file);
     std::string bytes;
-    constexpr std::size_t kStep = std::size_t{1} << 22;
+    bytes.reserve(stat.size);
+    constexpr std::size_t kStep = std::size_t{1} << 20;
     while (bytes.size() < stat.size) {
       const std::size_t before = bytes.size();
       // Grows with what is really there, whatever the directory of the archive says.
@@ -82,7 +90,7 @@ class Archive {
     return zip_name_locate(archive_.get(), file.c_str(), ZIP_FL_NOCASE);
   }
   [[noreturn]] void fail(const std::string& file) const {
-    source_.fail(message("'{}' in its archive cannot be unpacked", file));
+    source_.fail(message("'{}' in its archive cannot be unpacked", shortened(file)));
   }
 
   const SurfaceSource& source_;
@@ -243,7 +251,8 @@ class Reader {
     stated = stated.substr(0, std::min(stated.find_first_of(" \t\r\n*"), stated.size()));
     if (stated.empty()) return;
     if (stated.size() != kDigits || lowerCase(stated) != md5Of(bytes))
-      source_.fail(message("'{}' in its archive does not have the MD5 that the file states", file));
+      source_.fail(message("'{}' in its archive does not have the MD5 that the file states",
+                           shortened(file)));
   }
 
   void readSizes(bool isProfile) {
@@ -343,7 +352,7 @@ class Reader {
     if (!archive_.has(file)) {
       // Some programs name the file and write none where all points are valid.
       if (textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints").empty()) return;
-      source_.fail(message("has no file '{}' in its archive", file));
+      source_.fail(message("has no file '{}' in its archive", shortened(file)));
     }
     const std::string bits = archive_.read(file, count / 8 + 1024);
     requireMd5(textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints"), bits, file);

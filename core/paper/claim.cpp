@@ -7,13 +7,13 @@
 namespace asperity {
 namespace {
 
-constexpr double kStandardErrors = 2;  // from a border, for a verdict
+constexpr double kStandardErrors = 2;  // distance from a border that a verdict needs
 
 nlohmann::ordered_json numberOrNull(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-/// The order in which verdicts decide of several.
+/// Returns the rank of a verdict; the lowest one decides if there are several.
 int rank(Verdict verdict) {
   switch (verdict) {
     case Verdict::No:

@@ -1,4 +1,5 @@
-// Fig. 1: one contact, as a drawing. What the text before it says of the line and of the model.
+// Fig. 1: one contact, as a drawing, with the statements of the text before it about line and
+// model.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -24,7 +24,7 @@ struct Contact {
 };
 
 Contact contactOf(const Scene& scene) {
-  const LineSource source(scene, pointsPerElementOfCurve(scene));  // as all figures
+  const LineSource source(scene, pointsPerElementOfCurve(scene));  // as in all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
   contact.profile = prepareProfile(contact.line, scene.accuracy.scheme);
   const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);
@@ -46,7 +46,7 @@ std::string tableOf(const Contact& contact) {
   return text;
 }
 
-/// Share of a sum over modes that comes from waves of at least a tenth of the longest, or at most
+/// Parts of a sum over modes that come from waves of at least a tenth of the longest, or at most
 /// ten times the shortest.
 struct Shares {
   double longWaves = 0, shortWaves = 0;

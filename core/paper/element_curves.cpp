@@ -16,7 +16,7 @@ struct Reading {
   double mu = 0, jumpFraction = 0;
 };
 
-/// The lines of a scene, one element each node, and the marches over them.
+/// The lines of a scene, with one element at each node, and the marches over them.
 class Marches {
  public:
   Marches(const Scene& scene, std::int64_t lines, const StudyOptions& options)
@@ -27,7 +27,7 @@ class Marches {
       lines_.push_back(std::make_shared<const Line>(source.make(r)));
   }
 
-  /// read(line) for all of them; each into its own place.
+  /// Calls read(line) for each of them; every result has its own place.
   template <class Read>
   ElementPoint point(double velocity, const Read& read) {
     std::vector<Reading> readings(lines_.size());
@@ -56,7 +56,7 @@ class Marches {
   std::vector<std::shared_ptr<const Line>> lines_;
 };
 
-/// Where a march begins: depths at the line's nodes, and the indentation.
+/// The beginning of a march: depths at the line's nodes, and the indentation.
 struct Start {
   std::vector<double> depth;  // m
   double indentation = 0;     // m
@@ -101,7 +101,7 @@ Reading fineSteps(const std::shared_ptr<const Line>& line, const Scene& scene, d
   return {work / (force * static_cast<double>(steps.averaged) * line->spacing), 0};
 }
 
-/// Mean over the lines of |a - b| / b.
+/// Returns the mean over the lines of |a - b| / b.
 double relativeChange(const ElementPoint& a, const ElementPoint& b) {
   double sum = 0;
   for (std::size_t r = 0; r < b.normalizedMu.size(); ++r)

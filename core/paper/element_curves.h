@@ -1,7 +1,7 @@
-// The paper's separate elements marched in time, for the figure that shows what the smallest scale
-// decides: by the paper's own rule, and with finer steps. A march costs hundreds of times what a
-// steady pass does, so there are fewer lines.
-// Threading: lines run side by side; the results do not depend on how many threads.
+// The paper's separate elements marched in time, for the figure that shows where the smallest scale
+// matters: by the paper's own rule, and with finer steps. A march costs hundreds of times as much
+// as a steady pass, so there are fewer lines.
+// Threading: lines run side by side; the results do not depend on the number of threads.
 // Failure: StudyStopped where `stop` was requested.
 #pragma once
 
@@ -14,35 +14,35 @@
 
 namespace asperity {
 
-/// mu / rms slope at one velocity, of each line.
+/// The values mu / rms slope at one velocity, for each line.
 struct ElementPoint {
   double velocity = 0;  // m/s
   std::vector<double> normalizedMu{};
-  double jumpFraction = 0;           // part of the steps in which no indentation meets the force
-  std::int64_t stepsPerSpacing = 1;  // taken
+  double jumpFraction = 0;           // part of the steps in which no indentation gives the force
+  std::int64_t stepsPerSpacing = 1;  // number used
 
-  /// Over all lines but one; Study::kAll: over all.
+  /// Returns the mean over all lines except for one group; Study::kAll: over all.
   double mean(int leftOut = Study::kAll) const;
   Estimate estimate() const;
 };
 
-/// Exponent n of mu ~ v^n over the points from this velocity (m/s) on; no number with fewer than
-/// two of them.
+/// Returns the exponent n of mu ~ v^n over the points from this velocity (m/s) on; no number with
+/// fewer than two of them.
 Estimate exponentFrom(std::span<const ElementPoint> points, double velocity);
 
-/// The paper's rule: steps of one spacing, Eqs. (1) to (4). A march begins with the steady shape
-/// that the same elements take where one of them may be loaded partly, and ends within 1e-4 of what
-/// many periods slid from a flat elastomer end with.
+/// The paper's rule: steps of one spacing, Eqs. (1) to (4). A march begins with the steady shape of
+/// the same elements if one of them may be partly loaded; its result agrees within 1e-4 with that
+/// of many periods from a flat elastomer.
 struct LiteralSteps {
-  std::int64_t steps = 200;  // of which the last fifth is averaged
+  std::int64_t steps = 200;  // the last fifth of them is averaged
 };
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
                                        std::int64_t lines, const LiteralSteps& steps,
                                        const StudyOptions& options);
 
-/// How finely a spacing is divided: from `first` steps on, doubled until twice as many change mu by
-/// less than `tolerance`, mean over the lines of the relative change. Contact at high velocity is
-/// far shorter than a spacing, so that any fixed number of steps has a floor of its own.
+/// The number of steps per spacing: from `first` on, doubled until twice as many change mu by less
+/// than `tolerance`, as the mean over the lines of the relative change. Contact at high velocity is
+/// far shorter than a spacing, so that any fixed number of steps has a minimum error.
 struct FineSteps {
   std::int64_t first = 4, most = 256;  // per spacing
   double tolerance = 0.01;
@@ -50,9 +50,9 @@ struct FineSteps {
   std::int64_t averaged = 4;   // of them, the last ones
 };
 
-/// The same number of elements in steps of a part of a spacing, the rate of the indentation
-/// included (TimeMarch). Steady sliding repeats itself with every spacing, so a short distance
-/// serves once the start has died away, at the rate 1/tau + v/l for a contact of length l.
+/// Returns results of the same elements in steps of a part of a spacing, including the rate of the
+/// indentation (TimeMarch). Steady sliding repeats itself with every spacing, so a short distance
+/// suffices once the start has decayed, at the rate 1/tau + v/l for a contact of length l.
 /// velocities ascending; the curve ends before the first one at which `most` steps are too few.
 std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const double> velocities,
                                         std::int64_t lines, const FineSteps& steps,

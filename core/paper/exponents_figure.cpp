@@ -7,7 +7,6 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/law.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -16,7 +15,7 @@ namespace {
 struct Coefficients {
   double hurst = 0;
   Estimate alpha, beta;
-  Estimate wideAlpha;             // of the window that beta is read in
+  Estimate wideAlpha;             // of the window in which beta is determined
   std::vector<double> without{};  // alpha without each group of realizations
 };
 
@@ -31,7 +30,8 @@ Coefficients coefficientsOf(const Study& study) {
   return one;
 }
 
-/// Of two exponents, by leaving out the same realizations; NaN with fewer than three groups.
+/// Returns the correlation of two exponents, by leaving out the same realizations; NaN with fewer
+/// than three groups.
 double correlation(const Coefficients& a, const Coefficients& b) {
   if (a.without.size() < 3) return kNotApplicable;
   const auto n = static_cast<double>(a.without.size());
@@ -49,7 +49,7 @@ double correlation(const Coefficients& a, const Coefficients& b) {
   return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : kNotApplicable;
 }
 
-/// All exponents have the same random phases: what neighbours have in common.
+/// Returns a note on neighbours: all exponents have the same random phases.
 Message correlationNote(const std::vector<Coefficients>& all) {
   double sum = 0;
   for (std::size_t k = 0; k + 1 < all.size(); ++k) sum += correlation(all[k], all[k + 1]);

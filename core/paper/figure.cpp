@@ -1,14 +1,11 @@
 #include "core/paper/figure.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 
@@ -37,7 +34,7 @@ constexpr std::array<FigureEntry, 8> kEntries{{
      "surface.elements ensemble.realizations"},
 }};
 
-/// The parameters of the paper that differ from a scene's defaults.
+/// Returns the parameters of the paper that differ from a scene's defaults.
 std::string_view paperScene(FigureName name) {
   switch (name) {
     case FigureName::Contact:
@@ -80,7 +77,8 @@ void checkAssignments(const FigureEntry& entry, const std::vector<std::string>& 
   }
 }
 
-/// The law and its claims are about a self-affine line, a Kelvin body and a normal force.
+/// Checks that the scene fits: the law and its claims hold for a self-affine line, a Kelvin body
+/// and a normal force.
 void checkModel(const FigureEntry& entry, const Scene& scene) {
   const auto require = [&](bool fits, const char* key, const char* only) {
     if (!fits)

@@ -1,8 +1,7 @@
-// The figures of Li et al., PRL 111, 034301 (2013), each from a fresh computation with the paper's
-// parameters: a diagram, its data, the scene behind it, and the paper's sentences about it held
-// against what was computed. Two more show the collapse of Eqs. (16) and (17) and the influence of
-// the spacing.
-// Immutable once made; any thread. Equal options give equal bytes.
+// The figures of Li et al., PRL 111, 034301 (2013), each computed anew with the paper's parameters:
+// a diagram, its data, its scene, and the paper's sentences about it compared with the results. Two
+// more show the collapse of Eqs. (16) and (17) and the influence of the spacing. Immutable once
+// made; any thread. Equal options give equal bytes.
 // Failure: InputError for assignments that do not fit the figure; std::runtime_error where a force
 // balance is not met; StudyStopped where `stop` was requested.
 #pragma once
@@ -31,13 +30,13 @@ struct FigureEntry {
   std::string_view ownKeys;
 };
 
-/// All of them, in order.
+/// Returns all figures, in order.
 std::span<const FigureEntry> figureEntries();
 const FigureEntry& entryOf(FigureName name);
 
 struct FigureOptions {
   std::int64_t realizations = 200;
-  /// Of a scene's keys, over the paper's parameters: "surface.seed=2".
+  /// Assignments to scene keys, applied to the paper's parameters: "surface.seed=2".
   std::vector<std::string> assignments;
   int threads = 0;
   std::stop_token stop;
@@ -46,18 +45,18 @@ struct FigureOptions {
 
 struct Figure {
   FigureName name = FigureName::Contact;
-  Scene scene;         // to play with
-  DiagramSheet sheet;  // without diagrams for the contact, which is drawn as one
+  Scene scene;         // for further experiments
+  DiagramSheet sheet;  // without diagrams for the contact, which is a drawing
   std::string csv;
   std::vector<Claim> claims;
 };
 
-/// The paper's parameters for a figure, with the assignments. Throws InputError.
+/// Returns the paper's parameters for a figure, with the assignments. Throws InputError.
 Scene figureScene(FigureName name, const FigureOptions& options);
 
 Figure makeFigure(FigureName name, const FigureOptions& options);
 
-/// claims.json: the figures made in one run, with provenance.
+/// Returns claims.json: the figures made in one run, with provenance.
 std::string claimsJson(std::span<const Figure> figures);
 
 }  // namespace asperity

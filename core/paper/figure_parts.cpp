@@ -1,17 +1,14 @@
 #include "core/paper/figure_parts.h"
-#include "core/base/number_text.h"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 
 namespace asperity {
-
 std::vector<double> paperForces() {
   return logSpaced(1e-3, 100, 20);
 }

@@ -1,5 +1,7 @@
-// What the figures share: the scenes and ranges of the paper, studies that report how far the whole
-// figure is, series and table rows. Used by the files of this folder only.
+// Common parts of the figures: the scenes and ranges of the paper, studies that report the progress
+// of the whole figure, series and table rows; and one function for each figure, which adds diagram,
+// table and claims to a Figure that has its scene (in its own file: velocity_figure.cpp, ...). Only
+// files of this folder use it.
 #pragma once
 
 #include <span>
@@ -14,24 +16,25 @@
 
 namespace asperity {
 
-/// The parameters varied in the paper: 20 forces from 1e-3 to 100 N, 20 spacings from 1e-7 to
-/// 1e-5 m, six Hurst exponents for curves and eleven for coefficients.
+/// Return the parameters varied in the paper: 20 forces from 1e-3 to 100 N, 20 spacings from 1e-7
+/// to 1e-5 m, six Hurst exponents for curves and eleven for coefficients.
 std::vector<double> paperForces();
 std::vector<double> paperSpacings();
 std::vector<double> sixHurstExponents();
 std::vector<double> elevenHurstExponents();
 
-/// 0.2 < H < 0.8, for which the paper makes its statements: without the ends.
+/// Returns whether 0.2 < H < 0.8, the range of the paper's statements, without its ends.
 bool isMiddle(double hurst);
 
-/// Runs studies one after another and reports the part done of all. Costs are in any one unit.
+/// Runs studies one after another and reports the finished part of all. Costs are in any common
+/// unit.
 class FigureWork {
  public:
   FigureWork(const FigureOptions& options, double totalCost);
 
   Study study(const Scene& scene, const std::vector<double>& normalForces,
               const std::vector<double>& velocities, double cost);
-  /// Options of other work whose progress counts as `cost`.
+  /// Returns options for other work whose progress counts as `cost`.
   StudyOptions next(double cost);
 
  private:
@@ -39,7 +42,8 @@ class FigureWork {
   double total_, done_ = 0;
 };
 
-/// mu / rms slope over velocity with one standard error, and Eq. (11) over the same velocities.
+/// Returns mu / rms slope over velocity with one standard error; the other function returns Eq.
+/// (11) over the same velocities.
 DiagramSeries frictionSeries(const Study& study, std::size_t j, Message name);
 DiagramSeries lawSeries(const Study& study, std::size_t j, Message name);
 
@@ -47,13 +51,22 @@ DiagramAxis velocityAxis();
 DiagramAxis normalizedFrictionAxis();
 Diagram frictionDiagram();  // both axes, no series yet
 
-/// The rows of one study's force j; `lead` stands in front of each ("0.7,").
+/// Returns the rows of one study's force j; each begins with `lead` ("0.7,").
 std::string tableRows(const Study& study, std::size_t j, const std::string& lead);
 
-/// "H = 0.7, h = 500 nm, ..." of what the figure does not vary.
+/// Returns "H = 0.7, h = 500 nm, ...": the parameters that the figure does not vary.
 Message parameterLine(const Scene& scene, const FigureEntry& entry);
 
-/// Eq. (8) in complete contact, over all the studies.
+/// Returns the claim on Eq. (8) in complete contact, over all the studies.
 Claim fullContactClaim(std::span<const Study> studies);
+
+void addContactFigure(Figure& figure, const FigureOptions& options);
+void addVelocityFigure(Figure& figure, const FigureOptions& options);
+void addHurstFigure(Figure& figure, const FigureOptions& options);
+void addForcesFigure(Figure& figure, const FigureOptions& options);
+void addExponentsFigure(Figure& figure, const FigureOptions& options);
+void addPlateauFigure(Figure& figure, const FigureOptions& options);
+void addMasterFigure(Figure& figure, const FigureOptions& options);
+void addSpacingFigure(Figure& figure, const FigureOptions& options);
 
 }  // namespace asperity

@@ -6,14 +6,14 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/paper/zone_claims.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
 
-/// A zone's name beside its lines at low velocity: `aside` times as fast as they are.
+/// Returns a zone's name beside its lines at low velocity; `aside` is the factor between their
+/// velocities.
 DiagramLabel zoneLabel(const Study& study, std::size_t j, const char* text, double aside) {
   const double level = 0.005;
   const double velocity = study.velocities()[0] * level / study.normalizedMu(j, 0);
@@ -32,7 +32,7 @@ Diagram diagramOf(const Study& study) {
   diagram.ramp =
       DiagramRamp{"normal force", PrintedNumber{printedQuantity(study.normalForce(0), "N")},
                   PrintedNumber{printedQuantity(study.normalForce(last), "N")}};
-  // Curves below the data of the lowest velocities would only stretch the picture.
+  // The axis leaves out curves below the data of the lowest velocities.
   diagram.y.from = study.normalizedMu(last / 2, 0);
   diagram.y.to = 3;
   diagram.labels = {zoneLabel(study, 2, "zone 1: partial contact", 0.02),

@@ -8,7 +8,6 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -18,7 +17,7 @@ double hurstOf(const Study& study) {
   return study.scene().surface.hurst;
 }
 
-/// Of each study by itself.
+/// Returns a result for each study.
 template <class Read>
 std::vector<Estimate> estimatesOf(const std::vector<Study>& studies, const Read& read) {
   std::vector<Estimate> estimates;
@@ -42,7 +41,7 @@ Claim linearClaim(const std::vector<Study>& studies) {
   return claim;
 }
 
-/// Largest |mu / Eq. (11) - 1| up to the maximum.
+/// Returns the largest |mu / Eq. (11) - 1| up to the maximum.
 double lawDeviation(const Study& study, int out) {
   const double top = plateauOf(study, 0).velocity;
   double worst = 0;
@@ -51,9 +50,9 @@ double lawDeviation(const Study& study, int out) {
   return worst;
 }
 
-/// Largest part by which Eq. (11)'s third term, that of partial contact, lowers it.
+/// Returns the largest relative reduction of Eq. (11) by its third term, that of partial contact.
 double partOfPartialContact(const Study& study) {
-  const double without = std::numeric_limits<double>::infinity();  // beta of no such term
+  const double without = std::numeric_limits<double>::infinity();  // beta without such a term
   double largest = 0;
   for (std::size_t i = 0; i < study.velocities().size(); ++i) {
     const LawInput in = study.lawInput(0, i);
@@ -84,7 +83,7 @@ Claim lawClaim(const std::vector<Study>& studies) {
   return claim;
 }
 
-/// mu at the highest velocity over the maximum.
+/// Returns mu at the highest velocity over the maximum.
 double leftAtTheEnd(const Study& study, int out) {
   return study.normalizedMu(0, study.velocities().size() - 1, out) /
          plateauOf(study, 0, out).normalizedMu;
@@ -103,10 +102,10 @@ Claim outsideClaim(const std::vector<Study>& studies) {
   return claim;
 }
 
-/// Where the whole line touches on every realization there is nothing but Eq. (8) to see.
+/// Returns a note: where the whole line touches on every realization, only Eq. (8) is tested.
 Message noteOnContact(const std::vector<Study>& studies) {
   std::size_t complete = 0, points = 0;
-  double part = 0;  // of the maximum, up to which contact is complete
+  double part = 0;  // part of the maximum up to which contact is complete
   for (const Study& study : studies) {
     points += study.velocities().size();
     for (std::size_t i = 0; i < study.velocities().size(); ++i) {

@@ -14,21 +14,22 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The elements in contact at some indentation d, with F_N / (4 G dx) = count d - offset.
+/// The elements in contact at an indentation d, with F_N / (4 G dx) = count d - offset.
 struct ContactSet {
   double indentation = 0;  // m
-  double count = 0;        // a double, so that it is summed like the rest
+  double count = 0;        // a double, so that it is summed like the other values
   double offset = 0;       // m, sum of z - c z'
   double force() const { return count * indentation - offset; }  // m
 };
 
-/// Eqs. (1) to (4) over plain arrays. rise and slope are those of the line above the elements.
+/// Eqs. (1) to (4) over plain arrays. heightAboveMinimum and slope belong to the line above the
+/// elements.
 struct Elements {
-  const double* rise;   // m, z - z_lowest
-  const double* slope;  // z'
-  double* depth;        // m, y = -u
+  const double* heightAboveMinimum;  // m, z - z_lowest
+  const double* slope;               // z'
+  double* depth;                     // m, y = -u
   std::size_t count;
-  double memory;  // m, c = v tau
+  double relaxationLength;  // m, c = v tau
 
   void relax(double decay) const {
     for (std::size_t i = 0; i < count; ++i) depth[i] *= decay;
@@ -38,8 +39,9 @@ struct Elements {
     double touching = 0, offset = 0;
 #pragma omp simd reduction(+ : touching, offset)
     for (std::size_t i = 0; i < count; ++i) {
-      const double pressed = rise[i] - memory * slope[i];  // f > 0 above this indentation
-      const double reached = rise[i] + depth[i];           // u < z - d below this one
+      const double pressed =
+          heightAboveMinimum[i] - relaxationLength * slope[i];  // f > 0 above this indentation
+      const double reached = heightAboveMinimum[i] + depth[i];  // u < z - d below this one
       const bool isTouching = (indentation > pressed) & (indentation > reached);
       touching += isTouching ? 1.0 : 0.0;
       offset += isTouching ? pressed : 0.0;
@@ -47,12 +49,13 @@ struct Elements {
     return {indentation, touching, offset};
   }
 
-  /// The lowest indentation (m) above `indentation` at which an element enters.
+  /// Returns the lowest indentation (m) above `indentation` at which an element enters.
   double nextEntry(double indentation) const {
     double lowest = kInfinity;
 #pragma omp simd reduction(min : lowest)
     for (std::size_t i = 0; i < count; ++i) {
-      const double pressed = rise[i] - memory * slope[i], reached = rise[i] + depth[i];
+      const double pressed = heightAboveMinimum[i] - relaxationLength * slope[i],
+                   reached = heightAboveMinimum[i] + depth[i];
       const double entry = pressed > reached ? pressed : reached;
       const double ahead = entry >= indentation ? entry : kInfinity;
       lowest = ahead < lowest ? ahead : lowest;
@@ -60,14 +63,14 @@ struct Elements {
     return lowest;
   }
 
-  /// F_x / (4 G dx) (m); then the elements take the shape they have at this indentation.
+  /// Returns F_x / (4 G dx) (m) and gives the elements their shape at this indentation.
   double pressInto(double indentation) const {
     double* const y = depth;
-    const double c = memory;
+    const double c = relaxationLength;
     double work = 0;
 #pragma omp simd reduction(+ : work)
     for (std::size_t i = 0; i < count; ++i) {
-      const double deep = indentation - rise[i], last = y[i];
+      const double deep = indentation - heightAboveMinimum[i], last = y[i];
       const double force = deep + c * slope[i];
       y[i] = deep > last ? deep : last;
       work += force * (((force > 0) & (deep > last)) ? slope[i] : 0.0);
@@ -82,7 +85,7 @@ struct Found {
   int sweeps = 0;
 };
 
-/// Bracketed search for the indentation at which F_N / (4 G dx) is `load` (m).
+/// Searches with a bracket for the indentation at which F_N / (4 G dx) is `load` (m).
 class IndentationSearch {
  public:
   IndentationSearch(const Elements& elements, double load) : elements_(elements), load_(load) {}
@@ -96,7 +99,7 @@ class IndentationSearch {
       if (!isInside && isAtJump()) return {justAboveJump(), true, sweeps_};
       const double middle = 0.5 * (low_.indentation + high_.indentation);
       if (!isInside && (middle <= low_.indentation || middle >= high_.indentation))
-        return {high_, true, sweeps_};  // several elements enter at once
+        return {high_, true, sweeps_};  // several elements enter together
       const double lastCount = set_.count;
       sweep(isInside ? solution : middle);
       if (isInside && set_.count == lastCount) return {set_, false, sweeps_};
@@ -110,7 +113,8 @@ class IndentationSearch {
     ++sweeps_;
   }
 
-  /// Eq. (3) for the elements in contact; without any, where the first one enters.
+  /// Returns the solution of Eq. (3) for the elements in contact; without any, the indentation
+  /// where the first one enters.
   double solutionForThisSet() {
     if (set_.count > 0) return (load_ + set_.offset) / set_.count;
     return justAbove(nextEntry());
@@ -132,7 +136,7 @@ class IndentationSearch {
   int sweeps_ = 0;
 };
 
-/// The march: the elements stand still, the line moves by one node per step.
+/// The march: the elements are fixed, and the line moves by one node per step.
 class Literal {
  public:
   Literal(const Line& line, const SlidingConditions& conditions, double normalForce)
@@ -142,11 +146,11 @@ class Literal {
         decay_(std::exp(-line.spacing / memory_)),
         elementStiffness_(4 * conditions.shearModulus * line.spacing),
         load_(normalForce / elementStiffness_),
-        rise_(twice(line.height)),
+        heightAboveMinimum_(twice(line.height)),
         slope_(twice(line.slopeAfter)),
         depth_(nodes_, 0.0) {
-    const double lowest = *std::min_element(rise_.begin(), rise_.end());
-    for (double& rise : rise_) rise -= lowest;
+    const double lowest = *std::min_element(heightAboveMinimum_.begin(), heightAboveMinimum_.end());
+    for (double& heightAboveMinimum : heightAboveMinimum_) heightAboveMinimum -= lowest;
     indentation_ = load_ / static_cast<double>(nodes_);
   }
 
@@ -187,10 +191,10 @@ class Literal {
   }
 
   Step step(std::int64_t k) {
-    // The line has moved by k spacings towards +x: its node i - k stands above element i.
+    // The line has moved by k spacings towards +x: its node i - k is above element i.
     const std::size_t first = (nodes_ - static_cast<std::size_t>(k) % nodes_) % nodes_;
-    const Elements elements{rise_.data() + first, slope_.data() + first, depth_.data(), nodes_,
-                            memory_};
+    const Elements elements{heightAboveMinimum_.data() + first, slope_.data() + first,
+                            depth_.data(), nodes_, memory_};
     elements.relax(decay_);
     const Found found = IndentationSearch(elements, load_).from(indentation_);
     indentation_ = found.contact.indentation;
@@ -209,11 +213,11 @@ class Literal {
   std::size_t nodes_;
   double spacing_, memory_, decay_, elementStiffness_;
   double load_;  // m, F_N / (4 G dx)
-  std::vector<double> rise_, slope_, depth_;
+  std::vector<double> heightAboveMinimum_, slope_, depth_;
   double indentation_ = 0;
 };
 
-// The same loops, compiled for wider vectors.
+// These are the same loops, compiled for wider vectors.
 #ifdef ASPERITY_X86
 [[gnu::target("avx512f"), gnu::flatten]] LiteralResult runAvx512(Literal& literal,
                                                                  std::int64_t steps) {

@@ -1,4 +1,4 @@
-// The algorithm of Li et al. 2013 as the paper states it, to be compared with: N separate elements
+// The algorithm of Li et al. 2013 as the paper describes it, for comparisons: N separate elements
 // at the nodes of the line, which slides by one spacing in each time step dt = dx / v, N steps.
 //
 // In each step, with y = -u >= 0 the depth of an element and c = v tau:
@@ -7,18 +7,18 @@
 //                   f = 4 dx {G (d - z) + eta v z'} > 0                         (Eq. 2)
 //   indentation     so that the forces of the elements in contact add up to F_N  (Eq. 3)
 //   friction        F_x = sum of f z'                                           (Eq. 4)
-// The rate of d is left out, as it is in the paper. z' is the line's own slope at the node.
+// The rate of d is left out, as in the paper. z' is the line's own slope at the node.
 //
 // Finding d. Each element enters at one indentation, so the contact set only grows with d and
-// F_N(d) rises, linear for any one set. The d of the last step gives a set, and Eq. (3) solved for
-// that set a better d, until the set stays; bisection is the safeguard. This is exact and costs
-// one sweep over the elements per step once sliding is steady, the paper's "not iterative" (plain
-// bisection would need about fifty). F_N(d) jumps where an element enters under pressure. Where
-// F_N falls into such a jump no d meets it: the element is taken in, friction is F_x over the
-// force that was found, and a step costs four to twenty sweeps.
+// F_N(d) rises, and is linear for any one set. The d of the last step gives a set, and Eq. (3) for
+// that set gives a better d, until the set no longer changes; bisection is the safeguard. This is
+// exact and costs one sweep over the elements per step once sliding is steady, the paper's "not
+// iterative" (plain bisection would need about fifty). F_N(d) jumps where an element enters under
+// pressure. Where F_N falls into such a jump no d gives it: the element is included, friction is
+// F_x over the force that was found, and a step costs four to twenty sweeps.
 //
 // Plain loops over contiguous arrays; the line is stored twice in a row, so that a shifted line is
-// an offset. Pure function; any thread. No exceptions beyond allocation.
+// an offset. Pure function; any thread. No exceptions except for allocation.
 #pragma once
 
 #include <cstdint>
@@ -32,34 +32,36 @@ namespace asperity {
 /// Means over the last fifth of the steps.
 struct LiteralResult {
   double mu = 0;               // F_x / F_N of each step, averaged
-  double normalForce = 0;      // N, found; above the wanted one where that falls into a jump
+  double normalForce = 0;      // N, reached; above the given one where that falls into a jump
   double tangentialForce = 0;  // N, Eq. (4)
   double indentation = 0;      // m, from the lowest node
   double contactFraction = 0;  // elements with f > 0
-  double largestResidual = 0;  // |F_N - wanted| / wanted over the steps that met no jump
-  double jumpFraction = 0;     // part of the steps whose wanted force falls into a jump
+  double largestResidual = 0;  // |F_N - given| / given over the steps without a jump
+  double jumpFraction = 0;     // part of the steps whose given force falls into a jump
   std::int64_t steps = 0;      // done
-  double sweepsPerStep = 0;    // over the elements, to find d; mean over all steps
+  double sweepsPerStep = 0;    // to find d; mean over all steps
 };
 
-/// The vectors the loops are compiled for: those of the whole program, or wider ones, to compare at
-/// the same instruction set. Sums differ in their last digits between them.
+/// The vectors for which the loops are compiled: those of the whole program, or wider ones, for
+/// comparisons with the same instruction set. Sums differ in their last digits between them.
 enum class LiteralVectors { AsCompiled, Avx2, Avx512 };
 
-/// Whether this machine has them.
+/// Returns whether this machine has these vectors.
 bool canUse(LiteralVectors vectors);
 
 struct LiteralOptions {
-  std::int64_t steps = 0;  // 0: N of them; fewer only to measure the time of one
-  /// Depths y >= 0 (m) of all N elements one step before the first, and the indentation (m) to try
-  /// first; empty: a flat elastomer. A march that starts steady shows what a steady step costs.
+  std::int64_t steps = 0;  // 0: N steps; fewer only to measure the time per step
+  /// Depths y >= 0 (m) of all N elements one step before the first, and a first guess of the
+  /// indentation (m); empty: a flat elastomer. A march that starts steady shows the cost of a
+  /// steady step.
   std::span<const double> startDepth{};
   double startIndentation = 0;
-  LiteralVectors vectors = LiteralVectors::AsCompiled;  // replaced by it where not available
+  LiteralVectors vectors =
+      LiteralVectors::AsCompiled;  // the only choice where others are not available
 };
 
-/// Slides the line towards +x; at first element i stands under node i. normalForce: N, > 0;
-/// velocity and relaxation time > 0.
+/// Slides the line towards +x; at first element i is under node i. normalForce: N, > 0; velocity
+/// and relaxation time > 0.
 LiteralResult literalMarch(const Line& line, const SlidingConditions& conditions,
                            double normalForce, const LiteralOptions& options = {});
 

@@ -39,13 +39,14 @@ void LoadShares::Sums::add(const Sums& other) {
   lines += other.lines;
 }
 
-/// Material travels towards larger s: a side is a leading one where the rise falls along s.
+/// Returns the sums of a line. Material travels towards larger s: a leading side is one whose rise
+/// falls along s.
 LoadShares::Sums LoadShares::sumsOf(const PreparedProfile& line,
                                     const SlidingConditions& conditions, double force) {
   const SteadyResult result = slideAtForce(line, conditions, force);
   const NodeShape shape = shapeAt(line, conditions, result.indentation);
   Sums sums;
-  // Not the sum over the nodes, which miss contacts that are shorter than their distance.
+  // The load is not the sum over the nodes, which miss contacts shorter than their distance.
   sums.load = force / (4 * conditions.shearModulus * line.spacing);
   for (std::size_t i = 0; i < line.segments(); ++i) {
     if (!(shape.pressure[i] > 0)) continue;

@@ -1,7 +1,7 @@
-// Who carries the load in steady sliding: the leading or the trailing sides of the summits, the
-// springs or the dashpots. Read from the shape of the elastomer at the nodes of every line, which a
-// Study does not keep.
-// Immutable once computed; any thread. Equal bits for any number of threads.
+// The parts of the load in steady sliding: on the leading or the trailing sides of the summits, in
+// the springs or the dashpots. They come from the shape of the elastomer at the nodes of every
+// line, which a Study does not keep. Immutable once computed; any thread. Equal bits for any number
+// of threads.
 // Failure: StudyStopped where `stop` was requested.
 #pragma once
 
@@ -17,24 +17,24 @@ namespace asperity {
 
 class LoadShares {
  public:
-  /// Cases at a constant force on the scene's first lines; the lines are groups of the jackknife by
-  /// turns, as in a Study.
+  /// Computes cases at a constant force on the scene's first lines; the lines take turns in the
+  /// groups of the jackknife, as in a Study.
   LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int64_t lines,
              const StudyOptions& options);
 
   int groups() const { return groups_; }
   const LoadCase& loadCase(std::size_t j) const { return cases_[j]; }
 
-  /// Parts of the normal force of all lines together, at case j and velocity i: on sides that the
-  /// line recedes from; and in the springs, integral of 4 G (d - z) over contact.
+  /// Return the parts of the normal force of all lines together, at case j and velocity i: on sides
+  /// from which the line recedes; and in the springs, integral of 4 G (d - z) over contact.
   double trailing(std::size_t j, std::size_t i, int leftOut = Study::kAll) const;
   double elastic(std::size_t j, std::size_t i, int leftOut = Study::kAll) const;
-  /// Mean over the lines of mu / rms slope in contact.
+  /// Returns the mean over the lines of mu / rms slope in contact.
   double frictionOverSlope(std::size_t j, std::size_t i, int leftOut = Study::kAll) const;
 
  private:
   struct Sums {
-    double load = 0, trailing = 0, elastic = 0;  // all in one unit
+    double load = 0, trailing = 0, elastic = 0;  // all in the same unit
     double frictionOverSlope = 0, lines = 0;
     void add(const Sums& other);
   };

@@ -10,7 +10,6 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -19,7 +18,7 @@ namespace {
 struct Variant {
   Message name;
   Scene scene;
-  int kind;  // which parameter differs, as a colour
+  int kind;  // the parameter that differs, as a colour
 };
 
 std::vector<Variant> variantsOf(const Scene& base) {
@@ -36,7 +35,7 @@ std::vector<Variant> variantsOf(const Scene& base) {
   for (const double factor : {0.25, 4.0})
     add(message("L = {}", PrintedNumber{printedQuantity(factor * base.surface.length, "m")}), 2,
         [&](Scene& scene) {
-          // The spacing stays: the elastomer is only longer.
+          // The spacing does not change: the elastomer is only longer.
           scene.surface.length *= factor;
           scene.surface.elements =
               std::llround(factor * static_cast<double>(scene.surface.elements));
@@ -51,7 +50,7 @@ std::vector<Variant> variantsOf(const Scene& base) {
   return variants;
 }
 
-/// What Eq. (17) divides by: velocity (m/s) and friction.
+/// The divisors of Eq. (17): velocity (m/s) and friction.
 struct Shift {
   double velocity, friction;
 };
@@ -64,8 +63,8 @@ Shift shiftOf(const Study& study, int leftOut = Study::kAll) {
           in.rmsSlope};
 }
 
-/// Root mean square over x of the standard deviation of log10(mu) among the studies, where `value`
-/// reads friction of a study at x.
+/// Returns the root mean square over x of the standard deviation of log10(mu) among the studies;
+/// `value` gives the friction of a study at x.
 template <class Value>
 double spread(const std::vector<Study>& studies, const std::vector<double>& places,
               const Value& value) {
@@ -90,7 +89,7 @@ double spreadBefore(const std::vector<Study>& studies, int out) {
   });
 }
 
-/// Up to the plateau: region IV is not part of Eq. (12).
+/// The range ends at the plateau: region IV is not part of Eq. (12).
 constexpr double kCollapseFrom = 0.01, kCollapseTo = 10;
 
 double spreadAfter(const std::vector<Study>& studies, int out) {
@@ -117,8 +116,8 @@ Claim collapseClaim(const std::vector<Study>& studies) {
   return claim;
 }
 
-/// The same G, tau, h and L in other units of length and time: mu / grad is a function of Fbar,
-/// c / L, H and N alone.
+/// Returns the claim on the same G, tau, h and L in other units of length and time: mu / grad is a
+/// function of Fbar, c / L, H and N only.
 Claim dimensionClaim(const Scene& base, FigureWork& work) {
   Scene scene = base, other = base;
   scene.ensemble.realizations = other.ensemble.realizations =
@@ -147,7 +146,7 @@ Claim dimensionClaim(const Scene& base, FigureWork& work) {
   return claim;
 }
 
-/// WLF constants measured on a filled rubber (Sci. Rep. 11, 2021, s41598-021-97921-0).
+/// The WLF constants were measured on a filled rubber (Sci. Rep. 11, 2021, s41598-021-97921-0).
 constexpr double kC1 = 4.41, kC2 = 137.64, kReference = 343.15;  // -, K, K
 
 double wlfShift(double kelvin) {
@@ -159,7 +158,7 @@ struct Temperatures {
   Claim claim;
 };
 
-/// mu(v, T) = mu(v a_T, T_r): curves at four temperatures, computed each on its own.
+/// Tests mu(v, T) = mu(v a_T, T_r) with curves at four temperatures, each computed independently.
 Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
   Temperatures result;
   result.diagram = frictionDiagram();

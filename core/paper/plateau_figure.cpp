@@ -7,7 +7,6 @@
 
 #include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 #include "core/surface/line_source.h"
 
@@ -25,7 +24,7 @@ struct Tops {
   double hurst = 0;
   int groups = 1;
   Study study;
-  std::vector<Top> tops;  // by force
+  std::vector<Top> tops;  // ordered by force
 };
 
 Top topOf(const Study& study, std::size_t j) {
@@ -66,7 +65,8 @@ Diagram diagramOf(const std::vector<Tops>& all) {
   return diagram;
 }
 
-/// The middle Hurst exponents at forces that are not too small, most distant from `expected`.
+/// Returns the claim on middle Hurst exponents at forces that are not too small, with the number
+/// most distant from `expected`.
 Claim heightClaim(const std::vector<Tops>& all) {
   Claim claim{"plateau_is_sqrt_2", "p. 3, Eq. (9), Fig. 6",
               "For 0.2 < H < 0.8 and not too small forces the plateau is almost constant, about "
@@ -93,7 +93,7 @@ Claim heightClaim(const std::vector<Tops>& all) {
 }
 
 Claim hurstClaim(const std::vector<Tops>& all) {
-  // At the force nearest to F_N / G h L = 10, which all have.
+  // The force nearest to F_N / G h L = 10 is used, which all of them have.
   std::size_t at = 0;
   const std::vector<Top>& any = all.front().tops;
   for (std::size_t j = 1; j < any.size(); ++j)
@@ -145,7 +145,8 @@ Claim fallClaim(const std::vector<Tops>& all) {
   return claim;
 }
 
-/// p. 4: the dependence is less pronounced for small Hurst exponents and stronger near 1.
+/// Returns the claim of p. 4: the dependence is less pronounced for small Hurst exponents and
+/// stronger near 1.
 Claim strongerClaim(const std::vector<Tops>& all) {
   const auto fall = [](const Tops& one, int out) {
     double top = 0;

@@ -125,7 +125,7 @@ std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
                                    const std::vector<double>& normalForces) {
   std::vector<LoadCase> cases;
   for (const double normalForce : normalForces) {
-    // The maximum lies one to two decades above where region I meets the plateau.
+    // The maximum lies one to two decades above the velocity where region I meets the plateau.
     const double meeting = meetingVelocity(normalForce / forceAt(scene, 1), scene.surface.hurst);
     const double velocity = velocityAt(meeting, scene, rmsSlope);
     cases.push_back(

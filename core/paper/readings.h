@@ -1,6 +1,6 @@
-// What the paper reads from its curves by eye, defined once: slopes, the regions' borders, the
-// plateau. All read averages at one force (index j), optionally without one group of realizations
-// (see jackknife). Pure; any thread.
+// Quantities that the paper reads from its curves by eye, each defined once: slopes, the regions'
+// borders, the plateau. All use averages at one force (index j), optionally without one group of
+// realizations (see jackknife). Pure; any thread.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace asperity {
 
-/// Exponent n of mu ~ v^n, fitted to velocities `first` to `last` (indices, both included).
+/// Returns the exponent n of mu ~ v^n, fitted to velocities `first` to `last` (indices, both
+/// included).
 double velocityExponent(const Study& study, std::size_t j, std::size_t first, std::size_t last,
                         int leftOut = Study::kAll);
 
@@ -20,55 +21,58 @@ struct Plateau {
   double normalizedMu = 0;  // mu / rms slope of the line
 };
 
-/// The curve's maximum, from the parabola in ln v through the three highest neighbours.
+/// Returns the curve's maximum, from the parabola in ln v through the highest value and its
+/// neighbours.
 Plateau plateauOf(const Study& study, std::size_t j, int leftOut = Study::kAll);
 
-/// Region I is that of the lowest velocity.
+/// Returns the borders; region I is the region of the lowest velocity.
 RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut = Study::kAll,
                             const BorderRule& rule = {});
 
-/// mu / rms slope at a velocity between those computed, straight in logarithms.
+/// Returns mu / rms slope at a velocity between computed ones, by linear interpolation of
+/// logarithms.
 double normalizedMuAt(const Study& study, std::size_t j, double velocity,
                       int leftOut = Study::kAll);
 
-/// mu / (tau v grad^2 / h) in the limit of low velocity, read at velocity i: beta Fbar^-alpha of
+/// Returns mu / (tau v grad^2 / h) in the limit of low velocity, at velocity i: beta Fbar^-alpha of
 /// Eq. (5).
 double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i,
                          int leftOut = Study::kAll);
 
-/// Where the whole line is in contact on every realization: mu against Eq. (8).
+/// mu compared with Eq. (8), where the whole line is in contact on every realization.
 struct FullContact {
   int points = 0;
   double toResolved = 0;  // largest |mu / Eq. (8) - 1| with the rms slope of the line's segments
-  double toSpectral = 0;  // the same with that of the spectrum: the resolution of the line
+  double toSpectral = 0;  // the same with the slope of the spectrum: the resolution of the line
 };
 FullContact fullContactOf(const Study& study);
 
-/// F_N (N) of a dimensionless force: Fbar G h L, Eq. (14).
+/// Returns F_N (N) for a dimensionless force: Fbar G h L, Eq. (14).
 double forceAt(const Scene& scene, double dimensionlessForce);
 
-/// Velocity (m/s) at which Eq. (13) has this value.
+/// Returns the velocity (m/s) at which Eq. (13) has this value.
 double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSlope);
 
-/// The dimensionless velocity at which region I of Eq. (11) meets its plateau; f(Fbar) of Eq. (16).
+/// Returns the dimensionless velocity at which region I of Eq. (11) meets its plateau; f(Fbar) of
+/// Eq. (16).
 double meetingVelocity(double dimensionlessForce, double hurst);
 
-/// The dimensionless forces at which exponents of zone 1 (partial contact) are read, the same for
-/// every figure. alpha depends on the window: curves of ln mu over ln Fbar are not quite straight.
+/// The dimensionless forces for exponents of zone 1 (partial contact), the same for every figure.
+/// alpha depends on this window: curves of ln mu over ln Fbar are not quite straight.
 inline constexpr double kZone1From = 1e-3, kZone1To = 0.1;
 bool isInZone1(double dimensionlessForce, double to = kZone1To);
 
-/// Eq. (5)'s exponent and prefactor in zone 1, from forces at velocity index 0. alpha is the slope
-/// of ln mu over ln Fbar up to `to`. beta goes with alpha = H/(1+H) and is the mean of the
-/// logarithm up to kBetaUpTo: it stands in Eq. (11), which has to serve until contact is complete.
+/// Return Eq. (5)'s exponent and prefactor in zone 1, from forces at velocity index 0. alpha is the
+/// slope of ln mu over ln Fbar up to `to`. beta belongs to alpha = H/(1+H) and is the mean of the
+/// logarithm up to kBetaUpTo: it is used in Eq. (11), which must hold until contact is complete.
 double alphaOf(const Study& study, int leftOut = Study::kAll, double to = kZone1To);
 double betaOf(const Study& study, int leftOut = Study::kAll);
 inline constexpr double kBetaUpTo = 1;
 
-/// Thirteen forces that span the window, and one velocity in the limit of slow sliding.
+/// Returns thirteen forces that cover the window, and one velocity in the limit of slow sliding.
 std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope);
 
-/// Forces with nine velocities each around the maximum of its curve.
+/// Returns forces with nine velocities each around the maximum of its curve.
 std::vector<LoadCase> plateauCases(const Scene& scene, double rmsSlope,
                                    const std::vector<double>& normalForces);
 

@@ -1,7 +1,5 @@
 #include "core/paper/region_claims.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +14,9 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kShareLines = 40;  // of which the shapes are looked at
+constexpr std::int64_t kShareLines = 40;  // lines whose shapes are evaluated
 
-/// Velocities over that of the maximum; the last place is the highest velocity of the study.
+/// Velocities over that of the maximum; the last one is the highest velocity of the study.
 constexpr std::array kAround{0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr std::size_t kAtMaximum = 2, kAtTheEnd = kAround.size();
 
@@ -32,8 +30,8 @@ LoadShares sharesOf(const Study& study, FigureWork& work) {
           work.next(0.2)};
 }
 
-/// Part of the springs at the maximum, whose place is as uncertain as the curve is; straight in
-/// logarithms between the velocities around it.
+/// Returns the part of the springs at the maximum, whose place has the uncertainty of the curve;
+/// interpolated linearly in logarithms between the velocities around it.
 double elasticAtMaximum(const Study& study, const LoadShares& shares, int out) {
   const std::vector<double>& v = shares.loadCase(0).velocities;
   const double velocity =
@@ -84,15 +82,15 @@ Claim followClaim(const Study& study, const LoadShares& shares) {
   return claim;
 }
 
-/// The scene's curve around the velocity at which F_N / (4 eta v) is a tenth of h: two decades to
-/// either side, of which the lower ones hold the maximum.
+/// Returns the scene's curve around the velocity at which F_N / (4 eta v) is a tenth of h: two
+/// decades on either side; the lower ones contain the maximum.
 Study studyOfBorder(const Scene& scene, FigureWork& work, double cost) {
   const double velocity = fewSummitsVelocity(scene, scene.surface.rmsHeight);
   return work.study(scene, {scene.load.normalForce}, logSpaced(velocity / 100, velocity * 100, 33),
                     cost);
 }
 
-/// F_N / (4 eta v) over h where the curve falls below 95 % of its maximum.
+/// Returns F_N / (4 eta v) over h where the curve falls below 95 % of its maximum.
 double heightAtBorder(const Study& study, int out = Study::kAll) {
   const double height =
       climbedHeight(study.normalForce(0), lawOf(study.scene().elastomer).viscosity,
@@ -110,8 +108,8 @@ std::vector<Study> studiesOfForces(const Study& study, FigureWork& work) {
   return studies;
 }
 
-/// Longer and shorter periods under the same force per length. The roll-off keeps their heights and
-/// slopes as they are.
+/// Returns longer and shorter periods under the same force per length. The roll-off keeps their
+/// heights and slopes unchanged.
 std::vector<Study> studiesOfLengths(const Study& study, FigureWork& work) {
   const Surface& given = study.scene().surface;
   const double rollOff = given.rollOffWavelength > 0

@@ -1,5 +1,5 @@
-// What carries the load in regions III and IV of the curve, and where region IV begins. Used by
-// velocity_figure.cpp only.
+// Claims on what carries the load in regions III and IV of the curve, and on the beginning of
+// region IV. Used by velocity_figure.cpp only.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@ namespace asperity {
 
 inline constexpr double kRegionClaimsCost = 3;
 
-/// study: Fig. 2's. Runs small studies of its own, of kRegionClaimsCost in all.
+/// Returns the claims. study: Fig. 2's. It runs small studies of its own, with a total cost of
+/// kRegionClaimsCost.
 std::vector<Claim> regionClaims(const Study& study, FigureWork& work);
 
 }  // namespace asperity

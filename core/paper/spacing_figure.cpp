@@ -1,4 +1,5 @@
-// What the spacing does: the paper's twenty from 1e-7 to 1e-5 m, mu and mu over the rms slope.
+// The influence of the spacing: the paper's twenty from 1e-7 to 1e-5 m, mu and mu over the rms
+// slope.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,13 +8,12 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
 
-/// Exponent of `read(study)` over the rms slope.
+/// Returns the exponent of `read(study)` over the rms slope.
 template <class Read>
 double slopeExponent(const std::vector<Study>& studies, const Read& read) {
   std::vector<double> slopes, values;

@@ -1,6 +1,5 @@
-// Fig. 2: the typical curve, with regions I to IV; where the discretization decides, three curves.
-#include <fmt/format.h>
-
+// Fig. 2: the typical curve, with regions I to IV; three curves where they depend on the
+// discretization.
 #include <algorithm>
 #include <cmath>
 
@@ -9,22 +8,21 @@
 #include "core/friction/ensemble.h"
 #include "core/paper/element_curves.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/figures_each.h"
 #include "core/paper/region_claims.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kFineFrom = 0.1;  // m/s; below, all three agree
+constexpr double kFineFrom = 0.1;  // m/s; all three agree below it
 
 struct Curves {
   Study resolved;
   std::vector<ElementPoint> literal, fine;
-  bool isFineCut;  // it ends where the steps that are affordable are too few
+  bool isFineCut;  // it ends where the affordable steps are too few
 };
 
-/// Of a figure's realizations this part, but two at least and `most` at most.
+/// Returns this part of a figure's realizations, but at least two and at most `most`.
 std::int64_t partOfLines(std::int64_t realizations, std::int64_t part, std::int64_t most) {
   return std::min(realizations, std::clamp<std::int64_t>(realizations / part, 2, most));
 }
@@ -34,7 +32,7 @@ Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWor
   std::vector<double> fast;
   for (const double velocity : velocities)
     if (velocity >= kFineFrom) fast.push_back(velocity);
-  // A march costs what hundreds of steady passes do, one in fine steps what ten thousands do.
+  // A march costs as much as hundreds of steady passes, one in fine steps as much as ten thousand.
   const std::int64_t literalLines = partOfLines(options.realizations, 5, 40);
   const std::int64_t fineLines = partOfLines(options.realizations, 33, 6);
   Study resolved = work.study(scene, {scene.load.normalForce}, velocities, 1);
@@ -115,14 +113,14 @@ std::string tableOf(const Curves& curves) {
   return text;
 }
 
-/// The last velocity, as an index, at or below this.
+/// Returns the index of the last velocity at or below this one.
 std::size_t indexBelow(const std::vector<double>& velocities, double velocity) {
   const auto above = std::upper_bound(velocities.begin(), velocities.end(), velocity * (1 + 1e-9));
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - velocities.begin(), 1) - 1);
 }
 
 Claim linearClaim(const Study& study) {
-  // Two decades well inside region I.
+  // The range ends two decades inside region I.
   const std::size_t last = std::max<std::size_t>(
       2, indexBelow(study.velocities(), regionBorders(study, 0).endOfLinear / 10));
   Claim claim{"region_1_is_linear", "p. 2, Fig. 2",
@@ -137,7 +135,7 @@ Claim linearClaim(const Study& study) {
   return claim;
 }
 
-/// Another reading of the borders, to show how much hangs on it.
+/// Another rule for the borders, to show their sensitivity to it.
 constexpr BorderRule kStrict{0.9, 0.9};
 
 double widthOf(const Study& study, int out, const BorderRule& rule = {}) {
@@ -195,14 +193,14 @@ Claim plateauClaim(const Study& study) {
   return claim;
 }
 
-constexpr double kLevel = 0.1;  // |n| of a level that counts as constant
+constexpr double kLevel = 0.1;  // |n| below which a curve counts as constant
 
-/// What fine steps of the same elements give where their number does not matter.
+/// Returns the result of fine steps where the number of elements does not matter.
 Message fineStepsNote(const Curves& curves) {
   if (curves.fine.empty())
     return message("Fine steps of the same N elements are not resolved by {} per spacing.",
                    FineSteps{}.most);
-  // A decade is longer than the fall that they show.
+  // A decade is longer than the fall in the curve.
   const double end = curves.fine.back().velocity, from = end / std::sqrt(10.0);
   const double exponent = exponentFrom(curves.fine, from).value;
   const Message measured =

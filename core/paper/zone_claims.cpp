@@ -1,8 +1,6 @@
 #include "core/paper/zone_claims.h"
 #include "core/base/number_text.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// The forces of zone 1, as indices.
+/// Returns the forces of zone 1, as indices.
 std::vector<std::size_t> forcesInZone1(const Study& study) {
   std::vector<std::size_t> forces;
   for (std::size_t j = 0; j < study.forces(); ++j)
@@ -22,7 +20,7 @@ std::vector<std::size_t> forcesInZone1(const Study& study) {
   return forces;
 }
 
-/// Exponent of `read` over the forces given by index.
+/// Returns the exponent of `read` over the forces given by index.
 template <class Read>
 double forceExponentOf(const Study& study, const std::vector<std::size_t>& forces,
                        const Read& read) {
@@ -34,7 +32,7 @@ double forceExponentOf(const Study& study, const std::vector<std::size_t>& force
   return fitPower(x, y).slope;
 }
 
-/// An exponent over the forces of zone 1, by the same window as alpha in Fig. 5.
+/// Returns an exponent over the forces of zone 1, in the same window as alpha in Fig. 5.
 template <class Read>
 Claim zone1Claim(Claim claim, const Study& study, double expected, const Read& read) {
   const std::vector<std::size_t> forces = forcesInZone1(study);
@@ -71,7 +69,8 @@ Claim contactLengthClaim(const Study& study) {
   return claim;
 }
 
-/// Eq. (6) holds on each line and for averages of mu against the pooled contact.
+/// Returns the claim on Eq. (6), on each line and for averages of mu compared with the pooled
+/// contact.
 Claim contactLawClaim(const Study& study) {
   Claim claim{"equation_6", "p. 3, Eq. (6)",
               "At low velocities mu = 4 L_cont eta grad_cont^2 v / F_N",
@@ -91,7 +90,7 @@ Claim contactLawClaim(const Study& study) {
   return claim;
 }
 
-/// rms slope in contact at force j over that at force k, at the lowest velocity.
+/// Returns the rms slope in contact at force j over that at force k, at the lowest velocity.
 Estimate slopeRatio(const Study& study, std::size_t j, std::size_t k) {
   return jackknife(study.groups(), [&](int out) {
     return study.rmsSlopeContact(j, 0, out) / study.rmsSlopeContact(k, 0, out);
@@ -125,7 +124,7 @@ Claim slopeTrendClaim(const Study& study) {
   return claim;
 }
 
-/// A line that is made rougher on its summits than elsewhere.
+/// Returns the claim on a line whose summits are rougher than its other parts.
 Claim roughSummitsClaim(const Study& study, FigureWork& work) {
   constexpr double kCorrelation = 2;
   Scene scene = study.scene();
@@ -145,8 +144,8 @@ Claim roughSummitsClaim(const Study& study, FigureWork& work) {
   return claim;
 }
 
-/// The velocity (m/s) at which the trailing sides of the summits still carry this part of the load,
-/// straight in logarithms between the velocities of case j; NaN: none of them.
+/// Returns the velocity (m/s) at which the trailing sides of the summits still carry this part of
+/// the load, by linear interpolation in logarithms between the velocities of case j; NaN: none.
 double velocityOfTrailing(const LoadShares& shares, std::size_t j, double part, int out) {
   const std::vector<double>& v = shares.loadCase(j).velocities;
   for (std::size_t i = 0; i + 1 < v.size(); ++i) {
@@ -160,7 +159,7 @@ double velocityOfTrailing(const LoadShares& shares, std::size_t j, double part, 
 Claim oneSidedClaim(const Study& study, FigureWork& work) {
   constexpr double kPart = 0.1;
   constexpr std::array kForces{0.01, 0.1, 1.0, 10.0, 100.0};  // F_N / G h L
-  constexpr std::size_t kPartial = 3;                         // of them, in partial contact
+  constexpr std::size_t kPartial = 3;                         // index of one in partial contact
   const Scene& scene = study.scene();
   const double unit = velocityAt(1, scene, study.line().rmsSlope);
   std::vector<LoadCase> cases;
@@ -214,8 +213,8 @@ Claim plateauSpreadClaim(const Study& study) {
   return claim;
 }
 
-/// What is left between the curves up to their plateaus (decades of mu) after each has been shifted
-/// along ln v so that its region I lies on that of the first.
+/// Returns the remaining distance between the curves up to their plateaus (decades of mu) after
+/// each has been shifted along ln v so that its region I lies on that of the first.
 double distanceOfShifted(const Study& study, int out) {
   const double reference = study.mu(0, 0, out);
   const double end = plateauOf(study, 0, out).velocity;
@@ -271,7 +270,7 @@ Claim ratioClaim(const Study& study, FigureWork& work) {
   return claim;
 }
 
-/// mu ~ grad^n at fixed h, by the spacing.
+/// Returns the claim mu ~ grad^n at fixed h, from different spacings.
 Claim slopeSquaredClaim(const Study& study, FigureWork& work) {
   std::vector<Study> studies;
   for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
@@ -299,8 +298,8 @@ Claim slopeSquaredClaim(const Study& study, FigureWork& work) {
   return claim;
 }
 
-/// F_N / G h L at which this part of the line is in contact at the lowest velocity, straight in the
-/// logarithm of the force; NaN: at none of the forces.
+/// Returns F_N / G h L at which this part of the line is in contact at the lowest velocity, by
+/// interpolation in the logarithm of the force; NaN: at none of the forces.
 double forceOfContact(const Study& study, double part, int out) {
   for (std::size_t j = 0; j + 1 < study.forces(); ++j) {
     const double here = study.contactFraction(j, 0, out),

@@ -1,5 +1,5 @@
-// What the paper says about twenty forces: zones 1 and 2, their shift, their scaling, the line in
-// contact. Used by forces_figure.cpp only.
+// The paper's statements about twenty forces: zones 1 and 2, their shift, their scaling, the line
+// in contact. Used by forces_figure.cpp only.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@ namespace asperity {
 
 inline constexpr double kZoneClaimsCost = 13;
 
-/// study: the paper's forces and velocities. Runs small studies of its own, of kZoneClaimsCost.
+/// Returns the claims. study: the paper's forces and velocities. It runs small studies of its own,
+/// with the cost kZoneClaimsCost.
 std::vector<Claim> zoneClaims(const Study& study, FigureWork& work);
 
 }  // namespace asperity

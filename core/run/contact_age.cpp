@@ -13,7 +13,7 @@ std::vector<double> steadyContactAge(std::span<const double> pressure, double sp
   const double each =
       velocity != 0 ? spacing / std::abs(velocity) : std::numeric_limits<double>::infinity();
   double now = std::numeric_limits<double>::infinity();
-  // Twice around, from the side that the line slides to.
+  // Goes around twice, from the side towards which the line slides.
   for (std::size_t step = 0; step < 2 * count; ++step) {
     const std::size_t place = step % count;
     const std::size_t i = velocity > 0 ? count - 1 - place : place;

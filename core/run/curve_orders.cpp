@@ -5,7 +5,7 @@
 namespace asperity {
 namespace {
 
-/// The part of a scene that its friction curve depends on.
+/// Returns the part of a scene on which its friction curve depends.
 Scene curveKey(Scene scene) {
   scene.title.clear();
   scene.description.clear();

@@ -1,7 +1,5 @@
 #include "core/run/line_diagrams.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,8 +15,9 @@ namespace asperity {
 namespace {
 
 constexpr double kStretchesPerDecade = 16;
-constexpr double kLeastDensity = 1e-22;  // of the greatest; below is rounding
-constexpr double kMostSlopes = 4;        // rms slopes shown
+constexpr double kLeastDensity =
+    1e-22;  // relative to the greatest density; smaller ones are rounding errors
+constexpr double kMostSlopes = 4;  // rms slopes shown
 
 struct Spectrum {
   std::vector<double> waveNumber, density;
@@ -28,7 +27,7 @@ double lowestWave(double length) {
   return 2 * std::numbers::pi / length;
 }
 
-/// Geometric means over equal stretches of log q.
+/// Returns geometric means over equal intervals of log q.
 Spectrum gathered(const FourierLine& modes) {
   const double lowest = lowestWave(modes.length);
   double greatest = 0;
@@ -54,7 +53,7 @@ Spectrum gathered(const FourierLine& modes) {
   return spectrum;
 }
 
-/// As the scene asks for it, before phases and summits.
+/// Returns the spectrum that the scene prescribes, before phases and summits.
 Spectrum wanted(const Scene& scene, const LineSource& source) {
   const Surface& surface = scene.surface;
   const double rollOff =
@@ -75,7 +74,7 @@ DiagramSeries seriesOf(const Spectrum& spectrum, Message name) {
   return series;
 }
 
-/// With upright sides.
+/// Returns a histogram as a curve with vertical sides.
 DiagramSeries stepsOf(const Histogram& histogram, Message name, int colour) {
   DiagramSeries series;
   series.name = std::move(name);
@@ -91,7 +90,7 @@ DiagramSeries stepsOf(const Histogram& histogram, Message name, int colour) {
   return series;
 }
 
-/// Rice's rule, from the points in contact.
+/// Returns the number of bins by Rice's rule, from the points in contact.
 std::size_t binsFor(std::size_t points) {
   return std::clamp<std::size_t>(
       static_cast<std::size_t>(2 * std::cbrt(static_cast<double>(points))), 8, 48);
@@ -107,8 +106,9 @@ std::vector<double> slopesOf(const Frame& frame) {
   return slopes;
 }
 
-/// Contact ends inside the elements at its edges: those are covered in part, all alike, by what
-/// makes the sum the length in contact. In elements; 0 outside of contact.
+/// Returns the covered part of each element, 0 outside of contact. Contact ends inside the elements
+/// at its edges: all of them are covered by the same part, with which the sum is the length in
+/// contact.
 std::vector<double> coverOf(const Frame& frame) {
   const std::size_t n = frame.pressure.size();
   const auto touches = [&](std::size_t i) { return frame.pressure[i % n] > 0; };
@@ -132,8 +132,8 @@ std::vector<double> coverOf(const Frame& frame) {
   return cover;
 }
 
-/// The few elements at the edges of contact that carry most stand apart by far: the value below
-/// which all but a hundredth lies, by weight.
+/// Returns the value below which all but a hundredth of the weight lies: the few elements at the
+/// edges of contact with the highest loads are far away from all others.
 double belowWhichMostIs(const std::vector<double>& values, const std::vector<double>& weights) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -152,7 +152,7 @@ Diagram pressureDiagram(const Frame& frame) {
   std::vector<double> pressures, weights;
   for (std::size_t i = 0; i < cover.size(); ++i) {
     if (!(cover[i] > 0)) continue;
-    pressures.push_back(frame.pressure[i] / cover[i]);  // over the part that is covered
+    pressures.push_back(frame.pressure[i] / cover[i]);  // over the covered part
     weights.push_back(cover[i]);
   }
   if (pressures.empty()) return diagram;
@@ -184,7 +184,7 @@ Diagram slopeDiagram(const SlopeStatistics& slopes) {
   return diagram;
 }
 
-/// The rigid body over one period of its line.
+/// Returns the diagram of the rigid body over one period of its line.
 Diagram heightDiagram(const Line& line) {
   constexpr std::size_t kPoints = 2000;
   constexpr double kBelow = 0.08, kAbove = 0.2;  // of the range of heights
@@ -196,7 +196,7 @@ Diagram heightDiagram(const Line& line) {
   if (points.empty()) return diagram;
   auto [low, high] = std::ranges::minmax(points, {}, &LinePoint::height);
   double from = low.height, to = high.height;
-  // A line without heights: rounding errors are not shown as if they were roughness.
+  // A line without heights: rounding errors must not be drawn like roughness.
   if (!(to - from > 1e-9 * std::max(std::abs(from), std::abs(to)))) {
     from -= kFlatHalfHeight;
     to += kFlatHalfHeight;

@@ -68,7 +68,8 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   frame.x = {"position", "m", AxisScale::Linear, 0, summary.used.length};
   frame.y = {"height", "m", AxisScale::Linear};
   if (summary.raw.pt <= kDwarfs * summary.used.pt) {
-    frame.series = {std::move(raw), std::move(used)};
+    raw.stroke = SeriesStroke::Dashed;
+    frame.series = {std::move(used), std::move(raw)};
     return {frame};
   }
   Diagram below = frame;
@@ -105,7 +106,7 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
   std::vector<DiagramPoint> raw = spectrumPoints(summary.rawSpectrum);
   std::vector<DiagramPoint> used = spectrumPoints(summary.usedSpectrum);
   // What a filter has taken away whole would stretch the axis over rounding errors.
-  constexpr double kDeepest = 1e-16;
+  constexpr double kDeepest = 1e-12;
   double greatest = 0, least = HUGE_VAL;
   for (const auto* points : {&raw, &used})
     for (const DiagramPoint& point : *points) greatest = std::max(greatest, point.y);
@@ -126,7 +127,9 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
                                 {},
                                 false});
   }
-  diagram.series = {seriesNamed("raw", 1, std::move(raw)), seriesNamed("used", 0, std::move(used))};
+  DiagramSeries before = seriesNamed("raw", 1, std::move(raw));
+  before.stroke = SeriesStroke::Dashed;
+  diagram.series = {seriesNamed("used", 0, std::move(used)), std::move(before)};
   return diagram;
 }
 

@@ -14,23 +14,24 @@
 namespace asperity {
 namespace {
 
-constexpr double kPieceWork = 3e6;  // steps times elements of a piece in each region
-constexpr double kMarches = 9;  // of a pilot: halved steps two, finer elements four, settling two
-/// Steps times elements of a pilot: a tenth of the motion, at least some 20 ms and at most 0.2 s.
+constexpr double kPieceWork = 3e6;  // steps times elements of a piece for each region
+// marches of a pilot: two with halved steps, four with finer elements, two for settling
+constexpr double kMarches = 9;
+/// Steps times elements of a pilot: a tenth of the motion, at least about 20 ms and at most 0.2 s.
 constexpr double kLeastWork = 2.5e6, kMostWork = 1.5e7;
-constexpr double kWindow = 16;       // steps that friction is averaged over
-constexpr double kLeastWindows = 8;  // of a piece
-constexpr double kMemories = 6;      // distances of memory after which all is forgotten
-constexpr int kEnds = 2;             // windows at either end of settling
+constexpr double kWindow = 16;       // number of steps over which friction is averaged
+constexpr double kLeastWindows = 8;  // of a piece, at least
+constexpr double kMemories = 6;      // number of memory distances after which the past is forgotten
+constexpr int kEnds = 2;             // number of windows at either end of settling
 
 void throwIfStopped(const std::stop_token& stop) {
   if (stop.stop_requested()) throw StudyStopped{};
 }
 
-/// A motion or the first part of one, cut so that steps keep their length.
+/// A motion or its first part, cut so that steps keep their length.
 struct Piece {
   Scene scene;
-  const Profile* profile = nullptr;  // instead of that in the scene's file
+  const Profile* profile = nullptr;  // replaces the one in the scene's file
   std::int64_t leastSteps = Transient::kLeastSteps;
   double windows = 1;
 };
@@ -39,8 +40,9 @@ double nodesOf(const RigidLine& rigid) {
   return static_cast<double>(rigid.line->nodes());
 }
 
-/// `part` of the motion, in whole parts of its least number of steps; of far more steps than those
-/// any part, because then no step is as long as the least number says.
+/// Returns `part` of the motion, as a multiple of one over its minimum number of steps; if it has
+/// far more steps than that, any part is possible, because the minimum does not limit the length of
+/// a step.
 Piece pieceOf(const Scene& scene, double steps, double part, const Profile* profile = nullptr) {
   Piece piece{scene, profile};
   const auto all = static_cast<double>(Transient::kLeastSteps);
@@ -51,12 +53,12 @@ Piece pieceOf(const Scene& scene, double steps, double part, const Profile* prof
   return piece;
 }
 
-/// What an element costs in a step, over that of one relaxation time.
+/// Returns the cost of an element in a step, relative to one relaxation time.
 double weightOf(const ElementLaw& law) {
   return law.kind() == ElementKind::Arms ? 1 + static_cast<double>(law.arms.size()) : 1;
 }
 
-/// Friction in the windows of a piece, and the work that they took.
+/// Friction in the windows of a piece, and the work of computing them.
 struct March {
   std::vector<double> mu;
   double forceError = 0;  // relative, largest
@@ -85,7 +87,8 @@ March marchThrough(const Piece& piece, const std::shared_ptr<const RigidLine>& r
   return march;
 }
 
-/// Root mean square of the difference over that of the better one; windows at rest do not count.
+/// Returns the root mean square of the difference over that of the better one; windows at rest do
+/// not count.
 double relativeDifference(const std::vector<double>& mu, const std::vector<double>& better) {
   double differences = 0, all = 0;
   for (std::size_t i = 0; i < std::min(mu.size(), better.size()); ++i) {
@@ -96,7 +99,7 @@ double relativeDifference(const std::vector<double>& mu, const std::vector<doubl
   return all > 0 ? std::sqrt(differences / all) : kNotApplicable;
 }
 
-/// On twice the points; separate elements against a resolved line.
+/// Returns the scene with twice the points; for separate elements the resolved line.
 Scene refined(const Scene& scene) {
   Scene fine = scene;
   const Scheme scheme =
@@ -111,15 +114,16 @@ double meanOf(const std::vector<double>& values, std::size_t first, std::size_t 
   return sum / static_cast<double>(count);
 }
 
-/// Friction at the beginning against that after the way in which a memory fades, or as much of it
-/// as `work` allows. On a rigid line friction in steady sliding does not vary.
+/// Returns the difference of friction at the beginning from that after the distance in which memory
+/// fades, or as much of it as `work` allows. On a rigid line friction in steady sliding does not
+/// vary.
 double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& rigid,
                   std::int64_t leastSteps, double work, const std::stop_token& stop) {
   const double velocity = std::abs(scene.sliding.velocity);
   if (scene.sliding.kind == SlidingKind::Start || !(velocity > 0)) return kNotApplicable;
   Piece piece{scene};
   Sliding& sliding = piece.scene.sliding;
-  sliding.kind = SlidingKind::Step;  // that changes nothing
+  sliding.kind = SlidingKind::Step;  // with a step that changes nothing
   sliding.velocityAfter = sliding.velocity;
   const Transient steady(piece.scene, rigid, leastSteps);
   const double step = sliding.duration / std::max(1.0, steady.countSteps());
@@ -158,15 +162,16 @@ Measured measure(const Scene& scene, const std::shared_ptr<const RigidLine>& rig
   return measured;
 }
 
-/// Bytes of the march: what every element has, and its amplitudes; with the march on fewer nodes
-/// that tells its error.
+/// Returns the memory of the march in bytes: the data of every element with its amplitudes; and
+/// that of the march on fewer nodes that estimates its error.
 double memoryOf(const Transient& transient, double elements) {
-  constexpr double kOfElement = 36;  // numbers of march, line, travel line and transform
+  constexpr double kOfElement = 36;  // numbers of march, line, prepared profile and transform
   const auto modes = static_cast<double>(transient.march().modes().modes());
   return elements * (kOfElement + modes) * sizeof(double);
 }
 
-/// The scene, or with a shorter line where the fewest steps of all elements are more than allowed.
+/// Returns the scene, or one with a shorter line if the minimum work on all elements is not
+/// allowed.
 PilotScene sampleFor(const PilotScene& whole, double weight, double allowed) {
   const Accuracy& accuracy = whole.scene.accuracy;
   const std::int64_t points = pointsPerElement(whole.scene);
@@ -176,7 +181,7 @@ PilotScene sampleFor(const PilotScene& whole, double weight, double allowed) {
   return sample;
 }
 
-/// A motion at time 0, and what it took to get there.
+/// A motion at time 0, and the cost of its preparation.
 struct Beginning {
   explicit Beginning(const PilotScene& sample)
       : scene(sample.scene),
@@ -199,7 +204,7 @@ struct Beginning {
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
   const double weight = weightOf(lawOf(scene.elastomer)), leastSteps = kLeastWindows * kWindow;
   const PilotScene whole(scene, lineExtent(scene));
-  // A shorter line has as many steps, so it says first how much the pilot may do.
+  // A shorter line has the same number of steps; it first determines how much the pilot may do.
   const double steps = Beginning(sampleFor(whole, weight, kLeastWork)).transient.countSteps();
   Prediction prediction;
   prediction.steps = steps;
@@ -231,14 +236,14 @@ void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop) {
   for (RegionPrecision& region : comparison.regions) {
     Piece piece{comparison.scene};
     Sliding& sliding = piece.scene.sliding;
-    sliding.kind = SlidingKind::Step;  // that changes nothing
+    sliding.kind = SlidingKind::Step;  // with a step that changes nothing
     sliding.velocity = std::sqrt(region.velocities.front() * region.velocities.back());
     sliding.velocityAfter = sliding.velocity;
     const auto rigid = std::make_shared<const RigidLine>(piece.scene);
     const double steps =
         std::max(std::floor(kPieceWork / nodesOf(*rigid)), kLeastWindows * kWindow);
     sliding.duration = steps * rigid->line->spacing / sliding.velocity;
-    piece.leastSteps = 1;  // a node in each step
+    piece.leastSteps = 1;  // one node per step
     piece.windows = std::floor(steps / kWindow);
     const March march = marchThrough(piece, rigid, 1, stop);
     region.timeStepError = relativeDifference(march.mu, marchThrough(piece, rigid, 2, stop).mu);

@@ -1,4 +1,4 @@
-// What a motion that is not steady will cost and how good it will be, said before it is run. Time
+// Cost and accuracy of a motion that is not steady, predicted before it is run. Time
 // comes from counted steps and the measured time of one step and element. The parts of the error
 // are measured differences on a short piece of the motion, with its steps as they are:
 //   time step   against steps of half the length, on the same elements
@@ -21,20 +21,21 @@
 
 namespace asperity {
 
-/// Of a scene whose sliding is not steady.
+/// Predicts a scene whose sliding is not steady.
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop = {});
 
-/// The same differences over the whole motion.
+/// Returns the same differences over the whole motion.
 ErrorBudget measureMotionError(const Scene& scene, const std::stop_token& stop = {});
 
-/// The two parts that only a march has, in each region of a comparison, at its middle velocity.
+/// Adds the two errors that only a march has, in each region of a comparison, at its middle
+/// velocity.
 void addMarchErrors(WorkPrecision& comparison, const std::stop_token& stop = {});
 
-/// predictCurve for steady sliding, predictMotion for the rest.
+/// Returns predictCurve for steady sliding, predictMotion for other motions.
 Prediction predictRun(const Scene& scene, int threads = 0, const std::stop_token& stop = {});
 
-/// explain and analyze of any scene; a motion is marched without drawing it, and its time is that
-/// of the one thread's processor.
+/// Explain and analyze any scene. A motion is marched without drawing it, and its time is that of
+/// its thread's processor.
 Explanation explainRun(const Scene& scene, int threads = 0);
 void analyzeRun(Explanation& explanation, int threads = 0);
 

@@ -28,17 +28,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kMostRows = 5e6;           // of all lines
-constexpr std::int64_t kParts = 400;        // of a motion's duration, in its picture
+constexpr std::int64_t kParts = 400;        // parts of a motion's duration in its picture
 constexpr std::int64_t kStepsToTell = 256;  // between two calls of `progress`
 
-/// The number with 15 digits, which a sum of steps has, so that 0.5 is not 0.49999999999999994.
+/// Returns the number with 15 digits, the accuracy of a sum of steps, so that 0.5 is not
+/// 0.49999999999999994.
 double withoutRounding(double time) {
   double rounded = time;
   readNumber(fmt::format("{:.15g}", time), rounded);
   return rounded;
 }
 
-/// In the order of the table; the realization follows.
+/// The columns in the order of the table, without the realization, which follows them.
 struct MotionColumn {
   ColumnName name;
   double (*value)(const TransientSample& row);
@@ -132,8 +133,8 @@ class MotionMeans {
   double errors_ = 0, values_ = 0, known_ = 0;
 };
 
-/// The lowest and the highest value of every part of a motion, in the order in which they came: a
-/// picture of them shows each peak of all the steps, however many there are.
+/// The lowest and the highest value of every part of a motion, in the order in which they occurred:
+/// a picture of them shows the peaks of all steps, however many there are.
 class MotionEnvelope {
  public:
   explicit MotionEnvelope(double duration) : duration_(duration) {}
@@ -152,7 +153,7 @@ class MotionEnvelope {
     if (std::isfinite(row.muError)) part.muError = std::max(part.muError, row.muError);
   }
 
-  /// One moment of a part with one step, two of the others.
+  /// Returns one sample for a part with one step, two for others.
   std::vector<TransientSample> samples() const {
     std::vector<TransientSample> samples;
     for (const Part& part : parts_)
@@ -170,7 +171,8 @@ class MotionEnvelope {
   }
 
  private:
-  static constexpr std::int64_t kStrokes = 1500;  // more than a usual picture has pixels across
+  // more than the width of a usual picture in pixels
+  static constexpr std::int64_t kStrokes = 1500;
   static constexpr std::array kDrawn{
       &TransientSample::velocity, &TransientSample::mu, &TransientSample::indentation,
       &TransientSample::contactFraction, &TransientSample::contactLength};
@@ -188,7 +190,7 @@ class MotionEnvelope {
   std::vector<Part> parts_ = std::vector<Part>(kStrokes);
 };
 
-/// Tells the steps of all lines from whichever thread marches.
+/// Reports the steps of all lines from any marching thread.
 class StepCounter {
  public:
   StepCounter(const MotionOptions& options, std::int64_t total)
@@ -206,7 +208,7 @@ class StepCounter {
   std::mutex lock_;
 };
 
-/// Every step of one line.
+/// Marches every step of one line.
 void marchLine(Transient transient, std::int64_t every, const MotionOptions& options,
                StepCounter& counter, std::vector<TransientSample>& rows, MotionMeans& means,
                MotionEnvelope* envelope) {
@@ -260,7 +262,7 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
   table.hasInterface = hasLocalFriction(scene);
   table.lines.resize(static_cast<std::size_t>(options.lines));
   std::vector<MotionMeans> means(table.lines.size(), MotionMeans(scene.sliding.duration));
-  MotionEnvelope envelope(scene.sliding.duration);  // of a line that is drawn by itself
+  MotionEnvelope envelope(scene.sliding.duration);  // of a line that is drawn alone
   StepCounter counter(options, options.lines * static_cast<std::int64_t>(steps));
   Jobs(options.threads).run(options.lines, [&](std::int64_t line) {
     if (options.stop.stop_requested()) return;
@@ -327,7 +329,7 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   sheet.diagrams.push_back(contactStrip(scene, table.drawn));
   sheet.title = scene.title;
   sheet.subtitle = parametersInWords(scene);
-  if (sheet.status.empty()) sheet.note = {};  // without a guide there is none to explain
+  if (sheet.status.empty()) sheet.note = {};  // without a guide no explanation is needed
   std::vector<Message> notes{sheet.note};
   if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));
   if (std::isfinite(table.muError))

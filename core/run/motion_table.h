@@ -1,5 +1,5 @@
-// A motion as a table: what friction, indentation, contact and power did in its time steps, on as
-// many lines as wanted, and what the same gives as a picture.
+// A motion as a table: friction, indentation, contact and power in its time steps, on any number of
+// lines, and the same as a picture.
 // Threading: lines are marched on all threads; equal options give equal bytes for any number of
 // them. Failure: InputError for a scene or options that cannot run; std::runtime_error where the
 // first steady state has no balance; StudyStopped where `stop` was requested.
@@ -19,39 +19,40 @@
 namespace asperity {
 
 struct MotionOptions {
-  std::int64_t every = 1;     // each so many steps is a row, and the last one
-  std::int64_t mostRows = 0;  // of a line: else `every` grows; 0: as many as there are
+  std::int64_t every = 1;     // steps per row; the last step is always a row
+  std::int64_t mostRows = 0;  // maximum for a line: `every` grows to meet it; 0: no limit
   std::int64_t lines = 1;     // realizations 0, 1, ...
   int threads = 0;
   std::stop_token stop;
-  /// Steps of all lines; from one thread at a time. May be empty.
+  /// Called with the steps of all lines; from one thread at a time. May be empty.
   std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
 
 struct MotionTable {
   std::vector<std::vector<TransientSample>> lines;  // of single steps
   std::vector<TransientSample> mean;  // of all lines, over equal parts of the duration
-  /// What a picture shows: of one line the lowest and highest values of short parts of the
-  /// duration, so that it shows the peaks of all steps; of several lines their mean.
+  /// The samples in a picture: for one line the lowest and highest values of short parts of the
+  /// duration, so that it shows the peaks of all steps; for several lines their mean.
   std::vector<TransientSample> drawn;
   std::int64_t every = 1;
-  double muError = kNotApplicable;        // estimated, of the discretization: root mean square
+  double muError = kNotApplicable;        // estimated discretization error: root mean square
   double relativeError = kNotApplicable;  // the same over the root mean square of mu
   double spacing = 0, length = 0;         // m, of the lines
   bool hasInterface = false;
 };
 
-/// Of a scene whose sliding is not steady.
+/// Marches a scene whose sliding is not steady.
 MotionTable marchMotion(const Scene& scene, const MotionOptions& options);
 
 std::string motionCsv(const MotionTable& table);
 
-/// As it stands in an answer and in the first line of a table: how it was made and how exact it is.
+/// Returns the provenance in an answer and in the first line of a table: how the table was made and
+/// its accuracy.
 nlohmann::ordered_json motionProvenance(const std::string& verb, const Scene& scene,
                                         const MotionTable& table);
 std::string motionJson(const Scene& scene, const MotionTable& table);
 
-/// Velocity, friction, indentation and contact over time.
+/// Returns velocity, friction, indentation and contact over time.
 DiagramSheet motionSheet(const Scene& scene, const MotionTable& table);
 
 }  // namespace asperity

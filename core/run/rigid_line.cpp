@@ -11,7 +11,7 @@
 namespace asperity {
 
 RigidLine::RigidLine(Line made, Scheme scheme)
-    : line(std::make_shared<Line>(std::move(made))), travel(prepareProfile(*line, scheme)) {}
+    : line(std::make_shared<Line>(std::move(made))), prepared(prepareProfile(*line, scheme)) {}
 
 RigidLine::RigidLine(const Scene& scene, std::int64_t realization, const Profile* profile)
     : RigidLine(LineSource(scene, pointsPerElement(scene), profile).make(realization),
@@ -34,7 +34,7 @@ RigidLine RigidLine::coarser(std::size_t every) const {
   coarse.height = thinned(line->height);
   coarse.slopeAfter = thinned(line->slopeAfter);
   coarse.slopeBefore = thinned(line->slopeBefore);
-  return {std::move(coarse), travel.scheme};
+  return {std::move(coarse), prepared.scheme};
 }
 
 MarchLoad marchLoadOf(const Load& load) {
@@ -43,14 +43,14 @@ MarchLoad marchLoadOf(const Load& load) {
 
 TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,
                       const SteadyState& state, double distance) {
-  const SteadyShape shape = sliding.shape(rigid.travel, velocity, state);
+  const SteadyShape shape = sliding.shape(rigid.prepared, velocity, state);
   const Line& line = *rigid.line;
   const std::size_t nodes = line.nodes(), modes = shape.modes.empty() ? 0 : sliding.modes().modes();
   const auto moved =
       static_cast<std::ptrdiff_t>(std::llround(std::fmod(distance, line.length) / line.spacing));
   const std::ptrdiff_t shift = moved % static_cast<std::ptrdiff_t>(nodes);
   const auto placed = [&](const std::vector<double>& values) {
-    std::vector<double> ordered = inLineOrder(rigid.travel, values);
+    std::vector<double> ordered = inLineOrder(rigid.prepared, values);
     const std::ptrdiff_t back = shift >= 0 ? shift : shift + static_cast<std::ptrdiff_t>(nodes);
     std::rotate(ordered.begin(), ordered.end() - back, ordered.end());
     return ordered;
@@ -61,7 +61,7 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, doubl
     const std::vector<double> ordered = placed(one);
     for (std::size_t i = 0; i < nodes; ++i) amplitudes[i * modes + j] = ordered[i];
   }
-  TimeMarch march(rigid.line, rigid.travel.lowestHeight, sliding.law());
+  TimeMarch march(rigid.line, rigid.prepared.lowestHeight, sliding.law());
   march.setState(placed(shape.nodes.depth), placed(shape.nodes.pressure), amplitudes,
                  state.result.indentation);
   march.setDistance(line.spacing * static_cast<double>(shift) +
@@ -71,7 +71,7 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, doubl
 
 TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distance) {
   needEquilibrium(scene);
-  TimeMarch march(rigid.line, rigid.travel.lowestHeight, lawOf(scene.elastomer));
+  TimeMarch march(rigid.line, rigid.prepared.lowestHeight, lawOf(scene.elastomer));
   march.setDistance(distance);
   march.settleAtRest(marchLoadOf(loadOn(scene.load, rigid.line->length)));
   return march;

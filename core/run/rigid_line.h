@@ -1,5 +1,6 @@
-// A scene's line made ready, and the march of its elements begun in a state that is known: the
-// steady one, or static equilibrium. Threading: plain functions; a RigidLine is shared for reading.
+// A scene's line prepared for contact, and the march of its elements from a known state: steady
+// sliding, or static equilibrium. Threading: plain functions; a RigidLine may be shared for
+// reading.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +15,18 @@
 namespace asperity {
 
 struct RigidLine {
-  /// At the scene's own accuracy. profile: instead of that in the scene's file.
+  /// Makes a line with the scene's own accuracy. profile: replaces the one in the scene's file.
   explicit RigidLine(const Scene& scene, std::int64_t realization = 0,
                      const Profile* profile = nullptr);
-  /// Realization 0 with so many points to an element.
+  /// Makes realization 0 with this many points per element.
   static RigidLine withPoints(const Scene& scene, std::int64_t points);
 
-  /// Every so many nodes of a line, whose number that divides: the same line, more coarsely.
+  /// Returns the same line with only every `every`-th node; `every` must divide the number of
+  /// nodes.
   RigidLine coarser(std::size_t every) const;
 
   std::shared_ptr<const Line> line;
-  PreparedProfile travel;
+  PreparedProfile prepared;
 
  private:
   RigidLine(Line made, Scheme scheme);
@@ -32,12 +34,12 @@ struct RigidLine {
 
 MarchLoad marchLoadOf(const Load& load);
 
-/// The steady state, with the line moved to the node nearest to `distance` (m).
+/// Begins in the steady state, with the line moved to the node nearest to `distance` (m).
 TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,
                       const SteadyState& state, double distance = 0);
 
-/// Pressed in at rest for ever, the line moved by `distance` (m): nothing creeps. Throws InputError
-/// where the elastomer has no equilibrium.
+/// Begins in the equilibrium at rest, with the line moved by `distance` (m): nothing creeps. Throws
+/// InputError where the elastomer has no equilibrium.
 TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distance = 0);
 
 }  // namespace asperity

@@ -13,7 +13,6 @@
 #include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/run/simulation.h"
-#include "core/base/input_error.h"
 
 namespace asperity {
 namespace {
@@ -45,7 +44,7 @@ struct Runner::Body {
     std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
-    std::vector<double> steps;  // part of the period, of each
+    std::vector<double> steps;  // each as a part of the period
     bool any() const { return scene || fields || reset || !steps.empty(); }
   };
 
@@ -83,7 +82,7 @@ struct Runner::Body {
   void obey(const Orders& orders, std::optional<Simulation>& simulation, Clock::time_point& next) {
     if (orders.scene) {
       if (simulation)
-        // Standing still there is no time for the old shape to relax in.
+        // While time is paused the old shape cannot relax.
         simulation->update(orders.scene->scene, orders.scene->number,
                            orders.play ? Simulation::Shape::Present : Simulation::Shape::Steady);
       else
@@ -127,8 +126,8 @@ struct Runner::Body {
     }
   }
 
-  /// Where the program chooses the number of lines it may ask for more of them at any time: only
-  /// the end says that a curve is complete.
+  /// Where the program chooses the number of lines it may need more of them at any time: a curve is
+  /// complete only at the end.
   void run(const CurveWork& work, CurveOptions& curveOptions) {
     const bool isPlanned = !choosesAccuracy(*work.scene.scene);
     CurveUpdate last;
@@ -163,7 +162,7 @@ struct Runner::Body {
     if (options.curveNews) options.curveNews();
   }
 
-  /// Called under the lock; the number of the scene.
+  /// Returns the number of the scene. It is called under the lock.
   std::uint64_t take(Scene&& scene) {
     present = {std::make_shared<const Scene>(std::move(scene)), present.number + 1};
     waiting.scene = present;
@@ -178,8 +177,8 @@ struct Runner::Body {
   }
 
   const RunnerOptions options;
-  FrameFields fields;  // the march's alone
-  std::mutex lock;     // of everything down to the threads; never held while computing
+  FrameFields fields;  // used by the march only
+  std::mutex lock;     // protects everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
   bool isSeen = true;
@@ -188,7 +187,7 @@ struct Runner::Body {
   std::shared_ptr<const Frame> newest;
   CurveOrders curves;
   std::vector<RunnerMessage> messages;
-  std::jthread marchThread, curveThread;  // last: they use all of the above
+  std::jthread marchThread, curveThread;  // last: they use all members above
 };
 
 Runner::Runner(RunnerOptions options) : body_(std::make_unique<Body>(options)) {}
@@ -201,7 +200,7 @@ std::uint64_t Runner::post(Scene scene) {
 
 std::uint64_t Runner::open(Scene scene) {
   const std::lock_guard guard(body_->lock);
-  body_->waiting.reset = true;  // obeyed together with the scene
+  body_->waiting.reset = true;  // carried out together with the scene
   return body_->take(std::move(scene));
 }
 

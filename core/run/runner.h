@@ -22,62 +22,63 @@ namespace asperity {
 
 struct RunnerMessage {
   std::uint64_t sceneNumber = 0;
-  std::string key;  // the parameter it is about, may be empty
+  std::string key;  // the parameter that is wrong, may be empty
   Message text;     // one sentence
 };
 
 struct RunnerOptions {
   int threads = 0;               // for the curve; 0: as many as the machine has
-  double framesPerSecond = 60;   // frames made at most
-  double secondsPerPeriod = 12;  // on screen, for the line to pass by once
-  /// Called where a curve update is there, on the curve's thread; returns at once. May be empty.
+  double framesPerSecond = 60;   // maximum number of frames
+  double secondsPerPeriod = 12;  // on screen, in which the line passes once
+  /// Called on the curve's thread when there is a curve update; must return at once. May be empty.
   std::function<void()> curveNews{};
 
   double secondsPerFrame() const { return 1 / framesPerSecond; }
-  /// The part of the period, or of a motion's duration, that passes from frame to frame.
+  /// Returns the part of the period, or of a motion's duration, between two frames.
   double partPerFrame() const { return secondsPerFrame() / secondsPerPeriod; }
 };
 
 class Runner {
  public:
   explicit Runner(RunnerOptions options = {});
-  ~Runner();  // stops and joins
+  ~Runner();  // stops and joins the threads
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Makes this the present scene and returns its number (1, 2, ...). The animation goes on from
-  /// the present shape of the elastomer where length and elements are unchanged.
+  /// Sets the present scene and returns its number (1, 2, ...). The animation continues from the
+  /// present shape of the elastomer if length and elements are unchanged.
   std::uint64_t post(Scene scene);
 
-  /// The same for a scene that has nothing to do with the one before: it begins at time 0.
+  /// Does the same for a scene that is unrelated to the previous one: it begins at time 0.
   std::uint64_t open(Scene scene);
 
-  /// Frames hold these fields from now on; while paused, one more frame is made with them.
+  /// Requests frames with these optional values; while paused, one more frame is made with them.
   void want(const FrameFields& fields);
 
   void play();
   void pause();
   bool isPlaying() const;
-  /// While paused: one frame, and the line has moved by this part of its period, or by one time
-  /// step where that is more; a motion goes on by one time step at least.
+  /// Makes one frame while paused. The line moves by this part of its period, or by one time step
+  /// if that is more; a motion advances by at least one time step.
   void singleStep(double part = 0);
 
-  /// Whether anybody sees the frames. Unseen, time stands still as if paused; curves and answers to
-  /// new scenes go on.
+  /// Sets whether the frames are visible. Invisible ones do not advance, as if paused; curves and
+  /// answers to new scenes continue.
   void setSeen(bool seen);
-  /// Back to the scene's steady state at time 0.
+  /// Returns to the scene's steady state at time 0.
   void reset();
 
-  /// The present scene's curve stays as far as it is; averaging it begins anew. A new curve is
-  /// averaged without being told.
+  /// Stops the averaging of the present scene's curve, which keeps its results; the other function
+  /// begins it again. A new curve is averaged automatically.
   void stopCurve();
   void startCurve();
 
-  /// The newest frame, or null before the first. The same pointer until a newer one exists.
+  /// Returns the newest frame, or null before the first. The pointer is the same until a newer one
+  /// exists.
   std::shared_ptr<const Frame> newestFrame() const;
 
-  /// All curve updates since the last call, oldest first. None is lost, except that updates of
-  /// scenes older than the present one may be dropped.
+  /// Returns all curve updates since the last call, oldest first. None is lost, except that updates
+  /// of older scenes than the present one may be dropped.
   std::vector<CurveUpdate> takeCurveUpdates();
 
   std::vector<RunnerMessage> takeMessages();

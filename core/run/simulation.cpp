@@ -21,18 +21,21 @@ namespace {
 // which a rough line has without points between its elements, cost up to 17 % in long contacts,
 // too.
 constexpr double kLeastElements = 3.5;
-constexpr double kContactsKept = 0.99;  // of a step's weight, in the next: borders do not flicker
+constexpr double kContactsKept =
+    0.99;  // previous weight in the next step, so that contact borders do not flicker
 
-// Of indentation and normal force: a picture nearer than that to the steady state shows it.
+// A picture closer than this to the steady state, in indentation and normal force, shows the steady
+// state.
 constexpr double kSettled = 0.02;
-// A picture that comes no nearer for so many frames ripples about the steady state of its elements.
+// A picture that gets no closer for this many frames oscillates about the steady state of its
+// elements.
 constexpr int kFramesOfRipple = 60;
 
-// For a step by hand: so many times the element-steps of a frame, and of a motion no more than this
-// part of its duration.
+// Limits of a single step: this many times the element-steps of a frame, and for a motion at most
+// this part of its duration.
 constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
 
-/// Normal force (N) and share in contact of the elements as they are drawn.
+/// Normal force (N) and contact fraction of the elements as they are drawn.
 struct Pressed {
   double force = 0, fraction = 0;
 };
@@ -65,15 +68,15 @@ struct Simulation::Ready {
         rigid(rigidOf(*scene, last ? last->scene.get() : nullptr, last ? last->rigid : nullptr)),
         isSteady(scene->sliding.kind == SlidingKind::Steady) {
     if (!isSteady) {
-      transient.emplace(*scene, rigid);  // refuses what cannot run
+      transient.emplace(*scene, rigid);  // throws if it cannot run
       transient->estimateErrors(*scene);
       return;
     }
     sliding.emplace(*scene);
-    steady = sliding->at(rigid->travel, scene->sliding.velocity);
+    steady = sliding->at(rigid->prepared, scene->sliding.velocity);
     requireBalance(steady.result, velocity());
     if (!std::isfinite(steady.result.mu)) throw balanceError(steady.result, velocity());
-    const SteadyShape shape = sliding->shape(rigid->travel, velocity(), steady);
+    const SteadyShape shape = sliding->shape(rigid->prepared, velocity(), steady);
     greatestPressure = std::ranges::max(shape.nodes.pressure);
   }
 
@@ -87,7 +90,7 @@ struct Simulation::Ready {
   std::optional<SteadySolver> sliding;  // with `steady`, in steady sliding
   SteadyState steady;
   double greatestPressure = 0;         // N/m, in the steady state
-  std::optional<Transient> transient;  // as it begins, of other motions
+  std::optional<Transient> transient;  // of other motions, at their beginning
 };
 
 Simulation::Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
@@ -103,12 +106,13 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                       next->line().nodes() == ready_->line().nodes() &&
                       next->line().length == ready_->line().length;
   const bool isSameLine = next->rigid == ready_->rigid;
-  if (goesOn && showsSteadyState()) settle(march_->distance());  // what is seen is what goes on
+  if (goesOn && showsSteadyState()) settle(march_->distance());  // continues with the visible state
   ready_ = next;
   still_.reset();
   if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
-  TimeMarch march(ready_->rigid->line, ready_->rigid->travel.lowestHeight, ready_->sliding->law());
+  TimeMarch march(ready_->rigid->line, ready_->rigid->prepared.lowestHeight,
+                  ready_->sliding->law());
   march.goOnFrom(*march_);
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();
@@ -116,8 +120,8 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   settlesFrom_ = 0;
   framesNoNearer_ = 0;
   recordFields();
-  // Another line may stand in the present shape, or above it: the load presses it in before it
-  // shows.
+  // Another line may be in the present shape, or above it: the load presses it in before it is
+  // shown.
   if (!isSameLine) {
     const double velocity = ready_->velocity();
     march_->step(marchLoadOf(ready_->scene->load),
@@ -139,7 +143,8 @@ void Simulation::settle(double distance) {
   still_.reset();
   transient_.reset();
   samples_.clear();
-  // At rest the elements' own balance holds: that of the line between them would creep to it.
+  // At rest the elements' own balance holds: from that of the line between them they would creep to
+  // it.
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
                                                 ready_->velocity(), ready_->steady, distance)
                                   : restingMarch(*ready_->rigid, *ready_->scene, distance);
@@ -165,7 +170,7 @@ void Simulation::want(const FrameFields& fields) {
   recordFields();
 }
 
-/// In steady sliding the time before is known, too.
+/// Starts the records; in steady sliding the time before is known, too.
 void Simulation::recordFields() {
   const MarchRecords records{fields_.sinceContact, fields_.power};
   if (transient_) return transient_->record(records);
@@ -188,18 +193,19 @@ void Simulation::clearReading() {
   resolves_ = false;
 }
 
-/// The line moves by one node at most, and by less where that resolves the relaxation.
+/// Returns the step in which the line moves by one node, or by less where that resolves the
+/// relaxation.
 double Simulation::naturalStep() const {
   const RetardationModes& modes = march_->modes();
   const double spacing = ready_->line().spacing;
   if (modes.modes() == 0) return spacing;
   const double memory = ready_->velocity() / modes.rate.back();
-  // Without a dashpot of its own an element answers at once to all that is faster than a step.
+  // An element without a dashpot of its own follows at once everything faster than a step.
   if (modes.glassyCompliance > 0) return spacing;
   return std::clamp(memory / 2, spacing / 8, spacing);
 }
 
-/// s, where nothing slides: a part of the middle one of the relaxation times.
+/// Returns a time step where nothing slides, s: a part of the middle relaxation time.
 double Simulation::restingStep() const {
   const RetardationModes& modes = march_->modes();
   const double relaxation = modes.modes() == 0 ? 0 : 1 / modes.rate[modes.modes() / 2];
@@ -247,7 +253,7 @@ void Simulation::advanceSteadily(double part) {
     const double most = mostSteps();
     const double wanted = part * ready_->line().length;
     const double finest = std::ceil(wanted / naturalStep());
-    // Where the budget binds, steps grow up to one node; only then the line slows down.
+    // Where the budget is the limit, steps grow up to one node; only then the line slows down.
     const double steps = std::min(finest, most);
     const double distance = std::min(wanted / steps, ready_->line().spacing);
     for (double i = 0; i < steps; ++i) stepOnce(distance / velocity, distance);
@@ -266,8 +272,8 @@ bool Simulation::beginsAnew() {
   return true;
 }
 
-/// Once over, the motion begins anew. Frames are equally far apart in time through the whole
-/// motion, by as much as its fastest part can be marched in one: what is fast looks fast.
+/// Advances a motion, which begins again after its end. Frames have equal distances in time through
+/// the whole motion, which are limited by its fastest part, so fast parts appear fast.
 void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   if (beginsAnew()) return;
   const double duration = transient_->motion().duration();
@@ -307,7 +313,7 @@ void Simulation::singleStep(double part) {
   for (double i = 0; i < steps; ++i) stepOnce(each / velocity, each);
 }
 
-/// As far in time as the line needs for that distance where it is fastest.
+/// Advances a motion by the time in which the line covers this distance at its highest velocity.
 void Simulation::stepMotion(double distance) {
   if (beginsAnew()) return;
   const double duration = transient_->motion().duration();
@@ -324,8 +330,8 @@ bool Simulation::showsSteadyState() const {
   return ready_->isSteady && ready_->velocity() > 0 && !isChanged_ && !isSettling();
 }
 
-/// Once settled, the steady state itself is shown, at the node nearest to where the line is: the
-/// march of the same line has an error of its own, and the picture must not contradict its numbers.
+/// Returns the steady state itself after settling, at the node nearest to the line: the march of
+/// the same line has its own error, and the picture must not contradict its numbers.
 Frame Simulation::steadyFrame() const {
   if (!still_)
     still_ = stillFrame(ready_->scene, *ready_->rigid, *ready_->sliding, ready_->steady,
@@ -366,7 +372,7 @@ Frame Simulation::marchedFrame() const {
   return frame;
 }
 
-/// All facts are those of the steady state, as everywhere else; the march adds its own reading.
+/// Sets all results to those of the steady state; the march adds its own friction.
 void Simulation::addSteady(Frame& frame) const {
   setSteadyFacts(frame, ready_->steady.result);
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
@@ -389,8 +395,8 @@ ContactState Simulation::drawnState(const Frame& frame) const {
   return drawn;
 }
 
-/// s, after which an element knows nothing of what was before: ten of its longest times, more of
-/// them where it was pressed far deeper, and the line has come round.
+/// Returns the time after which an element has forgotten the past, s: ten of its longest times,
+/// more where it was pressed far deeper, and at least one period of sliding.
 double Simulation::longestMemory() const {
   const RetardationModes& modes = march_->modes();
   const double deeper = march_->indentation() / ready_->steady.result.indentation;
@@ -400,14 +406,15 @@ double Simulation::longestMemory() const {
   return element + (velocity > 0 ? ready_->line().length / velocity : 0);
 }
 
-/// The march of a coarse line never meets the indentation of the resolved one: hence the limit in
-/// time. Where it ends the steady state takes the march's place in the picture, unseen.
+/// Returns whether the picture is settling. The march of a coarse line never reaches the
+/// indentation of the resolved one: therefore the time is limited. At the end the steady state
+/// invisibly replaces the march in the picture.
 bool Simulation::isSettling() const {
   return time_ < settlesUntil_ && !hasArrived();
 }
 
-/// Near the steady state, past it, or no nearer for a while: few elements in contact ripple, about
-/// a steady state of their own.
+/// Returns whether the state is near the steady state, past it, or no longer gets closer: few
+/// elements in contact oscillate about their own steady state.
 bool Simulation::hasArrived() const {
   const double away = awayFromSteady();
   return std::abs(away) <= kSettled || away * settlesFrom_ < 0 || framesNoNearer_ > kFramesOfRipple;
@@ -416,14 +423,14 @@ bool Simulation::hasArrived() const {
 void Simulation::watchSettling() {
   const double away = awayFromSteady();
   if (settlesFrom_ == 0) settlesFrom_ = nearest_ = away;
-  // What only creeps nearer, with a slow arm, does so by more than rounding.
+  // With a slow arm the state creeps closer by more than rounding.
   const bool isNearer = std::abs(away) < (1 - 1e-9) * std::abs(nearest_);
   if (isNearer) nearest_ = away;
   framesNoNearer_ = isNearer ? 0 : framesNoNearer_ + 1;
 }
 
-/// Of indentation and normal force one is held constant and meets its value at once: the other one,
-/// less what it is to become, relative to that.
+/// Returns the distance to the steady state. Either indentation or normal force is held constant
+/// and has its value at once: the distance is that of the other one, relative to its final value.
 double Simulation::awayFromSteady() const {
   const SteadyResult& steady = ready_->steady.result;
   if (ready_->scene->load.kind != LoadKind::Indentation)
@@ -437,7 +444,7 @@ void Simulation::addMotion(Frame& frame) const {
   frame.nextStep = transient_->nextStep();
   frame.indentation = transient_->march().indentation();
   frame.transient = std::make_shared<const std::vector<TransientSample>>(samples_);
-  if (samples_.empty()) {  // the force is carried from the beginning
+  if (samples_.empty()) {  // the force is balanced from the beginning
     const Pressed pressed = pressedIn(frame);
     frame.normalForce = pressed.force;
     frame.contactFraction = pressed.fraction;

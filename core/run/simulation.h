@@ -1,8 +1,8 @@
 // A scene marched in time for the window: line, elements, their state and, in steady sliding, the
-// steady answer beside it; a motion that is not steady runs for its duration and begins anew. No
-// threads and no clock of its own, so the same calls give the same frames.
-// Failure: constructor and update throw InputError or std::runtime_error; after a failed update
-// the simulation goes on with the scene it had.
+// steady result; a motion that is not steady runs for its duration and begins again. It has no
+// threads and no clock, so the same calls give the same frames.
+// Failure: constructor and update throw InputError or std::runtime_error; after a failed update the
+// simulation continues with its former scene.
 #pragma once
 
 #include <cstdint>
@@ -17,45 +17,45 @@ namespace asperity {
 
 class Simulation {
  public:
-  /// stepsPerFrame: element-steps spent on one frame, at most; counted, so that frames do not
-  /// depend on a clock.
+  /// stepsPerFrame: maximum number of element-steps per frame; they are counted, so that frames do
+  /// not depend on a clock.
   Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
              double stepsPerFrame = kStepsPerFrame);
 
   static constexpr double kStepsPerFrame = 4e5;
 
-  /// Which shape a new scene starts from.
+  /// The initial shape under a new scene.
   enum class Shape { Present, Steady };
 
-  /// Goes on under a new scene from the present shape (which then relaxes), or in the scene's
-  /// steady state, with the line where it was; with other elements always in the steady state at
-  /// time 0.
+  /// Continues with a new scene from the present shape (which then relaxes), or in the scene's
+  /// steady state, with the line at its present place; other elements always begin in the steady
+  /// state at time 0.
   void update(std::shared_ptr<const Scene> scene, std::uint64_t number,
               Shape shape = Shape::Present);
 
-  /// What frames hold besides, from now on.
+  /// Requests optional values for all later frames.
   void want(const FrameFields& fields);
 
-  /// Back to the steady state, time 0.
+  /// Returns to the steady state at time 0.
   void reset();
 
-  /// The time until the next frame: the line moves by `part` of its period, or a motion by `part`
-  /// of its duration (less where elements are so many that it would take too long). wallSeconds:
-  /// what the frame lasts on screen.
+  /// Advances to the next frame: the line moves by `part` of its period, or a motion by `part` of
+  /// its duration (less where the elements are too many for it). wallSeconds: duration of the frame
+  /// on screen.
   void advance(double part, double wallSeconds);
 
-  /// A motion up to that time (s), as far as whole steps go, by way of the frames that advance()
-  /// would make; the last one is shorter.
+  /// Advances a motion to that time (s), in whole steps, through the frames that advance() would
+  /// make; the last one is shorter.
   void advanceTo(double time, double part, double wallSeconds);
 
-  /// One time step, or as many as move the line by this part of its period. A steady state of very
-  /// many elements is moved as it stands: marching them would take too long.
+  /// Makes one time step, or as many as move the line by this part of its period. A steady state
+  /// with very many elements is shifted unchanged: marching would take too long.
   void singleStep(double part = 0);
 
   Frame frame() const;
 
  private:
-  struct Ready;  // a scene made ready: line, elements, steady result
+  struct Ready;  // a prepared scene: line, elements, steady result
   void settle(double distance);
   void begin();
   void advanceSteadily(double part);
@@ -84,23 +84,23 @@ class Simulation {
   const TimeMarch& march() const { return transient_ ? transient_->march() : *march_; }
 
   std::shared_ptr<const Ready> ready_;
-  std::optional<TimeMarch> march_;        // of steady sliding
-  std::optional<Transient> transient_;    // of other motions
-  std::vector<TransientSample> samples_;  // since they began
+  std::optional<TimeMarch> march_;        // in steady sliding
+  std::optional<Transient> transient_;    // in other motions
+  std::vector<TransientSample> samples_;  // since the motion began
   FrameFields fields_;
   mutable std::optional<Frame> still_;  // the steady state at distance 0, once it is shown
   MarchStep last_;
   std::uint64_t steps_ = 0;
   double stepsPerFrame_;
   double time_ = 0, timeScale_ = 0;
-  double settlesUntil_ = 0;               // s, at the latest, after a change; 0 once settled
-  double settlesFrom_ = 0;                // awayFromSteady() after the first frame of it; 0 before
-  double nearest_ = 0;                    // awayFromSteady() nearest to 0 since then
-  int framesNoNearer_ = 0;                // since then
+  double settlesUntil_ = 0;               // s, the latest end after a change; 0 once settled
+  double settlesFrom_ = 0;                // awayFromSteady() after its first frame; 0 before
+  double nearest_ = 0;                    // smallest awayFromSteady() since then
+  int framesNoNearer_ = 0;                // frames since nearest_
   double lineWork_ = 0, normalWork_ = 0;  // J, since the last frame: F_x and F_N times distance
-  double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, of the newest steps
-  bool isChanged_ = false;                // the scene, since the newest step
-  bool resolves_ = false;                 // steps were short enough to read friction
+  double touching_ = 0, stretches_ = 0;   // elements and stretches in contact, in the newest steps
+  bool isChanged_ = false;                // the scene changed since the newest step
+  bool resolves_ = false;                 // steps were short enough for friction
 };
 
 }  // namespace asperity

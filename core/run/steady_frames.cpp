@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-/// Points across a picture, at least, and of a line, at most: a frame's shift is rounded to one of
-/// them.
+/// Minimum number of points across a picture, and maximum of a line: a frame's shift is rounded to
+/// one of them.
 constexpr double kPicturePoints = 8192, kMostPoints = 1 << 20;
 
 SteadyState solve(const SteadySolver& sliding, const PreparedProfile& line, double velocity) {
@@ -27,20 +27,20 @@ void rotate(std::vector<double>& values, std::int64_t shift) {
   if (!values.empty()) std::rotate(values.begin(), values.end() - shift, values.end());
 }
 
-/// W/m in the dashpots at the shape's points, in travel order.
+/// Returns the power in the dashpots at the shape's points, W/m, in order of travel.
 std::vector<double> steadyPower(const SteadySolver& sliding, const SteadyShape& shape) {
   const RetardationModes modes = retardationModes(sliding.law());
   const std::size_t starts = shape.nodes.depth.size();
   std::vector<double> amplitudes(modes.modes() * starts);
-  const bool one = shape.modes.empty();  // the depth itself
+  const bool one = shape.modes.empty();  // the depth itself is the only mode
   for (std::size_t j = 0; j < modes.modes(); ++j)
     for (std::size_t i = 0; i < starts; ++i)
       amplitudes[j * starts + i] = one ? shape.nodes.depth[i] : shape.modes[i * modes.modes() + j];
   return dissipatedPower(modes, shape.nodes.pressure, amplitudes);
 }
 
-/// To an element. The paper's elements are shown as they are; a resolved line is drawn finely
-/// enough to glide.
+/// Returns the points per element. The paper's elements are drawn as they are; a resolved line is
+/// drawn finely enough to move smoothly.
 std::int64_t pointsToDraw(const Scene& scene, const LineSource& own, double seen) {
   if (scene.accuracy.scheme == Scheme::Nodal) return 1;
   const double pictures = seen > 0 ? std::max(own.length() / seen, 1.0) : 1;
@@ -65,31 +65,32 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
                  const SteadySolver& sliding, const SteadyState& shown, const SteadyResult& facts,
                  const FrameFields& fields) {
   const Line& line = *rigid.line;
-  const PreparedProfile& travel = rigid.travel;
+  const PreparedProfile& profile = rigid.prepared;
   const double velocity = scene->sliding.velocity;
-  const SteadyShape shape = sliding.shape(travel, velocity, shown);
+  const SteadyShape shape = sliding.shape(profile, velocity, shown);
   Frame frame;
   frame.scene = std::move(scene);
   frame.length = line.length;
   frame.spacing = line.spacing;
-  frame.surfaceHeight = inLineOrder(travel, shape.nodes.depth);
-  frame.pressure = inLineOrder(travel, shape.nodes.pressure);
+  frame.surfaceHeight = inLineOrder(profile, shape.nodes.depth);
+  frame.pressure = inLineOrder(profile, shape.nodes.pressure);
   for (double& height : frame.surfaceHeight) height = -height;
   for (const double height : line.height)
-    frame.lineHeight.push_back(height - travel.lowestHeight - shown.result.indentation);
+    frame.lineHeight.push_back(height - profile.lowestHeight - shown.result.indentation);
   setSteadyFacts(frame, facts);
   frame.rmsHeight = line.rmsHeight;
   frame.rmsSlope = line.rmsSlope;
   frame.velocity = velocity;
   if (fields.lineSlope) {
-    // The line's slope on the side from which a point is met, as the pass has it: a corner has two.
-    frame.lineSlope = inLineOrder(travel, travel.slopeIn);
+    // This is the line's slope on the side from which a point is met, as in the pass: a corner has
+    // two.
+    frame.lineSlope = inLineOrder(profile, profile.slopeIn);
     for (double& slope : frame.lineSlope) slope = -slope;
   }
   if (fields.sinceContact)
     frame.sinceContact = steadyContactAge(frame.pressure, frame.spacing, velocity);
   if (fields.power) {
-    frame.power = inLineOrder(travel, steadyPower(sliding, shape));
+    frame.power = inLineOrder(profile, steadyPower(sliding, shape));
     addLocalFriction(frame.power, frame.pressure, frame.scene->interface, velocity);
   }
   return frame;
@@ -113,7 +114,7 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields
   const LineSource own(*scene_, pointsPerElement(*scene_));
   result_ = solve(sliding, prepareProfile(own.make(0), accuracy.scheme), velocity).result;
   const RigidLine drawn = RigidLine::withPoints(*scene_, pointsToDraw(*scene_, own, seen));
-  const SteadyState shown = solve(sliding, drawn.travel, velocity);
+  const SteadyState shown = solve(sliding, drawn.prepared, velocity);
   still_ = stillFrame(scene_, drawn, sliding, shown, result_, fields);
 }
 

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr double kRounding = 1e-9;  // of a step
-constexpr double kOrder = 1.8;      // of friction in the spacing, as measured at 1 to 16 points
+constexpr double kOrder = 1.8;  // order of friction in the spacing, as measured at 1 to 16 points
 constexpr std::size_t kLeastNodes = 8;
 constexpr std::size_t kRecent = 16;  // samples
 
@@ -25,19 +25,19 @@ TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
     return restingMarch(rigid, scene);
   }
   const SteadySolver sliding(scene);
-  const SteadyState state = sliding.at(rigid.travel, scene.sliding.velocity);
+  const SteadyState state = sliding.at(rigid.prepared, scene.sliding.velocity);
   requireBalance(state.result, scene.sliding.velocity);
   return steadyMarch(rigid, sliding, scene.sliding.velocity, state);
 }
 
-/// s; NaN of elements that have another law of relaxation than Kelvin's.
+/// Returns the relaxation time of Kelvin elements, s; NaN for elements with another law.
 double relaxationOf(const ElementLaw& law) {
   return law.kind() == ElementKind::Kelvin ? law.relaxationTime : kNotApplicable;
 }
 
 }  // namespace
 
-/// Sums over a few steps.
+/// Sums over several steps.
 class Transient::Means {
  public:
   void add(const MarchStep& step, double dt, double distance) {
@@ -98,13 +98,14 @@ void Transient::estimateErrors(const Scene& scene) {
       coarse.longestStep_ = coarseness_ * longestStep_;
       coarse_.push_back(std::move(coarse));
     } catch (const std::runtime_error&) {
-      // A line that is too coarse for its own balance tells nothing: the error is not known.
+      // A line that is too coarse for its own balance gives no estimate: the error is unknown.
     }
     return;
   }
 }
 
-/// Before its first step a motion that began in steady sliding knows when contact was.
+/// Starts the records. Before its first step a motion that began in steady sliding knows the times
+/// of contact.
 void Transient::record(MarchRecords wanted) {
   const bool isNew = wanted.sinceContact && march_.sinceContact().empty();
   march_.record(wanted);
@@ -113,8 +114,8 @@ void Transient::record(MarchRecords wanted) {
         steadyContactAge(march_.pressure(), rigid_->line->spacing, motion_.velocityAt(0)));
 }
 
-/// s. At a constant velocity a node or a whole part of one, so that elements meet the line's nodes
-/// always at the same places: other steps beat with them.
+/// Returns the step, s. At a constant velocity it is a node or an integer fraction of one, so that
+/// elements meet the line's nodes always at the same places: other steps cause beats.
 double Transient::stepAt(double time) const {
   const double fastest = motion_.fastest(time, time);
   if (!(fastest > 0)) return longestStep_ / division_;
@@ -124,7 +125,7 @@ double Transient::stepAt(double time) const {
   return step / division_;
 }
 
-/// s, where the velocity jumps or the motion ends.
+/// Returns the time of the next jump of the velocity, or of the motion's end, s.
 double Transient::markAfter(double time) const {
   return time < motion_.jump() ? motion_.jump() : motion_.duration();
 }
@@ -139,7 +140,8 @@ double Transient::countSteps(double most) const {
   return steps;
 }
 
-/// The moments lie at multiples of the golden section, which fall in step with no oscillation.
+/// Estimates the number of steps from times at multiples of the golden section, which are in step
+/// with no oscillation.
 double Transient::estimateSteps() const {
   constexpr int kMoments = 4096;
   constexpr double kGoldenSection = 0.6180339887498949;
@@ -159,7 +161,7 @@ double Transient::shortestStep() const {
   return std::min(longestStep_, rigid_->line->spacing / fastest) / division_;
 }
 
-/// Whole numbers of equal steps, because sums of them drift off.
+/// Counts equal steps as integers, because sums of them drift.
 double Transient::timeAfter(double dt) {
   if (dt != runStep_) {
     run_ = 0;
@@ -179,7 +181,7 @@ void Transient::stepOnce(double dt, Means& means) {
   ++steps_;
 }
 
-/// Whole, but up to where the velocity jumps and to the end of the motion.
+/// Returns the next step: a whole one, except before a jump of the velocity and the motion's end.
 double Transient::nextStep() const {
   if (isOver()) return 0;
   const double dt = stepAt(time_), left = markAfter(time_) - time_;
@@ -203,7 +205,7 @@ TransientSample Transient::marchTo(double time) {
     const double mark = markAfter(time_), dt = stepAt(time_);
     if (endsAtMark(dt)) {
       stepOnce(mark - time_, means);
-      time_ = mark;  // to the last bit
+      time_ = mark;  // exactly
       runStep_ = 0;
     } else if (steps_ > before && !canReach(time)) {
       break;

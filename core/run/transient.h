@@ -1,6 +1,6 @@
-// A motion marched through its duration: what friction, indentation and contact did at each time.
-// The same calls give the same samples; no threads and no clock of its own.
-// Ownership: holds line and march; samples are values, handed out as immutable.
+// A motion marched through its duration: friction, indentation and contact at each time. The same
+// calls give the same samples; no threads and no clock.
+// Ownership: owns line and march; samples are immutable values.
 // Failure: the constructor throws InputError for a scene that cannot run and std::runtime_error
 // where its first steady state has no balance.
 #pragma once
@@ -20,34 +20,36 @@ namespace asperity {
 
 class Transient {
  public:
-  /// rigid: the scene's. The march takes `leastSteps` at least for the duration; they are at most
-  /// one node long and meet the jump of a velocity. division: how many parts each of those steps is
-  /// cut into.
+  /// rigid: the scene's. The march takes at least `leastSteps` for the duration; they are at most
+  /// one node long and end at the jump of a velocity. division: number of parts into which each of
+  /// those steps is cut.
   Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
             std::int64_t leastSteps = kLeastSteps, int division = 1);
 
   static constexpr std::int64_t kLeastSteps = 500;
 
-  /// s, where the motion is fastest.
+  /// Returns the shortest step, where the motion is fastest, s.
   double shortestStep() const;
 
-  /// s, of the next step: no moment before its end can be told from this one. 0 once it is over.
+  /// Returns the next step, s: times before its end belong to the present state. 0 at the motion's
+  /// end.
   double nextStep() const;
 
-  /// Whether the next step ends by that time (s).
+  /// Returns whether the next step ends by that time (s).
   bool canReach(double time) const;
 
-  /// Steps from here to the motion's end, counted one by one without marching; where they are more
-  /// than `most`, from the length of steps at moments all over the motion.
+  /// Returns the number of steps from here to the motion's end, counted one by one without
+  /// marching; where they are more than `most`, estimated from the length of steps at times in the
+  /// whole motion.
   double countSteps(double most = 2e5) const;
 
-  /// Marches the same motion on a coarser line (every second node, or every third ...) beside this
-  /// one, at a quarter of its cost, and tells from the difference how far friction is from that of
-  /// ever finer lines: samples then have their muError. Not for separate elements, which have no
-  /// finer line, and where no small number divides the nodes. To be called before the first step.
+  /// Marches the same motion also on a coarser line (every second node, or every third ...), at a
+  /// quarter of the cost, and estimates from the difference the error of friction relative to
+  /// infinitely fine lines: samples then have their muError. Not for separate elements, which have
+  /// no finer line, and where no small number divides the nodes. Call it before the first step.
   void estimateErrors(const Scene& scene);
 
-  /// What its march notes of the elements from now on.
+  /// Starts records of the elements in its march.
   void record(MarchRecords wanted);
 
   const Motion& motion() const { return motion_; }
@@ -56,11 +58,11 @@ class Transient {
   std::uint64_t steps() const { return steps_; }
   bool isOver() const { return time_ >= motion_.duration(); }
 
-  /// Marches one step at least, and on as long as whole steps end by that time (s), or exactly to
-  /// the motion's jump and end; gives the means on the way.
+  /// Marches at least one step, and on while whole steps end by that time (s), or exactly to the
+  /// motion's jump and end; returns the means on the way.
   TransientSample marchTo(double time);
 
-  /// One step.
+  /// Marches one step.
   TransientSample singleStep();
 
  private:
@@ -82,20 +84,21 @@ class Transient {
   std::shared_ptr<const RigidLine> rigid_;
   TimeMarch march_;
   MarchStep last_;
-  double relaxation_;  // s, of Kelvin elements; NaN of others
+  double relaxation_;  // s, for Kelvin elements; NaN for others
   double time_ = 0;
-  /// Equal steps in a row: their number, their length (s) and when they began (s).
+  /// Consecutive equal steps: their number, their length (s) and their beginning (s).
   double run_ = 0, runStep_ = 0, runBegin_ = 0;
   std::uint64_t steps_ = 0;
-  std::vector<Transient> coarse_;  // none or one
-  double coarseness_ = 1;          // its spacing over that of this one
+  std::vector<Transient> coarse_;  // empty or one
+  double coarseness_ = 1;          // its spacing relative to that of this one
 };
 
-/// Of the newest of these samples: the root mean square of their errors; NaN where none is known.
+/// Returns the root mean square of the errors of the newest of these samples; NaN where none is
+/// known.
 double recentError(const std::vector<TransientSample>& samples);
 
-/// `count` samples evenly over the scene's duration, after one at time 0 from its first step. Ends
-/// early, with those it has, where `stop` is requested.
+/// Returns `count` samples at equal distances over the scene's duration, after one at time 0 from
+/// its first step. Ends early, with the samples so far, where `stop` is requested.
 std::shared_ptr<const std::vector<TransientSample>> transientOf(const Scene& scene,
                                                                 std::int64_t count,
                                                                 const std::stop_token& stop = {});

@@ -1,7 +1,5 @@
 #include "core/run/transient_diagram.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,17 +13,18 @@
 namespace asperity {
 namespace {
 
-constexpr double kFrictionFloor = 10;        // ripples, of which a strip then shows a third at most
-constexpr double kMost = 0.5;                // of the value
-constexpr double kAir = 0.12;                // of the range, on either side
-constexpr double kContactFloor = 0.2;        // of a contact fraction
+// ripples; a strip then shows ripples as at most a third of it
+constexpr double kFrictionFloor = 10;
+constexpr double kMost = 0.5;                // maximum part of the value
+constexpr double kAir = 0.12;                // part of the range, on either side
+constexpr double kContactFloor = 0.2;        // part of a contact fraction
 constexpr std::size_t kLongestTrace = 2000;  // samples of a motion
 
-Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis up,
+Diagram strip(const Scene& scene, std::span<const TransientSample> samples, DiagramAxis yAxis,
               double TransientSample::*member, double least) {
   Diagram diagram;
   diagram.x = {"time t", "s", AxisScale::Linear, 0, scene.sliding.duration};
-  diagram.y = std::move(up);
+  diagram.y = std::move(yAxis);
   DiagramSeries series;
   series.colour = 0;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -44,8 +43,8 @@ Diagram strip(const Scene& scene, std::span<const TransientSample> samples, Diag
   return diagram;
 }
 
-/// What is known of the error as a band around the values, under their line; the axis has room for
-/// it where it reaches 0, as of a body without friction.
+/// Adds the known error as a band around the values, under their line; the axis includes it where
+/// it reaches 0, as for a body without friction.
 void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   DiagramSeries band;
   band.isBand = true;
@@ -66,7 +65,8 @@ void addErrorBand(Diagram& diagram, std::span<const TransientSample> samples) {
   diagram.series.insert(diagram.series.begin(), std::move(band));
 }
 
-/// s, when the velocity last jumped before `now`; a start from rest jumps at 0. NaN: never.
+/// Returns the time of the last jump of the velocity before `now`, s; a start from rest jumps at 0.
+/// NaN: none.
 double newestJump(const Sliding& sliding, double now) {
   const Motion motion(sliding);
   if (sliding.kind == SlidingKind::Start) return 0;
@@ -74,7 +74,7 @@ double newestJump(const Sliding& sliding, double now) {
   return jumped && !motion.isSmooth() ? motion.jump() : kNotApplicable;
 }
 
-/// Whether a guide will be there at the end: then it is explained from the beginning.
+/// Returns whether there will be a guide at the end: it is then explained from the beginning.
 bool willRelax(const Scene& scene) {
   return lawOf(scene.elastomer).kind() == ElementKind::Kelvin &&
          std::isfinite(newestJump(scene.sliding, scene.sliding.duration));

@@ -1,5 +1,5 @@
-// What happens during a motion as strips over time, one above the other, and where a frame stands
-// on a friction curve. Pure; any thread.
+// A motion as strips over time, one above the other, and the marker of a frame on a friction curve.
+// Pure; any thread.
 #pragma once
 
 #include <span>
@@ -13,47 +13,49 @@
 
 namespace asperity {
 
-/// Velocity, friction with the predicted relaxation over it, indentation and mean contact length
-/// over the scene's whole duration, as far as samples go, with the estimated error of friction as a
-/// band. The status says the predicted rate. spacing, period: of the line, m, so that its ripple is
-/// not magnified; 0: unknown.
+/// Returns velocity, friction with the predicted relaxation, indentation and mean contact length
+/// over the scene's whole duration, as far as there are samples, with the estimated error of
+/// friction as a band. The status shows the predicted rate. spacing, period: of the line, m, so
+/// that its ripple is not magnified; 0: unknown.
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
                             double spacing = 0, double period = 0);
 
-/// Contact fraction as one more strip.
+/// Returns the contact fraction as one more strip.
 Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples);
 
-/// The velocity of a frame and the steady friction of its line; of a motion the magnitude of its
-/// velocity at the moment, its friction then, and both since it began.
+/// Returns a marker at the velocity of a frame and the steady friction of its line; in a motion at
+/// the magnitude of its present velocity and the present friction, with a trace of both since its
+/// beginning.
 DiagramMarker markerOf(const Frame& frame, CurveAxes axes);
 
-/// To dimensionless axes, of the line in a frame.
+/// Returns the factors to dimensionless axes, for the line in a frame.
 AxesFactors factorsOf(const Frame& frame, CurveAxes axes);
 
-/// How friction is about to relax after a jump of the velocity: mu_end + (mu_0 - mu_end)
-/// exp(-integral of (1/tau + |v|/l) dt) from the first sample after the newest jump on, mu_end
-/// being that of the last sample. x: s, y: mu. Empty where the velocity has not jumped, changes all
-/// the time, or friction or rate is not known there.
+/// Returns the expected relaxation of friction after a jump of the velocity: mu_end + (mu_0 -
+/// mu_end) exp(-integral of (1/tau + |v|/l) dt) from the first sample after the newest jump on;
+/// mu_end is that of the last sample. x: s, y: mu. Empty where the velocity has not jumped, changes
+/// continuously, or friction or rate is unknown.
 std::vector<DiagramPoint> relaxationGuide(const Sliding& sliding,
                                           std::span<const TransientSample> samples);
 
-/// The least that the axis of a strip spans, as shares of the value shown. While the line moves by
-/// one node a single element enters or leaves a contact that n = contact length / spacing elements
-/// carry: a ripple of some 1/n in friction and contact length, smaller by the root of the number of
-/// contacts. It is the march's and not the elastomer's, so it must not fill a strip. The
-/// indentation hardly notices: an element enters it with no load.
+/// The minimum span of a strip's axis, relative to the shown value. While the line moves by one
+/// node a single element enters or leaves a contact of n = contact length / spacing elements: this
+/// causes a ripple of about 1/n in friction and contact length, smaller by the root of the number
+/// of contacts. The ripple belongs to the march and not to the elastomer, so it must not fill a
+/// strip. The indentation hardly ripples: an element enters without load.
 struct MinimumSpan {
   double friction = 0, indentation = 0, contactLength = 0;
 };
 
-/// spacing and period of the line in m; 0: not known, nothing is held back.
+/// Returns the minimum spans. spacing and period of the line in m; 0: unknown, there is no minimum.
 MinimumSpan minimumSpan(std::span<const TransientSample> samples, double spacing, double period);
 
 struct AxisEnds {
   double from = 0, to = 1;
 };
 
-/// Ends of an axis for values from low to high with some air, spanning at least this share of them.
+/// Returns the ends of an axis for values from low to high with a margin, spanning at least this
+/// part of them.
 AxisEnds axisEnds(double low, double high, double least);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBatch = "batch";
 
-/// Of a list that is separated by ", ".
+/// Splits a list that is separated by ", ".
 std::vector<std::string> itemsOf(std::string_view list) {
   std::vector<std::string> items;
   while (!list.empty()) {
@@ -25,7 +25,7 @@ std::vector<std::string> itemsOf(std::string_view list) {
   return items;
 }
 
-/// All of the dictionary, then the scene keys, which are columns of a batch that varies them.
+/// Uses the whole dictionary, then the scene keys, which are columns of a batch that varies them.
 template <class Use>
 void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);

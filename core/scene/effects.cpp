@@ -1,7 +1,5 @@
 #include "core/scene/effects.h"
 
-#include <fmt/format.h>
-
 #include "core/base/input_error.h"
 #include "core/material/element_law.h"
 #include "core/scene/parameters.h"

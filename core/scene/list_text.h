@@ -24,20 +24,20 @@ struct ListMember {
 };
 using ArmMember = ListMember<Arm>;
 
-/// Modulus, then relaxation time.
+/// Returns modulus, then relaxation time.
 std::span<const ArmMember> armMembers();
 
-/// Throws InputError that names the member, such as KEY[1].modulus.
+/// Reads a list. Throws InputError that names the member, such as KEY[1].modulus.
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
 
 /// The same of a table of shifts, whose temperatures must rise from row to row.
 std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string& key);
 
-/// Numbers in the shortest form that reads back to the same value.
+/// Returns JSON text with numbers in the shortest form that reads back to the same value.
 std::string textOf(const std::vector<Arm>& arms);
 std::string textOf(const std::vector<ShiftPoint>& table);
 
-/// What a list may hold, in words.
+/// Returns in words what a list may contain.
 Message allowedArms();
 Message allowedShiftTable();
 

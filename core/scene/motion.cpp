@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kTurning = 1e-12;  // of the amplitude of the velocity: rounding
+constexpr double kTurning = 1e-12;  // relative to the amplitude of the velocity: rounding
 
 }  // namespace
 
@@ -29,7 +29,7 @@ double Motion::velocityAt(double time) const {
     const double velocity =
         sliding_.velocity +
         sliding_.amplitude * std::sin(2 * std::numbers::pi * sliding_.frequency * time);
-    // Where the line turns only the last digits of the time would be left.
+    // Near the turning point only rounding errors of the time would remain.
     return std::abs(velocity) > kTurning * sliding_.amplitude ? velocity : 0;
   }
   return jumps() && time >= jump() ? secondVelocity() : sliding_.velocity;
@@ -37,7 +37,7 @@ double Motion::velocityAt(double time) const {
 
 double Motion::distanceAt(double time) const {
   if (sliding_.kind == SlidingKind::Oscillation) {
-    // 1 - cos without cancellation.
+    // This is 1 - cos without cancellation.
     const double half = std::sin(std::numbers::pi * sliding_.frequency * time);
     return sliding_.velocity * time +
            sliding_.amplitude * half * half / (std::numbers::pi * sliding_.frequency);
@@ -48,7 +48,7 @@ double Motion::distanceAt(double time) const {
 
 double Motion::fastest(double from, double to) const {
   if (sliding_.kind == SlidingKind::Oscillation) return sliding_.velocity + sliding_.amplitude;
-  // A stretch that ends at the jump is slid at the velocity before it.
+  // A stretch that ends at the jump has the velocity before it.
   const double first = std::abs(velocityAt(from));
   return jumps() && to > jump() ? std::max(first, std::abs(secondVelocity())) : first;
 }

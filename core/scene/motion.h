@@ -1,6 +1,6 @@
-// How the line moves: velocity and place at any time, exactly, through rest and backwards.
-// Plain value; any thread. Time 0 is where the motion begins; after its duration a motion goes on
-// as it was last, an oscillation for ever.
+// The motion of the line: exact velocity and position at any time, through rest and backwards.
+// Plain value; any thread. The motion begins at time 0; after its duration it continues with the
+// last velocity, and an oscillation continues forever.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -11,17 +11,17 @@ class Motion {
  public:
   explicit Motion(const Sliding& sliding) : sliding_(sliding) {}
 
-  /// m/s, at a time (s); at a jump that after it.
+  /// Returns the velocity at a time (s), m/s; at a jump the one after it.
   double velocityAt(double time) const;
-  /// m, slid from time 0 on.
+  /// Returns the distance slid since time 0, m.
   double distanceAt(double time) const;
-  /// m/s, largest magnitude from one time to another.
+  /// Returns the largest magnitude of the velocity between two times, m/s.
   double fastest(double from, double to) const;
 
-  /// s, where the velocity jumps, or the duration where it does not.
+  /// Returns the time at which the velocity jumps, s, or the duration if it does not.
   double jump() const;
   double duration() const { return sliding_.duration; }
-  /// Whether the velocity changes all the time.
+  /// Returns whether the velocity changes continuously.
   bool isSmooth() const { return sliding_.kind == SlidingKind::Oscillation; }
 
  private:

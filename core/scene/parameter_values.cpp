@@ -1,4 +1,4 @@
-// Values in and out of a scene through the rows of the table.
+// Reads and writes values of a scene through the rows of the table.
 #include <fmt/format.h>
 
 #include <algorithm>

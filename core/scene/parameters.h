@@ -1,6 +1,6 @@
-// The one table of parameters: every scene key is declared in one row of parameters.cpp, and the
-// scene file, --set, the sliders, --help and the README's table all read that row.
-// The table is constant; any thread may read it.
+// The table of parameters: every scene key is declared in one row of parameters.cpp, which the
+// scene file, --set, the sliders, --help and the README's table all use. The table is constant; any
+// thread may read it.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@
 
 namespace asperity {
 
-/// How a slider's places follow each other. LogarithmicFromNone: 0, which means none, then as
-/// Logarithmic.
+/// The scale of a slider. LogarithmicFromNone: the first position is 0, which means none; the
+/// others are logarithmic.
 enum class Scale { Linear, Logarithmic, LogarithmicFromNone };
 
 /// A real number in [minimum, maximum]; sliders cover [sliderFrom, sliderTo] on the given scale.
@@ -47,7 +47,7 @@ struct TextField {
   std::string& (*member)(Scene&);
 };
 
-/// The arms of an elastomer; as a value: a JSON list of {"modulus", "relaxation_time"}.
+/// The arms of an elastomer; their value is a JSON list of {"modulus", "relaxation_time"}.
 struct ArmsField {
   std::vector<Arm>& (*member)(Scene&);
 };
@@ -59,7 +59,8 @@ struct ShiftTableField {
 };
 inline constexpr std::size_t kMostShiftPoints = 1000;
 
-/// What a change asks of a running simulation: go on with the new value, or a new line.
+/// The effect of a change on a running simulation: it continues with the new value, or needs a new
+/// line.
 enum class Change { Live, Rebuild };
 
 /// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
@@ -92,41 +93,41 @@ struct Parameter {
 
 using ParameterValue = std::variant<double, std::int64_t, std::string>;
 
-/// All rows, in the order in which a scene file is written.
+/// Returns all rows, in the order in which a scene file is written.
 std::span<const Parameter> parameters();
 
-/// The row of a key, or null.
+/// Returns the row of a key, or null.
 const Parameter* findParameter(std::string_view key);
 
-/// The known key nearest to `key` by edit distance.
+/// Returns the known key nearest to `key` by edit distance.
 std::string_view nearestKey(std::string_view key);
 
-/// Whether the row has a meaning in this scene (a wedge has no Hurst exponent).
+/// Returns whether the row has a meaning in this scene (a wedge has no Hurst exponent).
 bool isApplicable(const Parameter& parameter, const Scene& scene);
 
-/// Whether its value is a list in JSON: arms, a table of shifts.
+/// Returns whether its value is a list in JSON: arms, a table of shifts.
 bool isList(const Parameter& parameter);
 
-/// The value in the scene; choices as their word, lists as JSON text.
+/// Returns the value in the scene; choices as their word, lists as JSON text.
 ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
 
-/// The value that a new scene has.
+/// Returns the value in a new scene.
 ParameterValue defaultOf(const Parameter& parameter);
 
 /// Sets one value. Throws InputError (core/base/input_error.h) with the key and what is allowed
 /// where the value is of the wrong type, outside its range or not finite.
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 
-/// The same, from text as a person types it ("1e7", "cubic").
+/// Does the same with text as a user types it ("1e7", "cubic").
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
 
-/// Of numbers; nothing for other rows.
+/// Limits of numbers; other rows have none.
 struct AllowedRange {
   double minimum, maximum;  // in the row's unit
 };
 std::optional<AllowedRange> allowedRange(const Parameter& parameter);
 
-/// "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic", "text".
+/// Returns "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic" or "text".
 Message allowedText(const Parameter& parameter);
 
 /// Whether this number of the parameter stands for "as the surface's file says": a 0 of the length

@@ -1,7 +1,5 @@
 #include "core/scene/plan.h"
 
-#include <fmt/format.h>
-
 #include <atomic>
 
 #include "core/material/element_law.h"

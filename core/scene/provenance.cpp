@@ -1,6 +1,7 @@
 #include "core/scene/provenance.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <system_error>
 
@@ -9,6 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/material/material_library.h"
 #include "core/scene/scene_file.h"
 
@@ -17,12 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The bytes at each end of a file that are looked at: every kind of file has its text in one of
-/// them.
+/// The number of bytes that are read at each end of a file: every kind of file has its text at one
+/// of them.
 constexpr std::size_t kEnd = std::size_t{8} << 20;
 constexpr int kDeepest = 16;  // a scene stands in an answer
+constexpr std::string_view kSurfaceFile = "surface.file", kMaterialFile = "elastomer.material";
 
-/// The first and the last bytes of a file, with nothing in between.
+/// Returns the first and the last bytes of a file, with nothing in between.
 std::string endsOf(const RegularFile& file) {
   if (file.size() <= 2 * kEnd) return file.read(0, 2 * kEnd);
   return file.read(0, kEnd) + file.read(file.size() - kEnd, kEnd);
@@ -34,7 +37,8 @@ bool isJson(std::string_view bytes) {
   return first != std::string_view::npos && bytes[first] == '{';
 }
 
-/// ASCII without what XML has to escape, but for quotes; each byte is looked at once.
+/// Returns ASCII without characters that XML must escape, except for quotes; it reads each byte
+/// once.
 std::string withoutMarkup(std::string_view json) {
   std::string line;
   line.reserve(json.size());
@@ -54,38 +58,71 @@ std::string withoutMarkup(std::string_view json) {
   return line;
 }
 
+/// A file that a scene names: its key, its name and what finds the SHA-256 of its content.
+struct NamedFile {
+  std::string_view key;
+  std::string name;
+  std::function<std::string()> digest;
+};
+
+std::vector<NamedFile> namedFiles(const Scene& scene) {
+  std::vector<NamedFile> files;
+  if (hasSurfaceFile(scene.surface) && !scene.surface.file.empty())
+    files.push_back({kSurfaceFile, scene.surface.file,
+                     [&] { return sha256OfFile(scene.folder / scene.surface.file); }});
+  const Elastomer& elastomer = scene.elastomer;
+  if (elastomer.rheology == Rheology::Prony && !elastomer.material.empty())
+    files.push_back({kMaterialFile, elastomer.material, [&] {
+                       return sha256(readMaterialText(elastomer.material, scene.folder).json);
+                     }});
+  return files;
+}
+
+/// Name and SHA-256 of each file that the scene names. A file that cannot be read has none: whoever
+/// needs it says so.
+Json filesOf(const Scene& scene, const Json& canonical) {
+  Json files = Json::object();
+  for (const NamedFile& file : namedFiles(scene)) try {
+      const std::size_t dot = file.key.find('.');
+      const std::string section(file.key.substr(0, dot)), member(file.key.substr(dot + 1));
+      files[std::string(file.key)] = {{"name", canonical[section][member]},
+                                      {"sha256", file.digest()}};
+    } catch (const InputError&) {
+    }
+  return files;
+}
+
+/// Refuses a scene whose file has another content than the one that the answer was made from. Where
+/// there is no file nothing is said: whoever needs it says so. A shipped material may have changed:
+/// the scene has its values.
+void checkFiles(const Json& files, const Scene& scene) {
+  if (!files.is_object()) return;
+  for (const NamedFile& named : namedFiles(scene)) {
+    if (named.key == kMaterialFile && materialFile(named.name, scene.folder).empty()) continue;
+    const auto found = files.find(std::string(named.key));
+    if (found == files.end() || !found->is_object() || !found->contains("sha256")) continue;
+    const Json& digest = (*found)["sha256"];
+    if (!digest.is_string()) continue;
+    const std::string wanted = digest;
+    std::string present;
+    try {
+      present = named.digest();
+    } catch (const InputError&) {
+      continue;
+    }
+    if (present != wanted)
+      throw InputError("", std::string(named.key),
+                       message("{}: it is another file now: its SHA-256 is {}, and the result was "
+                               "made from {}",
+                               named.name, shortened(present), shortened(wanted)));
+  }
+}
+
 /// Null where a curve to a target accuracy has another number at each velocity.
 Json oversamplingOf(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
   const bool isOfCurve = verb == "curve" || verb == "figure" || verb == "accuracy";
   return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
-}
-
-/// The digest of a file's content; null where the file is not there any more.
-template <class Digest>
-Json digestOrNull(const Digest& digest) {
-  try {
-    return digest();
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-/// The files that a scene names, each with the SHA-256 of its content.
-Json filesOf(const Scene& scene) {
-  Json files = Json::array();
-  const auto add = [&](const char* key, const std::string& name, const auto& digest) {
-    if (!name.empty())
-      files.push_back({{"key", key}, {"name", name}, {"sha256", digestOrNull(digest)}});
-  };
-  const std::string& material = scene.elastomer.material;
-  if (hasSurfaceFile(scene.surface))
-    add("surface.file", scene.surface.file,
-        [&] { return sha256OfFile(scene.folder / scene.surface.file); });
-  if (scene.elastomer.rheology == Rheology::Prony)
-    add("elastomer.material", material,
-        [&] { return sha256(readMaterialText(material, scene.folder).json); });
-  return files;
 }
 
 }  // namespace
@@ -103,8 +140,9 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
-  if (Json files = filesOf(scene); !files.empty()) root["files"] = std::move(files);
-  root["scene"] = Json::parse(writeScene(scene));
+  Json canonical = Json::parse(writeScene(scene));
+  if (Json files = filesOf(scene, canonical); !files.empty()) root["files"] = std::move(files);
+  root["scene"] = std::move(canonical);
   return root;
 }
 
@@ -124,7 +162,11 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
   try {
     std::set<std::string> others;
     const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
-    if (scene.is_object()) return {readScene(scene.dump(), name, folder), true};
+    if (scene.is_object()) {
+      FoundScene found{readScene(scene.dump(), name, folder), true};
+      if (others.contains("files")) checkFiles(memberOf(json, "files", kDeepest), found.scene);
+      return found;
+    }
     if (others.contains("scenes"))
       throw InputError("", "", "shows many scenes; open the picture or the table of one of them");
   } catch (const InputError& error) {
@@ -150,13 +192,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Measured in the window, with a rough line under force; good to a factor of two or so.
+// These were measured in the window, with a rough line under force; accurate to a factor of about
+// two.
 constexpr double kBytesPerNode = 150;     // line, its blocks, the march and its frames
-constexpr double kSecondsPerNode = 1e-9;  // of one pass over a line, and a velocity takes six
+constexpr double kSecondsPerNode = 1e-9;  // for one pass over a line; a velocity takes six
 constexpr double kPasses = 6, kPassesOfLine = 40;
-constexpr double kBytesPerRow = 8;  // of a profile's file, at least
+constexpr double kBytesPerRow = 8;  // minimum for a row of a profile's file
 
-/// Links are followed. A name with a zero byte means one file to us and another to the system.
+/// Returns whether the file is in or below the folder; links are followed. A name with a zero byte
+/// would mean another file to the system.
 bool liesBelow(const fs::path& file, const fs::path& folder) {
   if (file.native().find('\0') != std::string::npos) return false;
   std::error_code noFile, noFolder;
@@ -167,7 +211,7 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
 
 double nodesOf(const Scene& scene, const fs::path& file) {
   double elements = static_cast<double>(scene.surface.elements);
-  if (elements == 0) {  // as many as the profile has
+  if (elements == 0) {  // the number comes from the profile
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);
     if (!error) elements = static_cast<double>(size) / kBytesPerRow;
@@ -188,7 +232,9 @@ SceneDemands demandsOf(const Scene& scene) {
     demands.file = materials;
   const double nodes = nodesOf(scene, file);
   const double lines =
-      mayHaveManyLines(scene.surface) ? static_cast<double>(scene.ensemble.realizations) : 1;
+      mayHaveManyLines(scene.surface)
+          ? static_cast<double>(std::max<std::int64_t>(scene.ensemble.realizations, 1))
+          : 1;
   const double passes = kPassesOfLine + kPasses * static_cast<double>(scene.sweep.points);
   const double memory = nodes * kBytesPerNode, seconds = nodes * lines * passes * kSecondsPerNode;
   if (memory > kMemoryUnasked) demands.memory = memory;

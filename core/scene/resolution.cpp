@@ -1,13 +1,13 @@
-// How finely lines are resolved where the scene leaves it open. The choice follows from the scene
-// alone, without a pilot, so that it costs nothing and is the same everywhere.
+// The resolution of lines where the scene leaves it open. The choice depends only on the scene,
+// without a pilot, so that it costs nothing and is the same everywhere.
 //
-// Where the numbers come from: 96 random lines of 5000 elements for each of seven Hurst exponents,
-// seven loads and 17 velocities, contact from 1e-6 of the line to all of it, `cubic` against 32
-// points per element. The friction of one line varies by 5 to 30 % about the mean, and the less the
-// more of the line is in contact; in complete contact all lines agree. The mean over many lines is
-// too low or too high by 0.33 % (H = 0) to 0.05 % (H = 1) at x2, at x4 by a tenth of that. A line
-// takes 12 to 25 % longer at x4 than at x2, which as many more lines would use to lower the
-// standard error: so the finer line pays from where its error exceeds half of the standard error.
+// Source of the numbers: 96 random lines of 5000 elements for each of seven Hurst exponents, seven
+// loads and 17 velocities, contact from 1e-6 of the line to all of it, `cubic` compared with 32
+// points per element. The friction of one line varies by 5 to 30 % about the mean, and less if more
+// of the line is in contact; in complete contact all lines agree. The mean over many lines has an
+// error of 0.33 % (H = 0) to 0.05 % (H = 1) at x2, and a tenth of that at x4. A line takes 12 to 25
+// % longer at x4 than at x2; more lines could use this time to reduce the standard error: so the
+// finer line is better if its error exceeds half of the standard error.
 #include <algorithm>
 #include <cmath>
 
@@ -17,18 +17,19 @@ namespace asperity {
 namespace {
 
 constexpr std::int64_t kPointsOfOneLine = 4;
-/// Straight segments converge at second order only.
+/// Straight segments converge only at second order.
 constexpr std::int64_t kStraightPoints = 8;
 constexpr std::int64_t kMostPoints = std::int64_t{1} << 25;  // of a line: 3 GB
 constexpr double kPartOfStandardError = 0.5;
 
-/// A line of so many elements in memory that a machine has.
+/// Limits the points so that the line fits the memory of usual machines.
 std::int64_t withinMemory(const Scene& scene, std::int64_t points) {
   while (points > 1 && scene.surface.elements * points > kMostPoints) points /= 2;
   return points;
 }
 
-/// What the scene says by itself: a number, the paper's elements, or a target. 0: it is chosen.
+/// Returns the resolution that the scene prescribes: a number, the paper's elements, or a target.
+/// 0: automatic.
 std::int64_t statedPoints(const Scene& scene) {
   const Accuracy& accuracy = scene.accuracy;
   if (accuracy.scheme == Scheme::Nodal) return 1;
@@ -37,11 +38,11 @@ std::int64_t statedPoints(const Scene& scene) {
   return withinMemory(scene, target >= 0.01 ? 4 : target >= 1e-3 ? 8 : 16);
 }
 
-/// Mean depth to which the elastomer is pressed at rest, over the rms height. Contact begins at 0
-/// and is complete above 3 to 4.
+/// Returns the mean depth to which the elastomer is pressed at rest, over the rms height. Contact
+/// begins at 0 and is complete above 3 to 4.
 double depthOverHeight(const Scene& scene) {
   constexpr double kLowestPoint = 3.3;  // rms heights below the mean of a random line
-  constexpr double kDeep = 1e3;         // where nothing carries, and where nothing is rough
+  constexpr double kDeep = 1e3;         // for lines without load and lines without roughness
   const double height = scene.surface.rmsHeight;
   if (!(height > 0)) return kDeep;
   if (scene.load.kind == LoadKind::Indentation)
@@ -55,19 +56,19 @@ double depthOverHeight(const Scene& scene) {
   return force < kDeep * carried ? force / carried : kDeep;
 }
 
-/// Relative standard deviation of the friction of one line at the velocity where it is smallest,
-/// which is low velocity.
+/// Returns the relative standard deviation of the friction of one line at the velocity where it is
+/// smallest, which is a low velocity.
 double spreadOfLines(const Scene& scene) {
   return 0.1 / (1 + 8 * depthOverHeight(scene));
 }
 
-/// Relative error of the mean over many lines.
+/// Returns the relative error of the mean over many lines.
 double errorOfMean(const Scene& scene, std::int64_t points) {
   const double atTwo = 3.4e-3 - 2.6e-3 * scene.surface.hurst;
   return atTwo * std::pow(2 / static_cast<double>(points), 3);
 }
 
-/// Stretches of line that are independent of each other, in all realizations together.
+/// Returns the number of independent stretches of line, in all realizations together.
 double independentLines(const Scene& scene) {
   const Surface& surface = scene.surface;
   const double inOne =
@@ -79,7 +80,7 @@ double independentLines(const Scene& scene) {
 
 std::int64_t pointsPerElement(const Scene& scene) {
   if (const std::int64_t stated = statedPoints(scene); stated > 0) return stated;
-  // Elements that are marched in time know nothing of the segments between them.
+  // Elements that are marched in time do not use the segments between them.
   const bool isMarched = scene.sliding.kind != SlidingKind::Steady;
   const bool isStraight = scene.accuracy.scheme == Scheme::Linear && !isMarched;
   return withinMemory(scene, isStraight ? kStraightPoints : kPointsOfOneLine);

@@ -280,6 +280,17 @@ void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
   assignments.insert(assignments.begin(), values.begin(), values.end());
 }
 
+/// Whether the file says "every row" of a surface that --set has made another kind.
+bool isEveryRow(const Assignment& assignment, const Parameter& row, const Scene& scene,
+                const std::set<std::string_view>& changedKinds) {
+  Scene measured;
+  measured.surface.kind = SurfaceKind::Measured;
+  const bool isZero = assignment.value == ParameterValue(std::int64_t{0});
+  return isZero && assignment.fromFile && !changedKinds.empty() &&
+         isLeftToProfile(row, measured, 0) && !isLeftToProfile(row, scene, 0) &&
+         row.key.starts_with("ensemble.");
+}
+
 /// Kinds come first, because they decide which other keys have a meaning.
 Scene build(std::vector<Assignment> assignments, const std::filesystem::path& folder) {
   Scene scene;
@@ -302,7 +313,8 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
   for (const Assignment& assignment : assignments) {
     const Parameter& row = rowOf(assignment.key);
     const bool applies = isApplicable(row, scene);
-    if (applies && !isChoice(assignment)) apply(assignment, scene);
+    if (applies && !isChoice(assignment) && !isEveryRow(assignment, row, scene, changedKinds))
+      apply(assignment, scene);
     if (applies || isHarmless(assignment)) continue;
     if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
     // A choice of the file's kind was taken before it was known that it has no meaning any more.

@@ -1,7 +1,5 @@
 #include "core/surface/line_source.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

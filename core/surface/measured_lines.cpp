@@ -215,6 +215,9 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
                    plain(usedLength_)));
   }
   periodPoints_ = mirrors ? 2 * usedPoints_ : usedPoints_ - blendPoints_;
+  if (periodPoints_ < static_cast<std::size_t>(kFewestPoints))
+    fail("surface.seam", message("leaves a period of {} points; at least {} are needed",
+                                 periodPoints_, kFewestPoints));
   length_ = static_cast<double>(periodPoints_) * spacing;
 }
 

@@ -22,18 +22,6 @@ std::vector<double> withoutGaps(std::vector<double> heights) {
   return heights;
 }
 
-Message unitText(const UnitFact& unit) {
-  const std::string name = unit.unit.empty() ? "m" : unit.unit;
-  switch (unit.source) {
-    case UnitSource::File:
-      return message("{} as the file states", name);
-    case UnitSource::Choice:
-      return message("{} as chosen", name);
-    default:
-      return message("{}, which is assumed", name);
-  }
-}
-
 std::string_view wordOf(UnitSource source) {
   return source == UnitSource::File ? "file" : source == UnitSource::Choice ? "choice" : "assumed";
 }
@@ -72,7 +60,9 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.used = surfaceValues(profile.used, profile.spacing, processing.longWaveCut);
   summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
   summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
-  std::vector<double> levelled = withoutGaps(profile.raw);
+  std::vector<double> levelled = profile.raw;
+  markOutliers(levelled, processing.outliers, processing.form);
+  interpolateGaps(levelled);
   removeForm(levelled, processing.form);
   summary.band = reliableBand(levelled, profile.spacing, processing.shortWaveCut);
   summary.period = source.length();
@@ -88,25 +78,6 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
 std::vector<Message> factsOf(const MeasuredSummary& summary) {
   const ReadingFacts& facts = summary.facts;
   std::vector<Message> list;
-  if (summary.rows == 1)
-    list.push_back(message("read as {}: a profile of {} points, {} apart", facts.format,
-                           summary.columns, metres(summary.spacing)));
-  else
-    list.push_back(
-        message("read as {}: a topography of {} rows of {} points, {} apart along the "
-                "sliding and {} across",
-                facts.format, summary.rows, summary.columns, metres(summary.spacing),
-                metres(summary.rowSpacing)));
-  if (!facts.positionColumn.empty())
-    list.push_back(message("positions from {}", facts.positionColumn));
-  if (!facts.heightColumn.empty()) list.push_back(message("heights from {}", facts.heightColumn));
-  list.push_back(message("positions in {}; heights in {}", unitText(facts.positionUnit),
-                         unitText(facts.heightUnit)));
-  if (facts.resampled)
-    list.push_back(
-        message("positions are not uniform (by {} % of a step); heights are interpolated",
-                PrintedNumber{printedNumber(100 * facts.spacingVariation)}));
-  if (facts.gaps > 0) list.push_back(message("{} points without a height", facts.gaps));
   for (const Message& note : facts.notes) list.push_back(note);
   if (summary.rowsLeftOut > 0)
     list.push_back(
@@ -129,6 +100,10 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
       summary.isMirrored
           ? message("one period of the line is {} long, twice the profile", metres(summary.period))
           : message("one period of the line is {} long", metres(summary.period)));
+  if (!(summary.band.to > summary.band.from)) {
+    list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
+    return list;
+  }
   list.push_back(
       summary.band.endsInNoise
           ? message("the spectrum is reliable for wavelengths of {} to {}; shorter ones are noise",

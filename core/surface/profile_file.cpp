@@ -1,7 +1,5 @@
 #include "core/surface/profile_file.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -270,8 +270,9 @@ class Table {
       density.waveNumber.push_back(waves_[i]);
       density.density.push_back(densities_[i]);
     }
-    if (!(density.integralTo(density.waveNumber.back()) > 0))
-      throw InputError(name_, "", "has no wave with a strength above 0");
+    const double sum = density.integralTo(density.waveNumber.back());
+    if (!std::isfinite(sum)) throw InputError(name_, "", "is beyond what a number can hold");
+    if (!(sum > 0)) throw InputError(name_, "", "has no wave with a strength above 0");
     return density;
   }
 

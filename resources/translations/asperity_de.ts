@@ -399,6 +399,26 @@
         <source>wrote %1</source>
         <translation>geschrieben: %1</translation>
     </message>
+    <message>
+        <source>raw</source>
+        <translation>roh</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>verwendet</translation>
+    </message>
+    <message>
+        <source>F_N = %1 N on one period; results depend on the width</source>
+        <translation>F_N = %1 N auf eine Periode; Ergebnisse hängen von der Breite ab</translation>
+    </message>
+    <message>
+        <source>F_N = %1 on one period of %2, which is twice the file's; F_N / L = %3</source>
+        <translation>F_N = %1 auf eine Periode von %2, die zweimal die der Datei ist; F_N / L = %3</translation>
+    </message>
+    <message>
+        <source>F_N = %1 on one period of %2; F_N / L = %3</source>
+        <translation>F_N = %1 auf eine Periode von %2; F_N / L = %3</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -1269,6 +1289,18 @@
     <message>
         <source>parameters</source>
         <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>every row</source>
+        <translation>jede Zeile</translation>
+    </message>
+    <message>
+        <source>choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>choose the kind of spectrum</source>
+        <translation>Art des Spektrums wählen</translation>
     </message>
 </context>
 <context>
@@ -2244,7 +2276,7 @@
     </message>
 </context>
 <context>
-    <name>asperity::FrictionChart</name>
+    <name>asperity::FrictionChartModel</name>
     <message>
         <source>v = %1 m/s</source>
         <translation>v = %1 m/s</translation>

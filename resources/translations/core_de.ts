@@ -7,6 +7,10 @@
 <context>
     <name>core</name>
     <message>
+        <source>%1 is not one of %2</source>
+        <translation>%1 ist keines von %2</translation>
+    </message>
+    <message>
         <source>%1 is not %2</source>
         <translation>%1 ist nicht %2</translation>
     </message>
@@ -711,14 +715,6 @@
         <translation>Name der Szene; er steht über ihren Bildern.</translation>
     </message>
     <message>
-        <source>CSV file of position and height, or of heights alone; its path is relative to the scene.</source>
-        <translation>CSV-Datei mit Ort und Höhe oder nur mit Höhen; der Pfad gilt relativ zur Szene.</translation>
-    </message>
-    <message>
-        <source>Elements per period: the shortest wave of a random line is two of them long; a profile without it has one for each row.</source>
-        <translation>Elemente je Periode: Die kürzeste Welle einer Zufallslinie ist zwei davon lang; ein Profil ohne Angabe hat eines je Zeile.</translation>
-    </message>
-    <message>
         <source>First constant of the shift with temperature (Williams, Landel and Ferry).</source>
         <translation>Erste Konstante der Temperaturverschiebung (Williams, Landel und Ferry).</translation>
     </message>
@@ -795,10 +791,6 @@
         <translation>Krümmungsradius im Scheitel der Parabel.</translation>
     </message>
     <message>
-        <source>Random lines that the friction curve is averaged over.</source>
-        <translation>Zufallslinien, über die die Reibungskurve gemittelt wird.</translation>
-    </message>
-    <message>
         <source>Relative error of friction to be reached at every velocity: resolution and number of lines are then chosen by the program; 0: as scheme and realizations say.</source>
         <translation>Relativer Fehler der Reibungszahl, der bei jeder Geschwindigkeit zu erreichen ist: Auflösung und Anzahl der Linien wählt dann das Programm; 0: nach Verfahren und Realisierungen.</translation>
     </message>
@@ -851,10 +843,6 @@
         <translation>Die Gruppe von Szenen, zu der sie gehört.</translation>
     </message>
     <message>
-        <source>The period of the line; a profile without it is as long as its file says.</source>
-        <translation>Periode der Linie; ein Profil ohne Angabe ist so lang, wie seine Datei sagt.</translation>
-    </message>
-    <message>
         <source>The shape of the rigid line.</source>
         <translation>Form der starren Linie.</translation>
     </message>
@@ -877,10 +865,6 @@
     <message>
         <source>Waves longer than this are all equally strong; 0: the roughness is self-affine up to its whole length.</source>
         <translation>Längere Wellen als diese sind alle gleich stark; 0: Die Rauheit ist bis zur ganzen Länge selbstaffin.</translation>
-    </message>
-    <message>
-        <source>What is held constant: the normal force or the indentation.</source>
-        <translation>Was konstant gehalten wird: die Normalkraft oder die Eindringung.</translation>
     </message>
     <message>
         <source>What to look for in the scene.</source>
@@ -2877,6 +2861,942 @@
     <message>
         <source>Prony series</source>
         <translation>Prony-Reihe</translation>
+        <source>row %1 of %2</source>
+        <translation>Zeile %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 raw, %3 used</source>
+        <translation>%1 = %2 roh, %3 verwendet</translation>
+    </message>
+    <message>
+        <source>rms slope of the equivalent line %1</source>
+        <translation>rms-Steigung der gleichwertigen Linie %1</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>too short</source>
+        <translation>zu kurz</translation>
+    </message>
+    <message>
+        <source>too long</source>
+        <translation>zu lang</translation>
+    </message>
+    <message>
+        <source>Measured surface</source>
+        <translation>Gemessene Oberfläche</translation>
+    </message>
+    <message>
+        <source>raw, about its mean</source>
+        <translation>roh, um den Mittelwert</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>verwendet</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>roh</translation>
+    </message>
+    <message>
+        <source>all heights are equal</source>
+        <translation>alle Höhen sind gleich</translation>
+    </message>
+    <message>
+        <source>height z / Rq</source>
+        <translation>Höhe z / Rq</translation>
+    </message>
+    <message>
+        <source>height z / Pq</source>
+        <translation>Höhe z / Pq</translation>
+    </message>
+    <message>
+        <source>Summits are up, as in the file. C(q) is two-sided, h² = 2 ∫ C dq, under a Hann window; tinted: not roughness but the length of the profile, noise or too few points to a wave.</source>
+        <translation>Gipfel sind oben wie in der Datei. C(q) ist zweiseitig, h² = 2 ∫ C dq, mit Hann-Fenster; getönt: nicht Rauheit, sondern die Länge des Profils, Rauschen oder zu wenige Punkte je Welle.</translation>
+    </message>
+    <message>
+        <source>the rms slope of the line is above 0.3: the model takes slopes for small, and beyond this its friction is an estimate</source>
+        <translation>die rms-Steigung der Linie liegt über 0,3: Das Modell nimmt Steigungen als klein an, darüber ist seine Reibung eine Schätzung</translation>
+    </message>
+    <message>
+        <source>few contacts carry the load: results depend on the single summits of this line and on its length</source>
+        <translation>wenige Kontakte tragen die Last: Ergebnisse hängen von den einzelnen Gipfeln dieser Linie und von ihrer Länge ab</translation>
+    </message>
+    <message>
+        <source>sliding excites frequencies outside of those that the elastomer was measured at</source>
+        <translation>das Gleiten regt Frequenzen außerhalb derer an, bei denen das Elastomer gemessen wurde</translation>
+    </message>
+    <message>
+        <source>the temperature lies outside of those that the elastomer was measured at</source>
+        <translation>die Temperatur liegt außerhalb derer, bei denen das Elastomer gemessen wurde</translation>
+    </message>
+    <message>
+        <source>strains are larger than those that the elastomer was measured at</source>
+        <translation>die Dehnungen sind größer als die, bei denen das Elastomer gemessen wurde</translation>
+    </message>
+    <message>
+        <source>the end of the profile does not meet its beginning: the period repeats with a step, which carries load like a sharp edge; surface.seam mirror or blend make none</source>
+        <translation>das Ende des Profils trifft seinen Anfang nicht: Die Periode wiederholt sich mit einer Stufe, die wie eine scharfe Kante Last trägt; surface.seam mirror oder blend machen keine</translation>
+    </message>
+    <message>
+        <source>so much power is dissipated that the elastomer would become warmer, which is not computed</source>
+        <translation>es wird so viel Leistung dissipiert, dass das Elastomer wärmer würde, was nicht berechnet wird</translation>
+    </message>
+    <message>
+        <source>too few elements are in contact for the tangential force, which is the error of their sum</source>
+        <translation>für die Tangentialkraft sind zu wenige Elemente im Kontakt; sie ist der Fehler ihrer Summe</translation>
+    </message>
+    <message>
+        <source>The period of the line; where the line has a file it may be left out and is as long as the file says.</source>
+        <translation>Periode der Linie; hat die Linie eine Datei, kann sie fehlen und ist so lang, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Elements per period: the shortest wave of a random line is two of them long; where the line has a file they may be left out and are as many as the file has.</source>
+        <translation>Elemente je Periode: Die kürzeste Welle einer Zufallslinie ist zwei davon lang; hat die Linie eine Datei, können sie fehlen und sind so viele, wie die Datei hat.</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>File of the line, relative to the scene: a CSV profile of position and height in metres, a measured surface of any kind, or a table of a spectrum.</source>
+        <translation>Datei der Linie, relativ zur Szene: ein CSV-Profil aus Ort und Höhe in Metern, eine gemessene Oberfläche beliebiger Art oder die Tabelle eines Spektrums.</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What the file is taken for; auto: the program finds out and says what it found.</source>
+        <translation>Wofür die Datei genommen wird; auto: Das Programm findet es heraus und sagt, was es fand.</translation>
+    </message>
+    <message>
+        <source>position unit</source>
+        <translation>Einheit des Orts</translation>
+    </message>
+    <message>
+        <source>Unit of positions along the surface; auto: as the file states.</source>
+        <translation>Einheit der Orte entlang der Oberfläche; auto: wie die Datei angibt.</translation>
+    </message>
+    <message>
+        <source>height unit</source>
+        <translation>Einheit der Höhe</translation>
+    </message>
+    <message>
+        <source>Unit of heights; auto: as the file states.</source>
+        <translation>Einheit der Höhen; auto: wie die Datei angibt.</translation>
+    </message>
+    <message>
+        <source>position column</source>
+        <translation>Spalte des Orts</translation>
+    </message>
+    <message>
+        <source>Column of positions, counted from 1; 0: the program finds it.</source>
+        <translation>Spalte der Orte, ab 1 gezählt; 0: Das Programm findet sie.</translation>
+    </message>
+    <message>
+        <source>height column</source>
+        <translation>Spalte der Höhe</translation>
+    </message>
+    <message>
+        <source>Column or channel of heights, counted from 1; 0: the program finds it.</source>
+        <translation>Spalte oder Kanal der Höhen, ab 1 gezählt; 0: Das Programm findet sie.</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Row of a topography that is the line, counted from 1; 0: all rows, each a realization.</source>
+        <translation>Zeile einer Topographie, die die Linie ist, ab 1 gezählt; 0: alle Zeilen, jede eine Realisierung.</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Direction of sliding on a topography: along its rows (x) or across them (y).</source>
+        <translation>Gleitrichtung auf einer Topographie: entlang ihrer Zeilen (x) oder quer dazu (y).</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>Points that were not measured: refused, or interpolated along the row.</source>
+        <translation>Nicht gemessene Punkte: abgelehnt oder entlang der Zeile interpoliert.</translation>
+    </message>
+    <message>
+        <source>outliers</source>
+        <translation>Ausreißer</translation>
+    </message>
+    <message>
+        <source>Heights farther from the form than so many median deviations are replaced by interpolation; 0: all are kept.</source>
+        <translation>Höhen, die weiter als so viele mediane Abweichungen von der Form liegen, werden durch Interpolation ersetzt; 0: alle bleiben.</translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>What is subtracted from each row by least squares: a straight line, nothing, the mean or a parabola.</source>
+        <translation>Was von jeder Zeile nach kleinsten Quadraten abgezogen wird: eine Gerade, nichts, der Mittelwert oder eine Parabel.</translation>
+    </message>
+    <message>
+        <source>short-wave cut</source>
+        <translation>Grenze kurzer Wellen</translation>
+    </message>
+    <message>
+        <source>Cut-off wavelength below which waves are removed: by the Gaussian filter of ISO 16610-21 from a measured surface, sharply from a spectrum; 0: none.</source>
+        <translation>Grenzwellenlänge, unter der Wellen entfernt werden: aus einer gemessenen Oberfläche durch das Gauß-Filter nach ISO 16610-21, aus einem Spektrum scharf; 0: keine.</translation>
+    </message>
+    <message>
+        <source>long-wave cut</source>
+        <translation>Grenze langer Wellen</translation>
+    </message>
+    <message>
+        <source>Cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.</source>
+        <translation>Grenzwellenlänge, über der Wellen ebenso entfernt werden; lange Wellen entscheiden, wo die Last getragen wird, daher hat man für Reibung meist keine; 0: keine.</translation>
+    </message>
+    <message>
+        <source>seam</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>How the ends of the profile meet where its period repeats: mirrored (the period is twice the profile), blended, with random phases, or as they are, which may be a step.</source>
+        <translation>Wie die Enden des Profils sich treffen, wo die Periode sich wiederholt: gespiegelt (die Periode ist zweimal das Profil), überblendet, mit Zufallsphasen oder wie sie sind, was eine Stufe sein kann.</translation>
+    </message>
+    <message>
+        <source>blend length</source>
+        <translation>Überblendung</translation>
+    </message>
+    <message>
+        <source>Stretch over which the end of the profile is blended into its beginning, and by which the period is shorter; 0: a tenth of the profile.</source>
+        <translation>Strecke, auf der das Ende des Profils in seinen Anfang überblendet wird und um die die Periode kürzer ist; 0: ein Zehntel des Profils.</translation>
+    </message>
+    <message>
+        <source>The line that slides: as measured, right for grooves across the sliding; or the isotropic equivalent, C_line = pi q C2, which an isotropic surface needs and which is steeper by about sqrt 2.</source>
+        <translation>Die Linie, die gleitet: wie gemessen, richtig für Rillen quer zum Gleiten; oder die isotrop gleichwertige, C_line = pi q C2, die eine isotrope Oberfläche braucht und die etwa um Wurzel 2 steiler ist.</translation>
+    </message>
+    <message>
+        <source>contact side</source>
+        <translation>Kontaktseite</translation>
+    </message>
+    <message>
+        <source>Which side of the measured surface touches the rubber: its summits (the line is the heights turned over, because the lowest points of a line touch first) or its valleys (the heights as they stand).</source>
+        <translation>Welche Seite der gemessenen Oberfläche den Gummi berührt: ihre Gipfel (die Linie sind die umgedrehten Höhen, weil die tiefsten Punkte einer Linie zuerst berühren) oder ihre Täler (die Höhen, wie sie sind).</translation>
+    </message>
+    <message>
+        <source>kind of spectrum</source>
+        <translation>Art des Spektrums</translation>
+    </message>
+    <message>
+        <source>What the spectrum's numbers are: c1_two_sided (&lt;h^2&gt; = 2 integral C1 dq), c1_one_sided (&lt;h^2&gt; = integral C1 dq) or c2 of an isotropic surface (&lt;h^2&gt; = 2 pi integral C2 q dq); per wave number where the table has that column, else per spatial frequency. It must be stated.</source>
+        <translation>Was die Zahlen des Spektrums sind: c1_two_sided (&lt;h^2&gt; = 2 Integral C1 dq), c1_one_sided (&lt;h^2&gt; = Integral C1 dq) oder c2 einer isotropen Oberfläche (&lt;h^2&gt; = 2 pi Integral C2 q dq); je Wellenzahl, wo die Tabelle diese Spalte hat, sonst je Ortsfrequenz. Sie muss angegeben werden.</translation>
+    </message>
+    <message>
+        <source>What is held constant: the normal force, the indentation or the nominal pressure.</source>
+        <translation>Was konstant gehalten wird: die Normalkraft, die Eindringung oder der nominelle Druck.</translation>
+    </message>
+    <message>
+        <source>nominal pressure</source>
+        <translation>nomineller Druck</translation>
+    </message>
+    <message>
+        <source>Normal force over the area of one period and the width: F_N = p_0 L width.</source>
+        <translation>Normalkraft durch die Fläche aus einer Periode und der Breite: F_N = p_0 L Breite.</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width that turns the nominal pressure into the force on the line; results depend on it; 0: the period, the square of the reduction method.</source>
+        <translation>Breite, die aus dem nominellen Druck die Kraft auf die Linie macht; Ergebnisse hängen von ihr ab; 0: die Periode, das Quadrat der Reduktionsmethode.</translation>
+    </message>
+    <message>
+        <source>Lines that the friction curve is averaged over: random ones, or rows of a measured surface; 0, of rows alone: every row.</source>
+        <translation>Linien, über die die Reibungskurve gemittelt wird: Zufallslinien oder Zeilen einer gemessenen Oberfläche; 0, nur bei Zeilen: jede Zeile.</translation>
+    </message>
+    <message>
+        <source>%1; %2; mirrored, so that the period is twice the file's</source>
+        <translation>%1; %2; gespiegelt, so dass die Periode zweimal die der Datei ist</translation>
+    </message>
+    <message>
+        <source>%1; %2; its end is blended into its beginning</source>
+        <translation>%1; %2; ihr Ende ist in ihren Anfang überblendet</translation>
+    </message>
+    <message>
+        <source>%1; its spectrum with random phases</source>
+        <translation>%1; ihr Spektrum mit Zufallsphasen</translation>
+    </message>
+    <message>
+        <source>%1; %2; repeated as it is</source>
+        <translation>%1; %2; wiederholt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>the indentation that carries %1 Pa on a width of %2 m is sought; results depend on the width</source>
+        <translation>gesucht wird die Eindringung, die %1 Pa auf einer Breite von %2 m trägt; Ergebnisse hängen von der Breite ab</translation>
+    </message>
+    <message>
+        <source>the indentation that carries %1 Pa on the square of the period is sought; results depend on the width</source>
+        <translation>gesucht wird die Eindringung, die %1 Pa auf dem Quadrat der Periode trägt; Ergebnisse hängen von der Breite ab</translation>
+    </message>
+    <message>
+        <source>%1 rows of the measured surface</source>
+        <translation>%1 Zeilen der gemessenen Oberfläche</translation>
+    </message>
+    <message>
+        <source>the isotropic equivalent, C_line = pi q C2, of the measured surface</source>
+        <translation>die isotrop gleichwertige Linie, C_line = pi q C2, der gemessenen Oberfläche</translation>
+    </message>
+    <message>
+        <source>the measured surface as it is along the sliding</source>
+        <translation>die gemessene Oberfläche, wie sie entlang des Gleitens ist</translation>
+    </message>
+    <message>
+        <source>its summits touch</source>
+        <translation>ihre Gipfel berühren</translation>
+    </message>
+    <message>
+        <source>its valleys touch</source>
+        <translation>ihre Täler berühren</translation>
+    </message>
+    <message>
+        <source>waves of the file's spectrum with random phases are summed</source>
+        <translation>Wellen des Spektrums der Datei werden mit Zufallsphasen summiert</translation>
+    </message>
+    <message>
+        <source>every row of the measured surface</source>
+        <translation>jede Zeile der gemessenen Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1 is not above surface.short_wave_cut, %2</source>
+        <translation>%1 ist nicht größer als surface.short_wave_cut, %2</translation>
+    </message>
+    <message>
+        <source>%1 m, the longest wave of the spectrum, is outside %2</source>
+        <translation>%1 m, die längste Welle des Spektrums, liegt nicht in %2</translation>
+    </message>
+    <message>
+        <source>%1 m with %2 elements carries no wave of the spectrum, whose waves are %3 to %4 m long</source>
+        <translation>%1 m mit %2 Elementen trägt keine Welle des Spektrums, dessen Wellen %3 bis %4 m lang sind</translation>
+    </message>
+    <message>
+        <source>leaves no wave of the spectrum</source>
+        <translation>lässt keine Welle des Spektrums übrig</translation>
+    </message>
+    <message>
+        <source>%1 m is less than two points of the file, which are %2 m apart</source>
+        <translation>%1 m ist weniger als zwei Punkte der Datei, die %2 m Abstand haben</translation>
+    </message>
+    <message>
+        <source>%1 is outside 0 to 1; the file has a single profile</source>
+        <translation>%1 liegt nicht in 0 bis 1; die Datei hat ein einziges Profil</translation>
+    </message>
+    <message>
+        <source>%1 is outside 0 to %2, the rows of the file</source>
+        <translation>%1 liegt nicht in 0 bis %2, den Zeilen der Datei</translation>
+    </message>
+    <message>
+        <source>refuse: row %1 has %2 points without a height, the first is point %3; interpolate fills them</source>
+        <translation>refuse: Zeile %1 hat %2 Punkte ohne Höhe, der erste ist Punkt %3; interpolate füllt sie</translation>
+    </message>
+    <message>
+        <source>has no row with %1 measured points or more</source>
+        <translation>hat keine Zeile mit %1 oder mehr gemessenen Punkten</translation>
+    </message>
+    <message>
+        <source>%1 is more than the single profile of the file; 0 is every row</source>
+        <translation>%1 ist mehr als das einzige Profil der Datei; 0 heißt jede Zeile</translation>
+    </message>
+    <message>
+        <source>%1 is more than the %2 rows of the file; 0 is every row</source>
+        <translation>%1 ist mehr als die %2 Zeilen der Datei; 0 heißt jede Zeile</translation>
+    </message>
+    <message>
+        <source>%1 m is more than the period of %2 m that the file gives with this seam</source>
+        <translation>%1 m ist mehr als die Periode von %2 m, die die Datei mit dieser Naht ergibt</translation>
+    </message>
+    <message>
+        <source>%1 m has less than %2 points of the file</source>
+        <translation>%1 m hat weniger als %2 Punkte der Datei</translation>
+    </message>
+    <message>
+        <source>%1 m is more than half of the profile, which is %2 m long</source>
+        <translation>%1 m ist mehr als die Hälfte des Profils, das %2 m lang ist</translation>
+    </message>
+    <message>
+        <source>row %1 has no measured point within %2 m</source>
+        <translation>Zeile %1 hat keinen gemessenen Punkt innerhalb von %2 m</translation>
+    </message>
+    <message>
+        <source>along_y needs a topography; the file has a single profile</source>
+        <translation>along_y braucht eine Topographie; die Datei hat ein einziges Profil</translation>
+    </message>
+    <message>
+        <source>%1 rows with fewer than three heights are left out</source>
+        <translation>%1 Zeilen mit weniger als drei Höhen sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>shown is row %1; %2 rows are lines</source>
+        <translation>gezeigt ist Zeile %1; %2 Zeilen sind Linien</translation>
+    </message>
+    <message>
+        <source>%1 gaps and %2 outliers are interpolated</source>
+        <translation>%1 Lücken und %2 Ausreißer sind interpoliert</translation>
+    </message>
+    <message>
+        <source>the line is the isotropic equivalent, C_line = pi q C2; its rms slope is %1 times that of the surface as measured</source>
+        <translation>die Linie ist die isotrop gleichwertige, C_line = pi q C2; ihre rms-Steigung ist %1-mal die der Oberfläche wie gemessen</translation>
+    </message>
+    <message>
+        <source>one period of the line is %1 long, twice the profile</source>
+        <translation>eine Periode der Linie ist %1 lang, zweimal das Profil</translation>
+    </message>
+    <message>
+        <source>one period of the line is %1 long</source>
+        <translation>eine Periode der Linie ist %1 lang</translation>
+    </message>
+    <message>
+        <source>the spectrum is reliable for wavelengths of %1 to %2; shorter ones are noise</source>
+        <translation>das Spektrum ist für Wellenlängen von %1 bis %2 verlässlich; kürzere sind Rauschen</translation>
+    </message>
+    <message>
+        <source>the spectrum is reliable for wavelengths of %1 to %2, as far as the tip was sharper than these</source>
+        <translation>das Spektrum ist für Wellenlängen von %1 bis %2 verlässlich, soweit die Spitze schärfer war als diese</translation>
+    </message>
+    <message>
+        <source>the line is the surface as measured</source>
+        <translation>die Linie ist die Oberfläche wie gemessen</translation>
+    </message>
+    <message>
+        <source>the line is turned over, because the summits touch</source>
+        <translation>die Linie ist umgedreht, weil die Gipfel berühren</translation>
+    </message>
+    <message>
+        <source>the line is not turned over: the valleys touch</source>
+        <translation>die Linie ist nicht umgedreht: die Täler berühren</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is not a unit of %3; allowed is %4, with mm, um or nm as well</source>
+        <translation>Zeile %1: %2 ist keine Einheit von %3; erlaubt ist %4, auch mit mm, um oder nm</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>has %1 fields; %2 are needed</source>
+        <translation>hat %1 Felder; %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>'%1' is not a finite number</source>
+        <translation>'%1' ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not above 0</source>
+        <translation>%1 ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>the spectrum %1 is below 0</source>
+        <translation>das Spektrum %1 ist kleiner als 0</translation>
+    </message>
+    <message>
+        <source>has %1 rows; at least 2 are needed</source>
+        <translation>hat %1 Zeilen; mindestens 2 sind nötig</translation>
+    </message>
+    <message>
+        <source>has two rows for the wave number %1 1/m</source>
+        <translation>hat zwei Zeilen für die Wellenzahl %1 1/m</translation>
+    </message>
+    <message>
+        <source>has no wave with a strength above 0</source>
+        <translation>hat keine Welle mit einer Stärke über 0</translation>
+    </message>
+    <message>
+        <source>is beyond what a number can hold</source>
+        <translation>ist mehr, als eine Zahl fassen kann</translation>
+    </message>
+    <message>
+        <source>a spectrum is a table whose header names wave_number, spatial_frequency or wavelength, and the spectrum in another column</source>
+        <translation>ein Spektrum ist eine Tabelle, deren Kopf wave_number, spatial_frequency oder wavelength nennt, und das Spektrum in einer anderen Spalte</translation>
+    </message>
+    <message>
+        <source>is missing; a measured surface needs a file</source>
+        <translation>fehlt; eine gemessene Oberfläche braucht eine Datei</translation>
+    </message>
+    <message>
+        <source>is missing; a spectrum needs a file</source>
+        <translation>fehlt; ein Spektrum braucht eine Datei</translation>
+    </message>
+    <message>
+        <source>is missing; allowed is one of c1_two_sided, c1_one_sided, c2</source>
+        <translation>fehlt; erlaubt ist eines von c1_two_sided, c1_one_sided, c2</translation>
+    </message>
+    <message>
+        <source>%1: it is another file now: its SHA-256 is %2, and the result was made from %3</source>
+        <translation>%1: ist jetzt eine andere Datei: ihr SHA-256 ist %2, und das Ergebnis kam aus %3</translation>
+    </message>
+    <message>
+        <source>the profile is too short, or too noisy, for a spectrum that can be relied on</source>
+        <translation>das Profil ist zu kurz oder zu verrauscht für ein Spektrum, auf das man sich verlassen kann</translation>
+        <source>is %1, not a table of numbers as text</source>
+        <translation>ist %1, keine Zahlentabelle als Text</translation>
+    </message>
+    <message>
+        <source>has no rows of numbers</source>
+        <translation>hat keine Zeilen mit Zahlen</translation>
+    </message>
+    <message>
+        <source>has more than %1 numbers</source>
+        <translation>hat mehr als %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>line %1: has %2 fields where the lines before have %3</source>
+        <translation>Zeile %1: hat %2 Felder, die Zeilen davor haben %3</translation>
+    </message>
+    <message>
+        <source>line %1: column %2 is not a number</source>
+        <translation>Zeile %1: Spalte %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>ends too early: %1 bytes are needed from byte %2 on, and %3 are there</source>
+        <translation>endet zu früh: ab Byte %2 werden %1 Bytes gebraucht, und %3 sind da</translation>
+    </message>
+    <message>
+        <source>the header has no %1</source>
+        <translation>im Kopf fehlt %1</translation>
+    </message>
+    <message>
+        <source>%1 in the header is not a number above 0</source>
+        <translation>%1 im Kopf ist keine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>is not a %1 file</source>
+        <translation>ist keine %1-Datei</translation>
+    </message>
+    <message>
+        <source>the header of the %1 file has no end</source>
+        <translation>der Kopf der %1-Datei hat kein Ende</translation>
+    </message>
+    <message>
+        <source>byte %1: the text has no end</source>
+        <translation>Byte %1: der Text hat kein Ende</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not known</source>
+        <translation>%1 %2 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the file has %1 channels</source>
+        <translation>die Datei hat %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>has no channel of heights</source>
+        <translation>hat keinen Kanal mit Höhen</translation>
+    </message>
+    <message>
+        <source>The channel &apos;%1&apos; is read, the file has %2; surface.height_column chooses another.</source>
+        <translation>Gelesen wird der Kanal &apos;%1&apos;, die Datei hat %2; surface.height_column wählt einen anderen.</translation>
+    </message>
+    <message>
+        <source>The channel has a mask, which is not used.</source>
+        <translation>Der Kanal hat eine Maske, die nicht benutzt wird.</translation>
+    </message>
+    <message>
+        <source>cannot be converted: there is no temporary folder</source>
+        <translation>lässt sich nicht umwandeln: es gibt keinen Ordner für Zwischendateien</translation>
+    </message>
+    <message>
+        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read without it</source>
+        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte), X3P, SDF, SUR, PRO, GSF und GWY werden ohne es gelesen</translation>
+    </message>
+    <message>
+        <source>cannot be converted: Gwyddion does not start</source>
+        <translation>lässt sich nicht umwandeln: Gwyddion startet nicht</translation>
+    </message>
+    <message>
+        <source>cannot be converted: Gwyddion has not ended within %1 s</source>
+        <translation>lässt sich nicht umwandeln: Gwyddion war nach %1 s nicht fertig</translation>
+    </message>
+    <message>
+        <source>is of a kind that Gwyddion does not read either</source>
+        <translation>ist von einer Art, die auch Gwyddion nicht liest</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file states no unit of positions, and in metres it would be %2 m long</source>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file does not say how far its points are apart, and they are taken as one unit apart</source>
+        <translation>wird gebraucht (%1): die Datei sagt nicht, wie weit ihre Punkte auseinander liegen, und es gilt eine Einheit</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file states no unit of heights, and in metres the rms slope would be %2</source>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Höhen, und in Metern wäre die mittlere Steigung %2</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the file states no unit of positions, and in metres the rms slope would be %2</source>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre die mittlere Steigung %2</translation>
+    </message>
+    <message>
+        <source>has %1 points along x; at least %2 are needed</source>
+        <translation>hat %1 Punkte in x-Richtung; mindestens %2 werden gebraucht</translation>
+    </message>
+    <message>
+        <source>its points are no length above 0 apart</source>
+        <translation>der Abstand ihrer Punkte ist keine Länge über 0</translation>
+    </message>
+    <message>
+        <source>has no heights, only gaps</source>
+        <translation>hat keine Höhen, nur Lücken</translation>
+    </message>
+    <message>
+        <source>has lengths or heights beyond %1 m</source>
+        <translation>hat Längen oder Höhen über %1 m</translation>
+    </message>
+    <message>
+        <source>a profile as text</source>
+        <translation>Profil in Textform</translation>
+    </message>
+    <message>
+        <source>a matrix of heights as text</source>
+        <translation>Matrix von Höhen in Textform</translation>
+    </message>
+    <message>
+        <source>points x, y, z as text</source>
+        <translation>Punkte x, y, z in Textform</translation>
+    </message>
+    <message>
+        <source>a file that Gwyddion has converted</source>
+        <translation>von Gwyddion umgewandelte Datei</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2 points, %3 apart.</source>
+        <translation>Gelesen als %1: %2 Punkte im Abstand von %3.</translation>
+    </message>
+    <message>
+        <source>Read as %1: %2 x %3 points, %4 and %5 apart.</source>
+        <translation>Gelesen als %1: %2 x %3 Punkte im Abstand von %4 und %5.</translation>
+    </message>
+    <message>
+        <source>Positions are %1, heights %2.</source>
+        <translation>Orte sind %1, Höhen %2.</translation>
+    </message>
+    <message>
+        <source>Positions are %1 and %2, heights %3.</source>
+        <translation>Orte sind %1 und %2, Höhen %3.</translation>
+    </message>
+    <message>
+        <source>Positions are in %1, as the file states.</source>
+        <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Positions are in %1, as the scene says.</source>
+        <translation>Die Orte sind in %1, wie die Szene sagt.</translation>
+    </message>
+    <message>
+        <source>The file states no unit of positions: they are taken as metres.</source>
+        <translation>Die Datei nennt keine Einheit der Orte: sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>Heights are in %1, as the file states.</source>
+        <translation>Die Höhen sind in %1, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Heights are in %1, as the scene says.</source>
+        <translation>Die Höhen sind in %1, wie die Szene sagt.</translation>
+    </message>
+    <message>
+        <source>The file states no unit of heights: they are taken as metres.</source>
+        <translation>Die Datei nennt keine Einheit der Höhen: sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>The file does not say how far its points are apart: one unit of positions.</source>
+        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
+    </message>
+    <message>
+        <source>%1 points have no height.</source>
+        <translation>%1 Punkte haben keine Höhe.</translation>
+    </message>
+    <message>
+        <source>text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read</source>
+        <translation>gelesen werden Text (Profile, Matrizen, Punkte), X3P, SDF, SUR, PRO, GSF und GWY</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 points; at most %3 are read</source>
+        <translation>hat %1 x %2 Punkte; höchstens %3 werden gelesen</translation>
+    </message>
+    <message>
+        <source>ends too early: %1 x %2 points need %3 bytes, and %4 are there</source>
+        <translation>endet zu früh: %1 x %2 Punkte brauchen %3 Bytes, und %4 sind da</translation>
+    </message>
+    <message>
+        <source>the axis %1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
+        <translation>die Achse %1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is compressed, which %1 files are not read with</source>
+        <translation>ist gepackt; gepackte %1-Dateien werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1 in the header is not a number</source>
+        <translation>%1 im Kopf ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1: ends after %2 of %3 heights</source>
+        <translation>Zeile %1: endet nach %2 von %3 Höhen</translation>
+    </message>
+    <message>
+        <source>line %1: height %2 is not a number</source>
+        <translation>Zeile %1: Höhe %2 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1: has more than the %2 heights that the header says</source>
+        <translation>Zeile %1: hat mehr als die %2 Höhen, die der Kopf nennt</translation>
+    </message>
+    <message>
+        <source>the packed heights of the %1 file cannot be unpacked</source>
+        <translation>die gepackten Höhen der %1-Datei lassen sich nicht auspacken</translation>
+    </message>
+    <message>
+        <source>has %1 bits a point; 16 or 32 are read</source>
+        <translation>hat %1 Bit je Punkt; gelesen werden 16 oder 32</translation>
+    </message>
+    <message>
+        <source>The first of %1 objects in the file is read.</source>
+        <translation>Gelesen wird das erste von %1 Objekten in der Datei.</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>column %1 &apos;%2&apos;</source>
+        <translation>Spalte %1 &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>the file has %1 columns</source>
+        <translation>die Datei hat %1 Spalten</translation>
+    </message>
+    <message>
+        <source>is the column of the positions, too; they need one each</source>
+        <translation>ist auch die Spalte der Orte; beide brauchen eine eigene</translation>
+    </message>
+    <message>
+        <source>The first row and the first column are positions.</source>
+        <translation>Die erste Zeile und die erste Spalte sind Orte.</translation>
+    </message>
+    <message>
+        <source>%1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
+        <translation>%1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
+    </message>
+    <message>
+        <source>points need three columns: x, y and z</source>
+        <translation>Punkte brauchen drei Spalten: x, y und z</translation>
+    </message>
+    <message>
+        <source>the points do not lie on a grid of uniform rows and columns</source>
+        <translation>die Punkte liegen auf keinem Gitter aus gleichabständigen Zeilen und Spalten</translation>
+    </message>
+    <message>
+        <source>line %1: the position is missing</source>
+        <translation>Zeile %1: der Ort fehlt</translation>
+    </message>
+    <message>
+        <source>line %1: there is a point at this position already</source>
+        <translation>Zeile %1: an diesem Ort gibt es schon einen Punkt</translation>
+    </message>
+    <message>
+        <source>has no column of heights</source>
+        <translation>hat keine Spalte mit Höhen</translation>
+    </message>
+    <message>
+        <source>%1 says which points are valid; the others are gaps.</source>
+        <translation>%1 sagt, welche Punkte gültig sind; die anderen sind Lücken.</translation>
+    </message>
+    <message>
+        <source>Heights are %1, the first of %2 columns that could be; surface.height_column chooses another.</source>
+        <translation>Höhen sind %1, die erste von %2 möglichen Spalten; surface.height_column wählt eine andere.</translation>
+    </message>
+    <message>
+        <source>The file has %1 tables of numbers; the largest one, from line %2 on, is read.</source>
+        <translation>Die Datei hat %1 Zahlentabellen; gelesen wird die größte, ab Zeile %2.</translation>
+    </message>
+    <message>
+        <source>%1 places have no row in the file and are taken as gaps.</source>
+        <translation>%1 Orte haben keine Zeile in der Datei und gelten als Lücken.</translation>
+    </message>
+    <message>
+        <source>Positions are not uniform (steps differ by up to %1 %): heights are interpolated linearly onto %2 uniform places.</source>
+        <translation>Die Orte sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Orte umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Positions fall from row to row: the profile is turned round.</source>
+        <translation>Die Orte fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
+    </message>
+    <message>
+        <source>line %1: the position goes back; positions must rise or fall all along</source>
+        <translation>Zeile %1: der Ort springt zurück; Orte müssen durchweg steigen oder durchweg fallen</translation>
+    </message>
+    <message>
+        <source>%1 rows repeat a position: the mean of their heights is taken.</source>
+        <translation>%1 Zeilen wiederholen einen Ort: es gilt der Mittelwert ihrer Höhen.</translation>
+    </message>
+    <message>
+        <source>all positions are the same</source>
+        <translation>alle Orte sind gleich</translation>
+    </message>
+    <message>
+        <source>is not a whole %1 archive</source>
+        <translation>ist kein vollständiges %1-Archiv</translation>
+    </message>
+    <message>
+        <source>has no file &apos;%1&apos; in its archive</source>
+        <translation>hat in seinem Archiv keine Datei &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in its archive is larger than the %2 bytes allowed</source>
+        <translation>&apos;%1&apos; im Archiv ist größer als die erlaubten %2 Bytes</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in its archive cannot be unpacked</source>
+        <translation>&apos;%1&apos; im Archiv lässt sich nicht auspacken</translation>
+    </message>
+    <message>
+        <source>main.xml has no %1</source>
+        <translation>in main.xml fehlt %1</translation>
+    </message>
+    <message>
+        <source>main.xml: %1 is neither %2</source>
+        <translation>main.xml: %1 ist nichts von %2</translation>
+    </message>
+    <message>
+        <source>main.xml: %1 is not a number</source>
+        <translation>main.xml: %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>main.xml: %1 is not a number above 0</source>
+        <translation>main.xml: %1 ist keine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>is a cloud of points (PCL); only profiles and surfaces on a grid are read</source>
+        <translation>ist eine Punktwolke (PCL); gelesen werden nur Profile und Flächen auf einem Gitter</translation>
+    </message>
+    <message>
+        <source>main.xml: byte %1: is not valid XML</source>
+        <translation>main.xml: Byte %1: ist kein gültiges XML</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; in its archive does not have the MD5 that the file states</source>
+        <translation>&apos;%1&apos; im Archiv hat nicht die MD5, die die Datei nennt</translation>
+    </message>
+    <message>
+        <source>The first of %1 layers is read.</source>
+        <translation>Gelesen wird die erste von %1 Schichten.</translation>
+    </message>
+    <message>
+        <source>is a list of points without a grid; only profiles and surfaces on a grid are read</source>
+        <translation>ist eine Liste von Punkten ohne Gitter; gelesen werden nur Profile und Flächen auf einem Gitter</translation>
+    </message>
+    <message>
+        <source>main.xml: datum %1 has %2 numbers where %3 are needed</source>
+        <translation>main.xml: Datum %1 hat %2 Zahlen, gebraucht werden %3</translation>
+    </message>
+    <message>
+        <source>main.xml: datum %1 is not a number</source>
+        <translation>main.xml: Datum %1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>main.xml: has %1 points where %2 are needed</source>
+        <translation>main.xml: hat %1 Punkte, gebraucht werden %2</translation>
+    </message>
+    <message>
+        <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
+        <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
+    </message>
+    <message>
+        <source>leaves a period of %1 points; at least %2 are needed</source>
+        <translation>lässt eine Periode von %1 Punkten; mindestens %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>c2</source>
+        <translation>C2</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>x3p</source>
+        <translation>X3P</translation>
+    </message>
+    <message>
+        <source>valleys</source>
+        <translation>Täler</translation>
+    </message>
+    <message>
+        <source>unstated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>um</source>
+        <translation>µm</translation>
+    </message>
+    <message>
+        <source>sur</source>
+        <translation>SUR</translation>
+    </message>
+    <message>
+        <source>summits</source>
+        <translation>Gipfel</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>sdf</source>
+        <translation>SDF</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>random-phases</source>
+        <translation>Zufallsphasen</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>periodic</source>
+        <translation>periodisch</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>nm</source>
+        <translation>nm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>spiegeln</translation>
     </message>
     <message>
         <source>measured</source>
@@ -3033,6 +3953,72 @@
     <message>
         <source>Amplitude of the strain with which the elastomer was measured. 0: not known.</source>
         <translation>Amplitude der Verformung, mit der das Elastomer gemessen wurde. 0: nicht bekannt.</translation>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>isotropic-equivalent</source>
+        <translation>isotrop gleichwertig</translation>
+    </message>
+    <message>
+        <source>interpolate</source>
+        <translation>interpolieren</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>gwyddion</source>
+        <translation>Gwyddion</translation>
+    </message>
+    <message>
+        <source>gwy</source>
+        <translation>GWY</translation>
+    </message>
+    <message>
+        <source>gsf</source>
+        <translation>GSF</translation>
+    </message>
+    <message>
+        <source>c1-two-sided</source>
+        <translation>C1 zweiseitig</translation>
+    </message>
+    <message>
+        <source>c1-one-sided</source>
+        <translation>C1 einseitig</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>überblenden</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>as-measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>along-y</source>
+        <translation>längs y</translation>
+    </message>
+    <message>
+        <source>along-x</source>
+        <translation>längs x</translation>
+    </message>
+    <message>
+        <source>row %1 of %2</source>
+        <translation>Zeile %1 von %2</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittelwert</translation>
     </message>
 </context>
 <context>
@@ -3352,6 +4338,34 @@
     <message>
         <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
         <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+    </message>
+    <message>
+        <source>Tyre on asphalt</source>
+        <translation>Reifen auf Asphalt</translation>
+    </message>
+    <message>
+        <source>Rubber on sandpaper</source>
+        <translation>Gummi auf Schleifpapier</translation>
+    </message>
+    <message>
+        <source>Shoe on concrete</source>
+        <translation>Schuh auf Beton</translation>
+    </message>
+    <message>
+        <source>Everyday surfaces</source>
+        <translation>Oberflächen des Alltags</translation>
+    </message>
+    <message>
+        <source>Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths of some millimetres are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm), the pressure is that of a car tyre, and the height, the moduli near the glass transition and the width of 2 mm that turns pressure into force are an example; shorter waves, with which slopes are not small any more, are left out.</source>
+        <translation>Jeder Stein wird nur an seiner Vorderseite berührt: Der Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
+    </message>
+    <message>
+        <source>Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides, at some centimetres a second it is met from the front alone. Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1); the height, low enough that slopes stay small, and the rubber with its one relaxation time are an example.</source>
+        <translation>Ändern Sie die Geschwindigkeit: Langsam füllt der Gummi die Täler hinter jeder Spitze und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde wird er nur von vorn getroffen. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und der Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
+    </message>
+    <message>
+        <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
+        <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
     </message>
 </context>
 </TS>

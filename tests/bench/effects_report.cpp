@@ -111,13 +111,13 @@ Scene sceneOf(const Law& law, Scheme scheme, LoadKind load, bool hasInterface) {
 /// 16 velocities, each balanced, on the scene's line.
 std::function<Work()> steadyWork(const Scene& scene) {
   const Line line = LineSource(scene, pointsPerElement(scene)).make(0);
-  const auto travel =
+  const auto profile =
       std::make_shared<PreparedProfile>(prepareProfile(line, scene.accuracy.scheme));
   const auto sliding = std::make_shared<SteadySolver>(scene);
-  return [travel, sliding, load = scene.load] {
+  return [profile, sliding, load = scene.load] {
     const std::vector<double> velocities = logarithmic(0.01, 1, 16);
     std::vector<SteadyResult> results(velocities.size());
-    sliding->sweep(*travel, load, velocities, results);
+    sliding->sweep(*profile, load, velocities, results);
     Work work{static_cast<double>(kElements) * 16};
     for (const SteadyResult& result : results) {
       work.passes += result.passes / 16.0;

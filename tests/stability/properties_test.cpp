@@ -73,8 +73,8 @@ std::string complaintAbout(const Scene& scene) {
     const LineSource source(scene, pointsPerElement(scene));
     const SteadySolver sliding(scene);
     const Line line = source.make(0);
-    const PreparedProfile travel = prepareProfile(line, scene.accuracy.scheme);
-    const SteadyState state = sliding.at(travel, scene.sliding.velocity);
+    const PreparedProfile profile = prepareProfile(line, scene.accuracy.scheme);
+    const SteadyState state = sliding.at(profile, scene.sliding.velocity);
     if (isRefused(state.result)) return "";
     if (!std::isfinite(state.result.mu) && state.result.normalForce > 0)
       return "mu is not a number";

@@ -7,7 +7,7 @@ namespace asperity {
 
 namespace {
 
-constexpr double kNarrowest = 0.1, kWidest = 60;  // decades
+constexpr double kNarrowest = 0.1, kWidest = 60;  // decades, of a zoomed axis
 
 double fraction(double place, const AxisRange& range) {
   return (place - range.from) / (range.isEmpty() ? 1 : range.size());
@@ -38,7 +38,7 @@ bool isFinite(QPointF at) {
   return std::isfinite(at.x()) && std::isfinite(at.y());
 }
 
-/// The nearest drawn point of a diagram's curves, the upper one where they lie on each other.
+/// Finds the nearest drawn point of a diagram's curves; the upper one where two coincide.
 void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isSlim, QPointF place,
                ChartTarget& target) {
   double nearest = kPointReach * geometry.scale;
@@ -65,11 +65,11 @@ void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF pla
       target.span = static_cast<int>(i);
 }
 
-/// Whether the straight line between two places on the axes passes through the window.
-bool crosses(const ChartWindow& window, QPointF a, QPointF b) {
+/// Returns whether the straight line between two positions on the axes passes through the range.
+bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
   const double ax = a.x(), ay = a.y();
   const double dx = b.x() - ax, dy = b.y() - ay;
-  double from = 0, to = 1;  // the part of it within the ends of both axes
+  double from = 0, to = 1;  // the part of the line within both axes
   const auto cut = [&](double start, double way, const AxisRange& range) {
     if (way == 0) {
       if (start < range.from || start > range.to) to = -1;
@@ -86,8 +86,8 @@ bool crosses(const ChartWindow& window, QPointF a, QPointF b) {
 
 }  // namespace
 
-QPointF ChartGeometry::at(double along, double up) const {
-  return {xOf(along), yOf(up)};
+QPointF ChartGeometry::at(double xValue, double yValue) const {
+  return {xOf(xValue), yOf(yValue)};
 }
 
 double ChartGeometry::xOf(double value) const {
@@ -136,14 +136,14 @@ ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const Diagram
 
 ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place) {
   const QRectF& area = geometry.area;
-  const bool isAlong = place.x() >= area.left() && place.x() <= area.right();
-  const bool isUp = place.y() >= area.top() && place.y() <= area.bottom();
-  return {isAlong && place.y() >= area.top(), isUp && place.x() <= area.right()};
+  const bool isWithinX = place.x() >= area.left() && place.x() <= area.right();
+  const bool isWithinY = place.y() >= area.top() && place.y() <= area.bottom();
+  return {isWithinX && place.y() >= area.top(), isWithinY && place.x() <= area.right()};
 }
 
-ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
+VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
   const QRectF& area = geometry.area;
-  ChartWindow window{geometry.x, geometry.y};
+  VisibleRange window{geometry.x, geometry.y};
   if (axes.x && area.width() > 0) {
     const double at =
         geometry.x.from + (about.x() - area.left()) / area.width() * geometry.x.size();
@@ -157,18 +157,18 @@ ChartWindow zoomed(const ChartGeometry& geometry, QPointF about, double factor, 
   return window;
 }
 
-ChartWindow panned(const ChartGeometry& geometry, QPointF by) {
+VisibleRange panned(const ChartGeometry& geometry, QPointF by) {
   const QRectF& area = geometry.area;
   if (!(area.width() > 0) || !(area.height() > 0)) return {geometry.x, geometry.y};
   return {moved(geometry.x, -by.x() / area.width() * geometry.x.size()),
           moved(geometry.y, by.y() / area.height() * geometry.y.size())};
 }
 
-ChartWindow heldWithin(const ChartWindow& window, const ChartWindow& whole) {
+VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole) {
   return {held(window.x, whole.x), held(window.y, whole.y)};
 }
 
-bool showsCurves(const ChartWindow& window, const Diagram& diagram) {
+bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
   for (const DiagramSeries& series : diagram.series) {
     std::vector<QPointF> places;
     for (const DiagramPoint& point : series.points)

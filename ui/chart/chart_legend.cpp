@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kSide = 16;
 constexpr double kSample = 22;    // width of a sample of a mark, pixels
-constexpr double kSampleGap = 6;  // between it and its name
-constexpr double kCross = 16;     // that lets a pinned curve go
+constexpr double kSampleGap = 6;  // between a sample and its name
+constexpr double kCross = 16;     // of the button that unpins a curve
 constexpr double kGap = 18;       // between entries
 constexpr int kMostRows = 3;
 constexpr int kMostLines = 2;  // of one entry
 
-/// A text that is too long for its room, broken after commas.
+/// Breaks a text that is too long for its space into lines, after commas.
 QStringList brokenInto(const QString& text, double room, const QFontMetricsF& metrics) {
   QStringList lines(1);
   const QStringList parts = text.split(QStringLiteral(", "));
@@ -56,8 +56,8 @@ void ChartLegend::show(const DiagramSheet& sheet, const ChartLook& look) {
   update();
 }
 
-/// The present curve's, then theory, the marker, the curves of other diagrams, and the pinned in
-/// their order.
+/// Returns the entries: the present curve, theory, the marker, the curves of other diagrams, and
+/// the pinned curves in their order.
 std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
   std::vector<Entry> first, theory, marker, others, pinned;
   for (const Diagram& diagram : sheet_.diagrams) {
@@ -108,7 +108,8 @@ double ChartLegend::statusWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(QString::fromStdString(sheet_.status.text));
 }
 
-/// Entries in rows; the first one ends at the status. The last place says how many found none.
+/// Arranges the entries in rows; the first row ends at the status. The last place shows how many
+/// entries did not fit.
 void ChartLegend::arrange() {
   const QFontMetricsF metrics(font());
   const double height = metrics.height() + 6;
@@ -155,7 +156,7 @@ void ChartLegend::arrange() {
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
 }
 
-/// The whole of a name, which may be shortened, and what a click does.
+/// Returns the full name, which may be shortened, and the effect of a click.
 QString ChartLegend::tipAt(QPointF place) const {
   for (const Entry& entry : entries_) {
     if (!entry.box.contains(place)) continue;
@@ -215,7 +216,7 @@ void ChartLegend::paintEvent(QPaintEvent*) {
   for (const Entry& entry : entries_) paintEntry(painter, entry);
 }
 
-/// At the right end of the first row.
+/// Paints the status at the right end of the first row.
 void ChartLegend::paintStatus(QPainter& painter) const {
   const QFontMetricsF metrics(font());
   painter.setPen(look_.faintText());

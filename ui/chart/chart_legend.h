@@ -1,5 +1,6 @@
-// The lines above an interactive chart: what each mark means, and how far the work is. A pinned
-// curve's entry lets it go when it is clicked. As many rows as are needed, up to a few. GUI thread.
+// The lines above an interactive chart: the meaning of each mark, and the progress of the work. A
+// click on a pinned curve's entry unpins it. There are as many rows as needed, up to a limit. GUI
+// thread.
 #pragma once
 
 #include <QStringList>
@@ -20,14 +21,14 @@ class ChartLegend : public QWidget {
 
   void show(const DiagramSheet& sheet, const ChartLook& look);
 
-  /// Where the entry of a pinned curve is; empty where it is not shown.
+  /// Returns the rectangle of a pinned curve's entry; empty where it is not shown.
   QRectF placeOf(int id) const;
-  /// Its text as it is broken into lines.
+  /// Returns the lines of a pinned curve's entry.
   QStringList linesOf(int id) const;
 
  signals:
   void unpinWanted(int id);
-  void entered();  // the pointer came from the plot, which does not see it leave
+  void entered();  // emitted when the pointer comes from the plot, which gets no leave event
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -41,7 +42,7 @@ class ChartLegend : public QWidget {
  private:
   struct Entry {
     QString text;
-    QStringList lines{};   // of it; the last one shortened where there is no room
+    QStringList lines{};   // of the text; the last one is shortened where it does not fit
     DiagramSeries series;  // without its points
     bool hasSample = true, hasBars = false, isMarker = false;
     QRectF box{};

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kDot = 6;       // radius of the marker's dot
 constexpr double kTipPad = 7;    // around a reading's text
-constexpr double kTipAway = 14;  // from its place
-constexpr double kRing = 7.5;    // around a point that is read
+constexpr double kTipAway = 14;  // from the point to its reading
+constexpr double kRing = 7.5;    // radius, around the point that is read
 
 }  // namespace
 
@@ -40,7 +40,7 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
              label_;
 }
 
-/// The way that the marker came, as far as it has a place.
+/// Makes the trace of the marker from the points that have a place on the axes.
 void MarkerItem::layTrace() {
   trace_.clear();
   bool draws = false;
@@ -63,7 +63,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   paintTrace(*painter);
   if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
   painter->setFont(look_.font);
-  const double sharp = std::floor(lineX_) + 0.5;  // covers whole pixels
+  const double sharp = std::floor(lineX_) + 0.5;  // the line covers whole pixels
   painter->setPen(QPen(look_.marker(), 1.5 * geometry_.scale));
   painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
   QColor halo = look_.background();
@@ -92,7 +92,7 @@ void MarkerItem::paintTrace(QPainter& painter) const {
   painter.restore();
 }
 
-/// Beside its place, on the side where there is room.
+/// Shows the text beside its point, on the side where it fits.
 void TipItem::show(const QString& text, QPointF place, bool ringed, const QRectF& room,
                    const ChartLook& look) {
   prepareGeometryChange();

@@ -1,5 +1,5 @@
-// What lies over a chart and moves with the pointer, apart from the rest so that it costs little:
-// the marker, and the reading of what is pointed at. Graphics items; GUI thread.
+// Items over a chart that move with the pointer. They are separate from the chart, so that a
+// movement repaints little: the marker, and the reading of a point. Graphics items; GUI thread.
 #pragma once
 
 #include <QGraphicsItem>
@@ -15,7 +15,8 @@ class MarkerItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
-  /// lineX: where the line stands while it is dragged, ahead of its dot; NaN: at the marker.
+  /// lineX: position of the line while it is dragged and the dot has not followed yet; NaN: at the
+  /// marker.
   void update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
               double lineX, const ChartLook& look);
   QRectF boundingRect() const override { return bounds_; }
@@ -33,7 +34,7 @@ class MarkerItem : public QGraphicsItem {
   QRectF bounds_, label_;
 };
 
-/// A few lines of text beside a place, which gets a ring where it is a point.
+/// A few lines of text beside a place; a point also gets a ring.
 class TipItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;

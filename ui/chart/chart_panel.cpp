@@ -22,16 +22,16 @@ namespace asperity {
 
 namespace {
 
-// Between the grid (2), the axes (3) and the series (4) of a chart.
+// Depths between the grid (2), the axes (3) and the series (4) of a chart.
 constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
 
 constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
 constexpr double kTheory = 2, kCurve = 1.6, kBar = 1.3;
 constexpr double kCap = 3.5;   // half the width of an error bar's caps
 constexpr double kAside = 4;   // pixels between a shade's edges and its name
-constexpr double kLeft = 6;    // from the edge to a title at the left
-constexpr double kBelow = 8;   // from the frame to the title below it, beside the labels
-constexpr double kBeside = 8;  // from the frame to a title at its right
+constexpr double kLeft = 6;    // from the edge to a title on the left
+constexpr double kBelow = 8;   // from the frame to the title below it, including the labels
+constexpr double kBeside = 8;  // from the frame to a title on its right
 constexpr double kBandOpacity = 0.2;
 
 QColor mixed(const QColor& a, const QColor& b, double share) {
@@ -45,7 +45,7 @@ bool isDark(const Theme& theme) {
   return colourOf(theme.background).lightness() < 128;
 }
 
-/// Fonts of the ticks, as the layout of pictures wants them.
+/// Returns the font sizes of the ticks, in the form that the layout of pictures uses.
 DiagramSizes sizesOf(const ChartLook& look) {
   DiagramSizes sizes;
   sizes.unit = static_cast<float>(look.scale());
@@ -60,10 +60,10 @@ double markSizeOf(const DiagramSeries& series, double room, const ChartLook& loo
   return look.scale() * std::clamp(0.84 * apart / look.scale(), kSmallestMark, kMarkSize);
 }
 
-/// A mark with its rim, as an image for a QScatterSeries.
+/// Returns a mark with its rim as an image for a QScatterSeries.
 QImage imageOf(SeriesMark mark, double size, const QColor& colour, const QColor& rim,
                double* side) {
-  constexpr int kFiner = 4;  // pixels of the image to one of the screen
+  constexpr int kFiner = 4;  // image pixels per screen pixel
   const int across = static_cast<int>(std::ceil(1.5 * size)) + 4;
   *side = across;
   QImage image(kFiner * across, kFiner * across, QImage::Format_ARGB32_Premultiplied);
@@ -123,7 +123,7 @@ double ChartLook::line() const {
 }
 
 double markScale(const QFont& font) {
-  constexpr double kUsual = 17;  // pixels, a line of a desktop's letters
+  constexpr double kUsual = 17;  // pixels, height of a usual line of text on a desktop
   return std::max(1.0, QFontMetricsF(font).height() / kUsual);
 }
 
@@ -138,7 +138,9 @@ void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) 
 }
 
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap) {
-  const auto sharp = [](double pixel) { return std::floor(pixel) + 0.5; };  // covers whole pixels
+  const auto sharp = [](double pixel) {
+    return std::floor(pixel) + 0.5;
+  };  // the line covers whole pixels
   const double middle = sharp(x);
   painter.drawLine(QPointF(middle, top), QPointF(middle, bottom));
   for (const double y : {sharp(top), sharp(bottom)})
@@ -153,21 +155,21 @@ QPen strokeOf(const DiagramSeries& series, const ChartLook& look) {
   return pen;
 }
 
-/// Regions with their names, tints, the grid and the titles of the axes.
+/// Paints regions with their names, shades, the grid and the titles of the axes.
 class ChartPanel::UnderItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
   void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-            const TickedAxis& along, const TickedAxis& up, bool saysAlong, double titleBeside) {
+            const TickedAxis& xAxis, const TickedAxis& yAxis, bool hasXLabels, double titleBeside) {
     prepareGeometryChange();
     spans_ = diagram.spans;
     shades_ = diagram.shades;
     map_ = map;
     look_ = look;
-    along_ = along;
-    up_ = up;
-    saysAlong_ = saysAlong;
+    xAxis_ = xAxis;
+    yAxis_ = yAxis;
+    hasXLabels_ = hasXLabels;
     titleBeside_ = titleBeside;
     const double edge = kFrameEdge * map.scale;
     frame_ = map.area.adjusted(-edge, 0, edge, 0);
@@ -193,8 +195,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   QString cutTitle() const {
-    const QString title = QString::fromStdString(along_.title);
-    return saysAlong_ && titleAlong() != title ? title : QString();
+    const QString title = QString::fromStdString(xAxis_.title);
+    return hasXLabels_ && xTitle() != title ? title : QString();
   }
 
  private:
@@ -239,8 +241,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setOpacity(1);
   }
 
-  /// Lines on whole pixels: smoothed ones between pixels would be dull, and take most of the time
-  /// that painting a diagram takes.
+  /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
+  /// the time that painting a diagram takes.
   void paintGrid(QPainter& painter) const {
     const auto upright = [this](double place) {
       const double part = (place - map_.x.from) / map_.x.size();
@@ -253,11 +255,11 @@ class ChartPanel::UnderItem : public QGraphicsItem {
       return QLineF(frame_.left(), y, frame_.right(), y);
     };
     QList<QLineF> fine, whole;
-    for (const double place : along_.minor) fine += upright(place);
-    if (up_.scale == AxisScale::Logarithmic)
-      for (const double place : up_.minor) fine += level(place);
-    for (const AxisTick& tick : along_.ticks) whole += upright(tick.value);
-    for (const AxisTick& tick : up_.ticks) whole += level(tick.value);
+    for (const double place : xAxis_.minor) fine += upright(place);
+    if (yAxis_.scale == AxisScale::Logarithmic)
+      for (const double place : yAxis_.minor) fine += level(place);
+    for (const AxisTick& tick : xAxis_.ticks) whole += upright(tick.value);
+    for (const AxisTick& tick : yAxis_.ticks) whole += level(tick.value);
     const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(look_.fineGrid(), 1));
@@ -270,24 +272,24 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
   }
 
-  QString titleAlong() const {
+  QString xTitle() const {
     return QFontMetricsF(look_.font)
-        .elidedText(QString::fromStdString(along_.title), Qt::ElideRight, frame_.width());
+        .elidedText(QString::fromStdString(xAxis_.title), Qt::ElideRight, frame_.width());
   }
 
   void paintTitles(QPainter& painter) const {
     const double line = look_.line();
     painter.setPen(look_.text());
-    if (saysAlong_)
+    if (hasXLabels_)
       painter.drawText(QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line),
-                       Qt::AlignCenter | Qt::TextDontClip, titleAlong());
+                       Qt::AlignCenter | Qt::TextDontClip, xTitle());
     if (titleBeside_ > 0)
       return painter.drawText(QRectF(frame_.right() + kBeside, frame_.top() - line, titleBeside_,
                                      frame_.height() + 2 * line),
                               Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-                              QString::fromStdString(up_.title));
+                              QString::fromStdString(yAxis_.title));
     const FittedTitle title =
-        fittedTitle(up_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
+        fittedTitle(yAxis_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
     painter.save();
     QFont font = look_.font;
     font.setPixelSize(static_cast<int>(title.size));
@@ -302,13 +304,13 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   std::vector<DiagramSpan> spans_, shades_;
   ChartGeometry map_;
   ChartLook look_;
-  TickedAxis along_, up_;
-  bool saysAlong_ = true;
+  TickedAxis xAxis_, yAxis_;
+  bool hasXLabels_ = true;
   double titleBeside_ = 0;
   QRectF frame_;
 };
 
-/// Error bars, and why there is nothing to see.
+/// Paints error bars, or the reason why there are no curves.
 class ChartPanel::OverItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -324,7 +326,7 @@ class ChartPanel::OverItem : public QGraphicsItem {
       Bars bars{look.of(series), series.isFaded ? kFadedOpacity : 1, {}};
       for (const DiagramPoint& point : series.points) {
         if (!hasPlace(diagram, point) || !(point.high > point.low)) continue;
-        const double low = map.yOf(point.low);  // may have no place: then down to the axis
+        const double low = map.yOf(point.low);  // may have no place; the bar then reaches the axis
         bars.lines += QLineF(map.xOf(point.x), map.yOf(point.high), map.xOf(point.x),
                              std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
       }
@@ -365,7 +367,7 @@ class ChartPanel::OverItem : public QGraphicsItem {
   struct Bars {
     QColor colour;
     double opacity = 1;
-    QList<QLineF> lines;  // from high to low
+    QList<QLineF> lines;  // from the high end to the low end
   };
   std::vector<Bars> bars_;
   ChartGeometry map_;
@@ -403,28 +405,29 @@ QString ChartPanel::cutTitle() const {
 }
 
 void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-                      bool saysAlong, double titleBeside) {
+                      bool hasXLabels, double titleBeside) {
   const double edge = kFrameEdge * map.scale;
   const QRectF frame = map.area.adjusted(-edge, 0, edge, 0);
   const QRectF whole(chart_->scene()->sceneRect());
   if (chart_->geometry() != whole || chart_->plotArea() != frame) {
     chart_->setGeometry(whole);
     chart_->setPlotArea(frame);
-    // The library leaves its axes behind until something else makes it lay them out.
+    // The library does not move its axes until something else makes it do the layout.
     chart_->layout()->invalidate();
     chart_->layout()->activate();
   }
   const DiagramSizes sizes = sizesOf(look);
-  const TickedAxis along =
-      tickedAlong(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
-  const TickedAxis up = tickedUp(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
-  x_->setLabelsVisible(saysAlong);
+  const TickedAxis xAxis =
+      tickedXAxis(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
+  const TickedAxis yAxis =
+      tickedYAxis(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
+  x_->setLabelsVisible(hasXLabels);
   for (QCategoryAxis* axis : {x_, y_}) lookAt(*axis, look);
   const double beyond = map.x.size() * edge / std::max(1.0, map.area.width());
-  showAxis(*x_, along, {map.x.from - beyond, map.x.to + beyond});
-  showAxis(*y_, up, map.y);
+  showAxis(*x_, xAxis, {map.x.from - beyond, map.x.to + beyond});
+  showAxis(*y_, yAxis, map.y);
   showSeries(diagram, map, look);
-  under_->show(diagram, map, look, along, up, saysAlong, titleBeside);
+  under_->show(diagram, map, look, xAxis, yAxis, hasXLabels, titleBeside);
   over_->show(diagram, map, look);
 }
 
@@ -436,7 +439,7 @@ void ChartPanel::lookAt(QCategoryAxis& axis, const ChartLook& look) {
   if (axis.linePen() != pen) axis.setLinePen(pen);
 }
 
-/// Only what has changed: laying an axis out is dear.
+/// Updates only what has changed: the layout of an axis takes much time.
 void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range) {
   QStringList labels;
   for (const AxisTick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
@@ -449,7 +452,7 @@ void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const A
     axis.append(labels[static_cast<qsizetype>(i)], ticked.ticks[i].value);
 }
 
-/// Bands first, then theory, then the data, as in pictures.
+/// Shows bands first, then theory, then the data, as in pictures.
 void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
                             const ChartLook& look) {
   linesUsed_ = marksUsed_ = bandsUsed_ = 0;
@@ -476,7 +479,7 @@ void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
   for (std::size_t i = bandsUsed_; i < bands_.size(); ++i) bands_[i]->hide();
 }
 
-/// One stretch of a curve without gaps.
+/// Shows one part of a curve without gaps.
 void ChartPanel::showRun(const DiagramSeries& series, const QList<QPointF>& run,
                          const ChartLook& look) {
   if (series.stroke == SeriesStroke::None || run.size() < 2) return;
@@ -543,7 +546,8 @@ QLineSeries& ChartPanel::nextLine() {
   return *lines_[linesUsed_++];
 }
 
-/// Its own items, one for each point, are hidden: the images are drawn in one go.
+/// Returns an unused series of marks. The image of a mark is drawn for all points at once, and the
+/// library's own items, one for each point, are hidden.
 QScatterSeries& ChartPanel::nextMarks() {
   if (marksUsed_ == marks_.size()) {
     marks_.push_back(added(new QScatterSeries));

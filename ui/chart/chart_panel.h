@@ -2,12 +2,12 @@
 // curves (QLineSeries), marks (QScatterSeries) and bands (QAreaSeries), whose points are replaced
 // when the diagram changes. What Qt Charts cannot do is painted here, in two items under and over
 // the series, for these reasons:
-// - ticks: its logarithmic axis drops those between decades, and has no labels of our kind. So the
+// - ticks: its logarithmic axis has none between decades, and cannot have our labels. Therefore the
 //   axes hold decimal logarithms (or plain values) under the labels that every picture has.
-// - the grid: a QCategoryAxis has no lines between its labels, and lines between pixels are dull.
-// - regions: it shades whole stretches between labels, and names none.
+// - the grid: a QCategoryAxis has no lines between its labels, and lines between pixels are faint.
+// - regions: it shades whole intervals between labels, and does not name them.
 // - error bars: its lines do not break, so that each bar would need a series of its own.
-// - titles: they are cut where they have room.
+// - titles: they are cut even where there is enough space.
 // GUI thread.
 #pragma once
 
@@ -32,7 +32,8 @@ class QScatterSeries;
 
 namespace asperity {
 
-/// How a chart looks: the colours of its theme, and letters, with which marks and pens grow.
+/// The appearance of a chart: the colours of its theme and its font; marks and pens grow with the
+/// font.
 struct ChartLook {
   Theme theme = lightTheme();
   QFont font{};
@@ -44,31 +45,31 @@ struct ChartLook {
   QColor axis() const;
   QColor grid() const;      // at labels
   QColor fineGrid() const;  // between them
-  QColor span() const;      // every other region
-  QColor shade() const;     // a tint, with its transparency
+  QColor span() const;      // of every second region
+  QColor shade() const;     // a translucent tint
   QColor marker() const;
   QColor of(const DiagramSeries& series) const;
   double scale() const;  // at least 1
   double line() const;   // pixels, height of a line of text
 };
 
-/// Opacity of what belongs to a state that is over.
+/// Opacity of objects that belong to an earlier state.
 inline constexpr double kFadedOpacity = 0.3;
 
-/// Pixels, times the scale, that a frame reaches beyond the ends of its axis along, so that marks
-/// there are whole.
+/// Length in pixels, times the scale, by which a frame extends beyond the ends of its x-axis, so
+/// that marks there are complete.
 inline constexpr double kFrameEdge = 6;
 
-/// How much larger than usual the letters are, at least 1: marks and pens grow with them.
+/// Returns the size of the font relative to the usual one, at least 1; marks and pens grow with it.
 double markScale(const QFont& font);
 
-/// The marks of pictures, filled with the painter's brush; `size`: across.
+/// Paints a mark as in pictures, filled with the painter's brush. `size`: its width.
 void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size);
 
-/// From `top` to `bottom` with caps, with the painter's pen.
+/// Paints an error bar from `top` to `bottom` with caps, with the painter's pen.
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap);
 
-/// The pen of a curve.
+/// Returns the pen of a curve.
 QPen strokeOf(const DiagramSeries& series, const ChartLook& look);
 
 class ChartPanel {
@@ -78,10 +79,10 @@ class ChartPanel {
   ChartPanel(const ChartPanel&) = delete;
   ChartPanel& operator=(const ChartPanel&) = delete;
 
-  /// saysAlong: labels and title of the axis along stand below; titleBeside: the title of the other
-  /// one stands at the right in this many pixels; 0: upright at the left.
+  /// hasXLabels: labels and title of the x-axis are drawn below. titleBeside: the title of the
+  /// y-axis is on the right and this many pixels wide; 0: it is upright on the left.
   void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look,
-            bool saysAlong, double titleBeside);
+            bool hasXLabels, double titleBeside);
 
   /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.
   QString cutTitle() const;
@@ -103,9 +104,9 @@ class ChartPanel {
   template <class Series>
   Series* added(Series* series);
 
-  QChart* chart_;  // owned by the scene
+  QChart* chart_;  // owned by the graphics scene
   QCategoryAxis *x_, *y_;
-  // Owned by the chart; the first ones are in use.
+  // The chart owns these; the first ones of each list are in use.
   std::vector<QLineSeries*> lines_;
   std::vector<QScatterSeries*> marks_;
   std::vector<QAreaSeries*> bands_;

@@ -26,16 +26,16 @@ namespace asperity {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kOverlayDepth = 100;  // over everything in the charts
-constexpr double kSmall = 20;          // pixels, of a frame that has no room
-constexpr double kLeastLines = 1.8;    // lines of text that a strip has room for, at least
-constexpr std::size_t kStrips = 3;     // so many diagrams have their titles beside them
-constexpr double kBesideGap = 8;       // on either side of those
-constexpr double kMostBeside = 0.2;    // of the width, for titles in one line
-constexpr double kWheel = 1.25;        // for one notch of the wheel
+constexpr double kOverlayDepth = 100;  // above everything in the charts
+constexpr double kSmall = 20;          // pixels, of a frame that does not fit
+constexpr double kLeastLines = 1.8;    // minimum height of a strip, in lines of text
+constexpr std::size_t kStrips = 3;     // from this number of diagrams on, titles are beside them
+constexpr double kBesideGap = 8;       // on either side of those titles
+constexpr double kMostBeside = 0.2;    // part of the width for titles in one line, at most
+constexpr double kWheel = 1.25;        // factor of one notch of the wheel
 constexpr double kKeyZoom = 1.5;
-constexpr double kKeyStep = 0.05;  // decades for a key
-constexpr double kFinely = 0.1;    // of a drag or a key's step, with Shift
+constexpr double kKeyStep = 0.05;  // decades per key press
+constexpr double kFinely = 0.1;    // factor of a drag or key step with Shift
 
 double notches(const QWheelEvent& event) {
   return event.angleDelta().y() / 120.0;
@@ -63,7 +63,7 @@ ChartView::ChartView(QWidget* parent)
   view_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   view_->setFocusPolicy(Qt::NoFocus);
   view_->viewport()->setFocusPolicy(Qt::NoFocus);
-  view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // gestures are this widget's
+  view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles gestures
   setMouseTracking(true);
   connect(legend_, &ChartLegend::unpinWanted, this, &ChartView::unpinWanted);
   connect(legend_, &ChartLegend::entered, this, [this] {
@@ -131,15 +131,15 @@ bool ChartView::hasMarker() const {
 }
 
 /// Returns the axes of the first diagram as its sheet has them, without zoom.
-ChartWindow ChartView::whole() const {
+VisibleRange ChartView::whole() const {
   if (sheet_.diagrams.empty()) return {};
-  const AxisRange along = rangeAlong(sheet_.diagrams[0]);
-  return {along, rangeUp(sheet_.diagrams[0], along)};
+  const AxisRange x = xRange(sheet_.diagrams[0]);
+  return {x, yRange(sheet_.diagrams[0], x)};
 }
 
-ChartWindow ChartView::window() const {
+VisibleRange ChartView::visibleRange() const {
   if (zoom_) return *zoom_;
-  ChartWindow all = whole();
+  VisibleRange all = whole();
   if (held_) all.x = *held_;
   return all;
 }
@@ -174,13 +174,13 @@ void ChartView::showFocus(bool shows) {
   if (std::exchange(look_.showsFocus, shows) != shows) showAll();
 }
 
-/// Out of sight nothing is laid out until it is seen again.
+/// Updates everything. A hidden view waits until it is visible again.
 void ChartView::showAll() {
   isDue_ = !isVisible();
   if (isDue_) return;
   look_.font = font();
   legend_->show(sheet_, look_);
-  layout()->activate();  // what the legend takes is not the charts' any more
+  layout()->activate();  // the charts must not cover the legend
   view_->scene()->setSceneRect(0, 0, view_->width(), view_->height());
   placeFrames();
   while (panels_.size() > frames_.size()) panels_.pop_back();
@@ -191,13 +191,13 @@ void ChartView::showAll() {
     panels_[i]->show(sheet_.diagrams[i], frames_[i], look_, i + 1 == frames_.size(), beside);
   updateMarker();
   if (hover_ && gesture_ == Gesture::None)
-    read(*hover_);  // what lies there may be another now
+    read(*hover_);  // another object may be there now
   else
     tip_->clear();
 }
 
-/// Strips are too low for upright titles: theirs stand beside them, in one line each where that
-/// leaves most of the width to the strips, else word by word.
+/// Returns the width of titles beside strips, which are too low for upright titles. A title has one
+/// line where that leaves most of the width to the strips, else one line for each word.
 double ChartView::besideWidth() const {
   if (sheet_.diagrams.size() < kStrips) return 0;
   const QFontMetricsF metrics(font());
@@ -213,8 +213,8 @@ double ChartView::besideWidth() const {
   return std::ceil(whole < kMostBeside * width() ? whole : words) + 2;
 }
 
-/// Fixed by the size of the texts that may come, so that the frames do not move while they are
-/// zoomed.
+/// Places the frames. The margins depend only on the largest possible texts, so that the frames do
+/// not move while they are zoomed.
 void ChartView::placeFrames() {
   frames_.clear();
   const std::vector<Diagram>& diagrams = sheet_.diagrams;
@@ -225,7 +225,7 @@ void ChartView::placeFrames() {
   const double beside = besideWidth();
   const double left =
       12 + (beside > 0 ? 0 : line) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
-  // At the right half of the label at the end of the axis, or the titles.
+  // The right margin holds half of the label at the end of the x-axis, or the titles.
   const double half = metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4;
   const double right = beside > 0 ? beside + 2 * kBesideGap : std::max(18.0, half);
   const double above = diagrams[0].spans.empty() ? 9 : names + 2;
@@ -239,7 +239,7 @@ void ChartView::placeFrames() {
     return std::floor((room - static_cast<double>(count - 1) * gap) * diagrams[i].height / share);
   };
   while (count > 1 && heightOf(count - 1) < kLeastLines * line) share -= diagrams[--count].height;
-  const ChartWindow shown = window();
+  const VisibleRange shown = visibleRange();
   const double width = view_->width() - left - right;
   double top = above;
   for (std::size_t i = 0; i < count; ++i) {
@@ -248,7 +248,7 @@ void ChartView::placeFrames() {
     if (!(width > kSmall && map.area.height() > kSmall)) map.area.setSize({kSmall, kSmall});
     map.area.adjust(edge, 0, -edge, 0);
     map.x = shown.x;
-    map.y = i == 0 ? shown.y : rangeUp(diagrams[i], shown.x);
+    map.y = i == 0 ? shown.y : yRange(diagrams[i], shown.x);
     map.xScale = diagrams[i].x.scale;
     map.yScale = diagrams[i].y.scale;
     map.names = names;
@@ -293,14 +293,14 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-/// On both axes or on one, as long as there is something to see.
+/// Pans on both axes or on one, as long as a curve stays visible.
 void ChartView::pan(QPointF by) {
   if (frames_.empty()) return;
   const ChartGeometry map = frames_[0];
   const Diagram& diagram = sheet_.diagrams[0];
-  const bool isEmpty = !showsCurves(window(), diagram);
+  const bool isEmpty = !showsCurves(visibleRange(), diagram);
   for (const QPointF way : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
-    const ChartWindow next = heldWithin(panned(map, way), whole());
+    const VisibleRange next = heldWithin(panned(map, way), whole());
     if (isEmpty || showsCurves(next, diagram)) return setZoom(next);
   }
 }
@@ -366,10 +366,10 @@ void ChartView::fit() {
   setZoom(std::nullopt);
 }
 
-void ChartView::setZoom(const std::optional<ChartWindow>& wanted) {
+void ChartView::setZoom(const std::optional<VisibleRange>& wanted) {
   const bool isZoomable =
       !sheet_.diagrams.empty() && sheet_.diagrams[0].x.scale == AxisScale::Logarithmic;
-  std::optional<ChartWindow> window = isZoomable ? wanted : std::nullopt;
+  std::optional<VisibleRange> window = isZoomable ? wanted : std::nullopt;
   if (window) window = heldWithin(*window, whole());
   if (window == zoom_) return;
   const bool was = isZoomed();
@@ -378,7 +378,7 @@ void ChartView::setZoom(const std::optional<ChartWindow>& wanted) {
   if (was != isZoomed()) emit zoomChanged(isZoomed());
 }
 
-/// What lies under the pointer, in words, and the shape of the pointer that goes with it.
+/// Shows a reading of the object under the pointer, and the matching shape of the pointer.
 void ChartView::read(QPointF place) {
   const ChartTarget target = targetAt(frames_, sheet_, place);
   if (target.isMarker)
@@ -420,7 +420,8 @@ void ChartView::gripMarker(QPointF place, bool finely) {
   gripsFinely_ = finely;
 }
 
-/// Finely the marker goes a part of the pointer's way, from where it is.
+/// Moves the marker. With `finely` it moves by a part of the pointer's distance, from its present
+/// place.
 void ChartView::dragMarker(QPointF place, bool finely) {
   const ChartGeometry map = frames_[0];
   if (finely != gripsFinely_) {

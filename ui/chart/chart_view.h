@@ -1,11 +1,11 @@
-// A sheet of diagrams that a person can point into: the friction curve, and a motion in time. Shows
-// the diagrams one under the other over their common axis, by Qt Charts (chart_panel.h); as many
-// from the first on as have room.
-// Pointer: the marker is dragged (with Shift at a tenth of the pace); a click takes a point; the
-// wheel zooms (over an axis' labels that axis alone), dragging pans, a double click fits. Keys:
+// An interactive sheet of diagrams: the friction curve, or a motion over time. It shows the
+// diagrams below each other over their common x-axis, with Qt Charts (chart_panel.h); as many, from
+// the first on, as fit.
+// Pointer: the marker can be dragged (with Shift at a tenth of the speed); a click chooses a point;
+// the wheel zooms (over an axis' labels only that axis), dragging pans, a double click fits. Keys:
 // left and right move the marker by a part of a decade (with Shift a tenth of it, with Control to
-// the next point), + and - zoom, Home fits. Only a logarithmic axis along is zoomed. GUI thread;
-// owned by its parent like any widget. Cannot fail: what has no place is not drawn.
+// the next point), + and - zoom, Home fits. Only a logarithmic x-axis is zoomed. GUI thread; owned
+// by its parent like any widget. Cannot fail: values without a place on the axes are not drawn.
 #pragma once
 
 #include <QPointF>
@@ -34,35 +34,35 @@ class ChartView : public QWidget {
   explicit ChartView(QWidget* parent = nullptr);
   ~ChartView() override;
 
-  /// In English; shown in the language in use.
+  /// Sets the sheet with English texts; it is shown in the current language.
   void setSheet(const DiagramSheet& sheet);
-  /// As it is shown, in the language in use.
+  /// Returns the sheet as it is shown, in the current language.
   const DiagramSheet& sheet() const { return sheet_; }
-  /// The marker of the first diagram alone, which costs little.
+  /// Changes only the marker of the first diagram, which is fast.
   void setMarker(const std::optional<DiagramMarker>& marker);
   void setTheme(const Theme& theme);
 
-  /// Where a value of a diagram is in the widget's pixels; it has to have a place on its axes.
+  /// Returns the position of a value in the widget's pixels; it must have a place on the axes.
   QPointF positionOf(double x, double y, std::size_t diagram = 0) const;
 
-  /// What is shown: the axes as the sheet has them unless zoomed.
-  ChartWindow window() const;
+  /// Returns the visible range: the axes of the sheet unless zoomed.
+  VisibleRange visibleRange() const;
   bool isZoomed() const { return zoom_.has_value(); }
-  void zoom(double factor);  // about the middle; below 1: nearer
+  void zoom(double factor);  // about the middle; a factor below 1 enlarges
   void fit();
-  /// Shows this part; none: all, as fit().
-  void setZoom(const std::optional<ChartWindow>& window);
+  /// Shows this range; none: everything, as fit().
+  void setZoom(const std::optional<VisibleRange>& window);
 
-  /// The reading of a point: its series' id and its row. May be empty.
+  /// Returns the reading of a point, given by its series' id and its row. May be empty.
   using Describe = std::function<QString(int id, int row)>;
   void setDescribe(Describe describe) { describe_ = std::move(describe); }
 
-  /// What is read at the pointer now; empty where nothing is.
+  /// Returns the reading at the pointer; empty where there is none.
   QString reading() const;
 
  signals:
-  /// The marker is to stand at x, once for each step of a drag and each key. finely: all digits of
-  /// it are meant.
+  /// Emitted at each step of a drag and each key, with the wanted place of the marker. finely: all
+  /// digits of x are intended.
   void markerMoved(double x, bool finely);
   void pointChosen(int id, int row);
   void unpinWanted(int id);
@@ -84,7 +84,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
-  ChartWindow whole() const;
+  VisibleRange whole() const;
   void showAll();
   void placeFrames();
   double besideWidth() const;
@@ -100,28 +100,28 @@ class ChartView : public QWidget {
   void moveMarker(double x, bool finely);
   void chooseNextPoint(bool forward);
 
-  DiagramSheet english_, sheet_;  // sheet_ in the language in use
+  DiagramSheet english_, sheet_;  // sheet_ has texts in the current language
   ChartLook look_;
   Describe describe_;
-  bool isDue_ = false;  // what is on the screen is of another sheet
-  std::optional<ChartWindow> zoom_;
+  bool isDue_ = false;  // the screen shows an earlier sheet
+  std::optional<VisibleRange> zoom_;
   ChartLegend* legend_;
   QGraphicsView* view_;
   std::vector<std::unique_ptr<ChartPanel>> panels_;
-  std::vector<ChartGeometry> frames_;  // of the diagrams that have room
+  std::vector<ChartGeometry> frames_;  // of the diagrams that fit
   MarkerItem* marker_;
   TipItem* tip_;
 
   enum class Gesture { None, Press, Marker, Pan };
   Gesture gesture_ = Gesture::None;
-  ChartTarget pressed_;  // what lay under the pointer
+  ChartTarget pressed_;  // target under the pointer when the button was pressed
   QPointF pressedAt_, panAt_;
-  std::optional<QPointF> hover_;  // where the pointer is, over the chart
-  QPointF gripAt_;                // where the pointer took the marker, and
-  double grippedX_ = 0;           // where that was then, pixels
+  std::optional<QPointF> hover_;  // the pointer's place over the chart
+  QPointF gripAt_;                // place at which the pointer gripped the marker
+  double grippedX_ = 0;           // pixels, place of the marker at that time
   bool gripsFinely_ = false;
-  std::optional<AxisRange> held_;  // axis along, while the marker is dragged on it
-  double wantedX_;  // of the marker while it is moved, until it is there; NaN: not moved
+  std::optional<AxisRange> held_;  // x-axis, fixed while the marker is dragged
+  double wantedX_;                 // target of the marker until it arrives; NaN: not moving
 };
 
 }  // namespace asperity

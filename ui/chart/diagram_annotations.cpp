@@ -11,21 +11,21 @@
 namespace asperity {
 namespace {
 
-constexpr float kLine = 1.3F;  // of the font's size
-constexpr float kTint = 0.1F;  // of a shade
+constexpr float kLine = 1.3F;  // height of a line in sizes of the font
+constexpr float kTint = 0.1F;  // opacity of a shade
 
 struct SpanBox {
   Box box;
   std::string label, shortLabel;
 };
 
-/// A span's part of the frame; ends without a place on the axis are the frame's.
+/// Returns a span's part of the frame; an end without a place on the axis is the frame's end.
 std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const DiagramAxes& axes) {
   const Box& box = axes.box;
   std::vector<SpanBox> boxes;
   for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
-      const double place = axisPlace(axes.along.scale, value);
+      const double place = axisPlace(axes.xAxis.scale, value);
       return std::isfinite(place) ? std::clamp(axes.px(place), box.x, box.right()) : otherwise;
     };
     const float left = column(span.from, box.x), right = column(span.to, box.right());
@@ -34,7 +34,7 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
   return boxes;
 }
 
-/// The whole name, or the short one: never a part of one, unless a span has no short name.
+/// Returns the full or the short name that fits. A span without a short name may be cut.
 std::string labelWithin(const SpanBox& span, float size, float room) {
   if (span.shortLabel.empty()) return elided(span.label, size, false, room);
   for (const std::string& label : {span.label, span.shortLabel})
@@ -42,12 +42,12 @@ std::string labelWithin(const SpanBox& span, float size, float room) {
   return {};
 }
 
-/// Where the line from the middle of a box to a place outside leaves the box.
+/// Returns the point where the line from the middle of a box to a place outside leaves the box.
 std::optional<Place> exitOf(const Box& box, const Place& to) {
   const Place middle{box.x + box.width / 2, box.y + box.height / 2};
   const float dx = to.x - middle.x, dy = to.y - middle.y;
-  const float across = std::abs(dx) / (box.width / 2), up = std::abs(dy) / (box.height / 2);
-  const float reach = std::max(across, up);
+  const float across = std::abs(dx) / (box.width / 2), upwards = std::abs(dy) / (box.height / 2);
+  const float reach = std::max(across, upwards);
   if (!(reach > 1)) return std::nullopt;
   return Place{middle.x + dx / reach, middle.y + dy / reach};
 }
@@ -61,7 +61,8 @@ bool isInside(const Box& area, const Box& box) {
          box.bottom() <= area.bottom();
 }
 
-/// The best box of this size near a place inside the area: little covered, little moved.
+/// Finds the best box of this size near a place inside the area: one that covers little and is
+/// moved little.
 std::optional<Box> boxNear(const Place& at, float width, float height, const Box& area,
                            const OccupancyGrid& map, float step, int rings) {
   constexpr int kAngles = 16;
@@ -74,7 +75,7 @@ std::optional<Box> boxNear(const Place& at, float width, float height, const Box
       const Box box{at.x + away * std::cos(angle) - width / 2,
                     at.y + away * std::sin(angle) - height / 2, width, height};
       if (!isInside(area, box) || map.greatestUnder(box) >= kTaken) continue;
-      // Any way is shorter than covering something.
+      // Covering something costs more than any distance.
       const float cost = 20 * map.under(box) + 0.05F * static_cast<float>(ring);
       if (!best || cost < least) {
         best = box;
@@ -84,7 +85,7 @@ std::optional<Box> boxNear(const Place& at, float width, float height, const Box
   return best;
 }
 
-/// The part of the frame that is nearest to where the label wants to be.
+/// Returns the place inside the frame that is nearest to the wanted place of the label.
 Place heldInside(const Box& area, Place at, float width, float height) {
   const auto held = [](float value, float from, float to) {
     return from < to ? std::clamp(value, from, to) : (from + to) / 2;
@@ -104,8 +105,8 @@ std::vector<std::string> linesOf(const std::string& text, float size, float widt
   return lines;
 }
 
-/// A shade's name near its foot, in as many lines as it needs there; none where it is too slim or
-/// something would lie under it.
+/// Places a shade's name near its foot, in as many lines as needed; none where the shade is too
+/// narrow or the name would cover something.
 std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
                                       const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
@@ -166,7 +167,7 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
 std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
                                      OccupancyGrid& map, const DiagramSizes& sizes) {
   const float size = sizes.legend, air = 0.25F * size;
-  const Box inside = grown(map.area(), -7 * sizes.unit);  // clear of the ticks
+  const Box inside = grown(map.area(), -7 * sizes.unit);  // away from the ticks
   std::vector<PlacedLabel> placed;
   for (const DiagramLabel& label : diagram.labels) {
     const Place at = axes.place(label.x, label.y);

@@ -1,4 +1,4 @@
-// Named regions and tinted ranges along x, and texts with arrows. Private to ui/chart. Pure; any
+// Named regions and shaded ranges in x, and texts with arrows. Private to ui/chart. Pure; any
 // thread.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace asperity {
 
-/// Pixels above the frame for the names of the regions; 0 where none has one.
+/// Returns the pixels above the frame for the names of the regions; 0 where none has a name.
 float aboveFrame(const Diagram& diagram, const DiagramSizes& sizes);
 
-/// Shades every other region, writes their names above the frame, and tints the shades.
+/// Shades every second region, writes the names above the frame, and tints the shaded ranges.
 void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
               const DiagramSizes& sizes, const Theme& theme);
 
@@ -24,11 +24,11 @@ struct PlacedLabel {
   bool covers = false;       // whether something lies under the text
 };
 
-inline constexpr float kTaken = 100;  // weight of what may not be covered at all
+inline constexpr float kTaken = 100;  // weight of parts that must not be covered
 
-/// Near their places, and names of shades at their feet, moved so that none covers another and
-/// little is covered of what the map has; adds them to the map. A label that finds no place is left
-/// out.
+/// Places labels near their points, and names of shades at their feet. They are moved so that none
+/// covers another and little of the map is covered; they are then added to the map. A label that
+/// does not fit is left out.
 std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
                                      OccupancyGrid& map, const DiagramSizes& sizes);
 

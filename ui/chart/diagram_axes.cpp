@@ -16,7 +16,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr float kLeastText = 7;    // pixels, of a font
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
-/// Grows with what it is given; empty at first.
+/// The range of the values added to it; empty at first.
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -28,7 +28,7 @@ struct Extent {
   bool empty() const { return !(least <= most); }
 };
 
-/// What the axis itself asks for, or NaN.
+/// Returns the range that the axis itself prescribes, or NaN.
 AxisRange askedFor(const DiagramAxis& axis) {
   const double a = axisPlace(axis.scale, axis.from), b = axisPlace(axis.scale, axis.to);
   if (axis.from == axis.to || !std::isfinite(a) || !std::isfinite(b)) return {kNaN, kNaN};
@@ -39,7 +39,7 @@ bool isKnown(const AxisRange& range) {
   return range.from < range.to;
 }
 
-/// Down (-1) or up (1) to 1, 2 or 5 times a power of ten, as decimal logarithms.
+/// Rounds down (-1) or up (1) to 1, 2 or 5 times a power of ten, as decimal logarithms.
 double roundedDecade(double decade, int direction) {
   const double floor = std::floor(decade);
   const double places[] = {0, std::log10(2.0), std::log10(5.0), 1};
@@ -80,13 +80,13 @@ AxisRange padded(const DiagramAxis& axis, const Extent& data, const Extent& theo
                                          : paddedLogarithmic(extent, upwards);
 }
 
-/// The end of an error bar; on a logarithmic axis it may reach to zero, which is not shown.
+/// Returns the end of an error bar. On a logarithmic axis it may reach to zero, which is not shown.
 double barEnd(AxisScale scale, double end, double value) {
   const double place = axisPlace(scale, end);
   return scale == AxisScale::Logarithmic ? std::max(place, value - 1) : place;
 }
 
-/// "position (mm)"; the name alone without a unit.
+/// Returns "position (mm)"; the name alone without a unit.
 std::string titleWithUnit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " (" + unit + ")";
 }
@@ -101,7 +101,7 @@ TickedAxis linearAxis(const DiagramAxis& axis, const AxisRange& range, const Axi
   return ticked;
 }
 
-/// Ticks at multiples of powers of ten; where that gives no two, those of a linear axis.
+/// Puts ticks at multiples of powers of ten; where this gives fewer than two, as on a linear axis.
 TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int most, float pixels,
                            float unit) {
   TickedAxis ticked{
@@ -122,15 +122,15 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   return ticked;
 }
 
-/// The symbol that ends a name, "v" of "velocity v"; empty where none does.
+/// Returns the symbol that ends a name, "v" of "velocity v"; empty where there is none.
 std::string symbolOf(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
   const std::size_t space = name.rfind(' ');
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }
 
-/// "velocity v (m/s)" in the largest size down to `least` that fits; then "v (m/s)" likewise; none
-/// where neither does.
+/// Fits "velocity v (m/s)" in the largest size down to `least`; then "v (m/s)" likewise; none where
+/// neither fits.
 std::optional<FittedTitle> saidInFull(const std::string& title, float size, float least,
                                       float pixels) {
   const std::size_t unit = title.rfind(" (");
@@ -163,31 +163,31 @@ float widestLabel(const TickedAxis& axis, float size) {
 void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour, float width,
                   float length) {
   const Box& box = axes.box;
-  const auto along = [&](double value, float reach) {
+  const auto addX = [&](double value, float reach) {
     const float x = axes.px(value);
     addLine(layer, {{x, box.bottom()}, {x, box.bottom() - reach}}, width, colour);
     addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
   };
-  const auto up = [&](double value, float reach) {
+  const auto addY = [&](double value, float reach) {
     const float y = axes.py(value);
     addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
     addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
   };
-  for (const AxisTick& tick : axes.along.ticks) along(tick.value, length);
-  for (const double value : axes.along.minor) along(value, length / 2);
-  for (const AxisTick& tick : axes.up.ticks) up(tick.value, length);
-  for (const double value : axes.up.minor) up(value, length / 2);
+  for (const AxisTick& tick : axes.xAxis.ticks) addX(tick.value, length);
+  for (const double value : axes.xAxis.minor) addX(value, length / 2);
+  for (const AxisTick& tick : axes.yAxis.ticks) addY(tick.value, length);
+  for (const double value : axes.yAxis.minor) addY(value, length / 2);
 }
 
 void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, float size) {
   const Box& box = axes.box;
-  for (const AxisTick& tick : axes.along.ticks) {
+  for (const AxisTick& tick : axes.xAxis.ticks) {
     const float half = textWidth(tick.label, size) / 2;
     const float centre = std::min(axes.px(tick.value), static_cast<float>(list.width) - half - 2);
     addLabel(list, tick.label, {centre, box.bottom() + 1.5F * size}, size, TextAnchor::Centre,
              colour);
   }
-  for (const AxisTick& tick : axes.up.ticks)
+  for (const AxisTick& tick : axes.yAxis.ticks)
     addLabel(list, tick.label, {box.x - 0.7F * size, axes.py(tick.value) + 0.36F * size}, size,
              TextAnchor::Right, colour);
 }
@@ -200,7 +200,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
   const std::size_t at = title.rfind(" (");
   if (at == title.npos) return {elided(title, least, false, pixels), least};
   const std::string unit = title.substr(at);
-  constexpr std::size_t kWorthReading = 6;  // letters of a name
+  constexpr std::size_t kWorthReading = 6;  // minimum number of letters of a shortened name
   const std::string cut =
       elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
   if (cut.size() > kWorthReading) return {cut + unit, least};
@@ -214,7 +214,7 @@ double axisPlace(AxisScale scale, double value) {
   return value > 0 ? std::log10(value) : kNaN;
 }
 
-AxisRange rangeAlong(const Diagram& diagram) {
+AxisRange xRange(const Diagram& diagram) {
   const AxisRange asked = askedFor(diagram.x);
   if (isKnown(asked)) return asked;
   Extent data, theory;
@@ -225,7 +225,7 @@ AxisRange rangeAlong(const Diagram& diagram) {
   return padded(diagram.x, data, theory, false);
 }
 
-AxisRange rangeUp(const Diagram& diagram, const AxisRange& along) {
+AxisRange yRange(const Diagram& diagram, const AxisRange& inX) {
   const AxisRange asked = askedFor(diagram.y);
   if (isKnown(asked)) return asked;
   Extent data, theory;
@@ -233,7 +233,7 @@ AxisRange rangeUp(const Diagram& diagram, const AxisRange& along) {
     for (const DiagramPoint& point : series.points) {
       const double x = axisPlace(diagram.x.scale, point.x);
       const double y = axisPlace(diagram.y.scale, point.y);
-      if (!(x >= along.from && x <= along.to) || !std::isfinite(y)) continue;
+      if (!(x >= inX.from && x <= inX.to) || !std::isfinite(y)) continue;
       Extent& extent = series.isTheory ? theory : data;
       extent.add(y);
       extent.add(barEnd(diagram.y.scale, point.low, y));
@@ -242,7 +242,7 @@ AxisRange rangeUp(const Diagram& diagram, const AxisRange& along) {
   return padded(diagram.y, data, theory, true);
 }
 
-TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
@@ -250,7 +250,7 @@ TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pi
   for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
     TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || ticked.ticks.size() < 2) return ticked;
-    // Labels must not touch; unequal distances between multiples of a decade count.
+    // Labels must not touch; the distances between multiples of a decade are unequal.
     bool clear = true;
     for (std::size_t i = 0; i + 1 < ticked.ticks.size(); ++i) {
       const double distance = (ticked.ticks[i + 1].value - ticked.ticks[i].value) / range.size() *
@@ -263,12 +263,11 @@ TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pi
   }
 }
 
-TickedAxis tickedUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                    const DiagramSizes& sizes) {
+TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                       const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
-    return linearAxis(axis, range,
-                      ticksUp(range.from, range.to, pixels, 4 * size, size, axis.unit));
+    return linearAxis(axis, range, yTicks(range.from, range.to, pixels, 4 * size, size, axis.unit));
   for (int most = std::clamp(static_cast<int>(pixels / (2 * size)), 2, 16);; --most) {
     TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || ticked.ticks.size() < 2) return ticked;
@@ -280,15 +279,16 @@ TickedAxis tickedUp(const DiagramAxis& axis, const AxisRange& range, float pixel
 }
 
 float DiagramAxes::px(double x) const {
-  return box.x + static_cast<float>((x - along.range.from) / along.range.size()) * box.width;
+  return box.x + static_cast<float>((x - xAxis.range.from) / xAxis.range.size()) * box.width;
 }
 
 float DiagramAxes::py(double y) const {
-  return box.bottom() - static_cast<float>((y - up.range.from) / up.range.size()) * box.height;
+  return box.bottom() -
+         static_cast<float>((y - yAxis.range.from) / yAxis.range.size()) * box.height;
 }
 
 Place DiagramAxes::place(double x, double y) const {
-  const double right = axisPlace(along.scale, x), above = axisPlace(up.scale, y);
+  const double right = axisPlace(xAxis.scale, x), above = axisPlace(yAxis.scale, y);
   if (!std::isfinite(right) || !std::isfinite(above))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
   const auto held = [](float pixels) {
@@ -298,8 +298,8 @@ Place DiagramAxes::place(double x, double y) const {
 }
 
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
-  const float title = axes.up.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
-  return std::ceil(title + widestLabel(axes.up, sizes.tick) + 0.7F * sizes.tick);
+  const float title = axes.yAxis.title.empty() || axes.titleAbove ? 0 : 1.75F * sizes.axis;
+  return std::ceil(title + widestLabel(axes.yAxis, sizes.tick) + 0.7F * sizes.tick);
 }
 
 float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
@@ -329,10 +329,10 @@ void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes&
   const Box& box = axes.box;
   const float width = std::max(1.0F, std::round(sizes.unit));
   DrawLayer layer;
-  for (const AxisTick& tick : axes.up.ticks)
+  for (const AxisTick& tick : axes.yAxis.ticks)
     addLine(layer, {{box.x, axes.py(tick.value)}, {box.right(), axes.py(tick.value)}}, width,
             theme.grid);
-  for (const AxisTick& tick : axes.along.ticks)
+  for (const AxisTick& tick : axes.xAxis.ticks)
     addLine(layer, {{axes.px(tick.value), box.y}, {axes.px(tick.value), box.bottom()}}, width,
             theme.grid);
   list.layers.push_back(std::move(layer));
@@ -347,19 +347,19 @@ void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes
   addTickMarks(layer, axes, colour, width, std::round(6 * sizes.unit));
   addFrame(layer, box, colour, width);
   list.layers.push_back(std::move(layer));
-  DiagramAxes said = axes;
-  if (!axes.saysAlong) said.along.ticks.clear();
-  addTickLabels(list, said, theme.text, sizes.tick);
-  if (axes.saysAlong)
+  DiagramAxes labelled = axes;
+  if (!axes.hasXLabels) labelled.xAxis.ticks.clear();
+  addTickLabels(list, labelled, theme.text, sizes.tick);
+  if (axes.hasXLabels)
     addTitle(
-        list, axes.along.title,
+        list, axes.xAxis.title,
         {box.x + box.width / 2, std::round(box.bottom() + 1.5F * sizes.tick + 1.5F * sizes.axis)},
         sizes.axis, box.width, TextAnchor::Centre, theme.text, 0);
   if (axes.titleAbove)
-    return addTitle(list, axes.up.title, {box.x, std::round(box.y - above - 0.4F * sizes.axis)},
+    return addTitle(list, axes.yAxis.title, {box.x, std::round(box.y - above - 0.4F * sizes.axis)},
                     sizes.axis, box.width, TextAnchor::Left, theme.text, 0);
   const float left = box.x - leftOfAxes(axes, sizes);
-  addTitle(list, axes.up.title, {std::round(left + 1.1F * sizes.axis), box.y + box.height / 2},
+  addTitle(list, axes.yAxis.title, {std::round(left + 1.1F * sizes.axis), box.y + box.height / 2},
            sizes.axis, box.height, TextAnchor::Centre, theme.text, 1.57079633F);
 }
 

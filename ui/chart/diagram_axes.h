@@ -1,5 +1,5 @@
-// The axes of a diagram: their ranges, their ticks and titles, and the way from values to pixels.
-// Private to ui/chart. Pure; any thread. Pixels, y down.
+// The axes of a diagram: their ranges, ticks and titles, and the map from values to pixels. Private
+// to ui/chart. Pure; any thread. Pixels, y down.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace asperity {
 
-/// In an axis' own measure: decimal logarithms on a logarithmic one.
+/// A range on an axis: decimal logarithms on a logarithmic one, otherwise values.
 struct AxisRange {
   double from = 0, to = 0;
 
@@ -21,70 +21,72 @@ struct AxisRange {
   bool operator==(const AxisRange&) const = default;
 };
 
-/// The value itself or its decimal logarithm; NaN where it has no place on the axis.
+/// Returns the value itself or its decimal logarithm; NaN where it has no place on the axis.
 double axisPlace(AxisScale scale, double value);
 
-/// As the axis says, otherwise as the data need; theory counts where there are no data.
-AxisRange rangeAlong(const Diagram& diagram);
-/// Of the points inside the range along x; theory lines widen it a little.
-AxisRange rangeUp(const Diagram& diagram, const AxisRange& along);
+/// Returns the x-range: as the axis prescribes, otherwise as the data need; theory counts where
+/// there are no data.
+AxisRange xRange(const Diagram& diagram);
+/// Returns the y-range of the points inside the x-range; theory lines widen it a little.
+AxisRange yRange(const Diagram& diagram, const AxisRange& inX);
 
 struct AxisTick {
-  double value = 0;  // in the axis' own measure
+  double value = 0;  // a value, or its decimal logarithm
   std::string label;
 };
 
-/// An axis with as many ticks as its length has room for.
+/// An axis with as many ticks as fit its length.
 struct TickedAxis {
   AxisScale scale = AxisScale::Linear;
   AxisRange range{0, 1};
   std::vector<AxisTick> ticks;
-  std::vector<double> minor;  // between the ticks
-  std::string title;          // "velocity v (mm/s)"; the prefix is that of the ticks
+  std::vector<double> minor;  // places between the ticks
+  std::string title;          // "velocity v (mm/s)"; the ticks have the same prefix
 };
-TickedAxis tickedAlong(const DiagramAxis& axis, const AxisRange& range, float pixels,
+TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes);
-TickedAxis tickedUp(const DiagramAxis& axis, const AxisRange& range, float pixels,
-                    const DiagramSizes& sizes);
+TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
+                       const DiagramSizes& sizes);
 
-/// A title in the largest of some sizes in which it fits.
+/// A title in the largest of several sizes that fits.
 struct FittedTitle {
   std::string text;
   float size = 12;
 };
-/// Words go first, then all but the symbol and the unit; the unit with its power of ten never, as
-/// the numbers on the axis would be wrong without it.
+/// Fits a title. First words are left out, then everything but the symbol and the unit; the unit
+/// with its power of ten stays, because the numbers on the axis would be wrong without it.
 FittedTitle fittedTitle(const std::string& title, float size, float pixels);
 
 /// The frame of a diagram and its axes.
 struct DiagramAxes {
   Box box;
-  TickedAxis along, up;
-  bool saysAlong = true;    // false: labels and title stand under another frame below
-  bool titleAbove = false;  // the title of the axis up lies over the frame, not upright beside it
+  TickedAxis xAxis, yAxis;
+  bool hasXLabels = true;   // false: another frame below shows labels and title
+  bool titleAbove = false;  // the title of the y-axis is above the frame, not upright beside it
 
-  /// From a place in an axis' own measure.
+  /// Map a value, or its decimal logarithm, to pixels.
   float px(double x) const;
   float py(double y) const;
-  /// In pixels, at most 1e6 from the origin; NaN where a value has no place.
+  /// Returns a position in pixels, at most 1e6 from the origin; NaN where a value has no place.
   Place place(double x, double y) const;
 };
 
-/// Pixels left of the frame for title and labels, below it where it says what is along, and above
-/// it where the title of the axis up stands there.
+/// Return the pixels left of the frame for title and labels, below it where it shows the x-axis'
+/// labels, and above it where it shows the title of the y-axis there.
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
 float belowAxes(const DiagramSizes& sizes);
 float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
 
-/// Whether a title has room upright beside a frame of this height, or at least its symbol and unit.
+/// Returns whether a title, or at least its symbol and unit, fits upright beside a frame of this
+/// height.
 bool fitsUpright(const std::string& title, float height, const DiagramSizes& sizes);
 
 void addDiagramGrid(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                     const Theme& theme);
-/// Frame, ticks, labels and titles. `above`: pixels over the frame that something else takes.
+/// Adds frame, ticks, labels and titles. `above`: pixels over the frame that another part uses.
 void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes& sizes,
                      const Theme& theme, float above);
-/// The outline of a box.
+/// Adds the outline of a box.
 void addFrame(DrawLayer& layer, const Box& box, const Rgba& colour, float width);
 
 }  // namespace asperity

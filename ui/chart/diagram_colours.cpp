@@ -15,7 +15,7 @@ constexpr Rgba colour(unsigned rgb) {
 }
 
 // Blue, vermilion, green, purple, orange, sky blue, and for Okabe and Ito's yellow an olive on
-// white; then two that lie farthest from all of these for every colour vision.
+// white; then two colours with the largest distance from all of these for every colour vision.
 constexpr std::array<Rgba, kDistinctColours> kOnLight = {
     colour(0x0072B2), colour(0xD55E00), colour(0x009E73), colour(0xB85C96), colour(0xD98C00),
     colour(0x3FA0DC), colour(0x6B6100), colour(0x4818E0), colour(0x201060)};
@@ -28,7 +28,7 @@ constexpr std::array<Rgba, 11> kViridis = {colour(0x440154), colour(0x482475), c
                                            colour(0x355F8D), colour(0x2A788E), colour(0x21918C),
                                            colour(0x22A884), colour(0x44BF70), colour(0x7AD151),
                                            colour(0xBDDF26), colour(0xFDE725)};
-constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // of it, lost on dark and on white
+constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // part that is visible on dark and on white
 
 bool isDark(const Theme& theme) {
   const Rgba& c = theme.background;

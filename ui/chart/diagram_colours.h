@@ -1,4 +1,4 @@
-// Colours of a diagram's series, which the window's chart has, too. Pure; any thread.
+// Colours of a diagram's series, also used by the window's chart. Pure; any thread.
 #pragma once
 
 #include "ui/draw/theme.h"
@@ -7,13 +7,13 @@ namespace asperity {
 
 inline constexpr int kDistinctColours = 9;
 
-/// The palette of Okabe and Ito (2008), which every colour vision tells apart, darkened or
-/// lightened where a colour would be too faint on the theme's background. Repeats after
-/// kDistinctColours.
+/// Returns a colour of the palette of Okabe and Ito (2008), whose colours every colour vision can
+/// distinguish, darkened or lightened where it would be too faint on the theme's background.
+/// Repeats after kDistinctColours.
 Rgba seriesColour(int index, const Theme& theme);
 
-/// "viridis", ordered by lightness for every colour vision, without the end that is lost on the
-/// theme's background. t in [0, 1].
+/// Returns a colour of "viridis", ordered by lightness for every colour vision, without the end
+/// that is invisible on the theme's background. t in [0, 1].
 Rgba rampColour(double t, const Theme& theme);
 
 }  // namespace asperity

@@ -10,7 +10,7 @@ namespace asperity {
 namespace {
 
 constexpr float kSmallestFont = 7;
-constexpr float kLineHeight = 1.35F;  // of the font's size
+constexpr float kLineHeight = 1.35F;  // in sizes of the font
 constexpr std::string_view kHardBlank = "\u00A0";
 
 struct Paragraph {
@@ -25,7 +25,7 @@ std::string replaced(std::string text, std::string_view what, std::string_view w
   return text;
 }
 
-/// Blanks that do not follow a comma or semicolon become hard: "G = 10 MPa" stays together.
+/// Makes blanks non-breaking unless they follow a comma or semicolon: "G = 10 MPa" stays together.
 std::string heldTogether(const std::string& text) {
   std::string held;
   for (std::size_t i = 0; i < text.size(); ++i)
@@ -41,14 +41,14 @@ bool isCut(const std::vector<std::string>& lines) {
                      [](const std::string& line) { return line.empty() || line.ends_with("…"); });
 }
 
-/// A last line that is not the end: whole words and an ellipsis.
+/// Shortens a last line that is not the end of a text: whole words and an ellipsis.
 std::string cutOff(std::string line, float size, bool bold, float width) {
   while (textWidth(line + " …", size, bold) > width && line.rfind(' ') != line.npos)
     line.erase(line.rfind(' '));
   return elided(line.ends_with("…") ? line : line + " …", size, bold, width);
 }
 
-/// Lines at the largest size, down to `least`, that needs at most `most` of them.
+/// Breaks a text into at most `most` lines, in the largest size down to `least` that allows it.
 Paragraph paragraph(const std::string& text, float size, float least, bool bold, float width,
                     std::size_t most) {
   Paragraph p{{}, size};
@@ -139,7 +139,7 @@ std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& optio
   const auto columns = static_cast<float>(grid.columns), rows = static_cast<float>(grid.rows);
   const float width =
       (static_cast<float>(options.width) - 2 * side - (columns - 1) * gap) / columns;
-  // A common axis along has its labels under the lowest frame alone.
+  // A common x-axis has its labels only under the lowest frame.
   const float under = hasCommonAxis(sheet) ? belowAxes(sizes) : 0;
   const float room = bottom - top - (rows - 1) * gap - under;
   std::vector<Box> cells;

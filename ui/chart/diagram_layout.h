@@ -1,4 +1,4 @@
-// Where the parts of a sheet of diagrams go. Private to ui/chart. Plain values; any thread.
+// The places of the parts of a sheet of diagrams. Private to ui/chart. Plain values; any thread.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// Sizes in pixels; whole numbers for fonts, as the painter knows no others.
+/// Sizes in pixels; whole numbers for fonts, because the painter knows no others.
 struct DiagramSizes {
   float unit = 1;  // of line widths and distances
   float title = 19, subtitle = 13, panel = 14, axis = 14, tick = 12, legend = 12, note = 11;
@@ -20,22 +20,23 @@ struct SheetGrid {
 };
 SheetGrid gridFor(const DiagramSheet& sheet);
 
-/// Whether only the lowest diagram says what its axis along is.
+/// Returns whether only the lowest diagram shows the labels of the x-axis.
 bool hasCommonAxis(const DiagramSheet& sheet);
 
-/// Fonts grow with the picture, more slowly than it, and never beyond what leaves room for curves.
+/// Returns the sizes. Fonts grow with the picture, but more slowly, and always leave space for the
+/// curves.
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options);
 
-/// The cells of the sheet's diagrams between `top` and `bottom`, in order, with so many units
-/// between them.
+/// Returns the cells of the sheet's diagrams between `top` and `bottom`, in order, with this many
+/// units between them.
 std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& options, float top,
                           float bottom, const DiagramSizes& sizes, float between);
 
-/// Title and subtitle; returns the pixels they take from the top.
+/// Adds title and subtitle; returns the pixels that they take from the top.
 float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
                  const Theme& theme);
 
-/// The note at the bottom; returns the row where it begins.
+/// Adds the note at the bottom; returns the row where it begins.
 float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& sizes,
               const Theme& theme);
 

@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-// In sizes of the font.
+// These are in sizes of the font.
 constexpr float kSample = 2.4F, kGap = 0.6F, kRow = 1.5F, kPad = 0.6F, kBetween = 1.4F;
 constexpr float kBar = 6, kBarHeight = 0.8F;
 constexpr int kBarSteps = 48;
@@ -22,7 +22,7 @@ bool sameLook(const SeriesStyle& a, const SeriesStyle& b) {
          a.colour.r == b.colour.r && a.colour.g == b.colour.g && a.colour.b == b.colour.b;
 }
 
-/// Data, then theory; what looks and is named alike once.
+/// Returns the entries of data, then theory; entries with the same appearance and name appear once.
 std::vector<LegendEntry> entriesOf(const Diagram& diagram, const std::vector<SeriesStyle>& styles) {
   std::vector<LegendEntry> entries;
   const auto add = [&](std::size_t i) {
@@ -52,7 +52,7 @@ float widthOf(const LegendEntry& entry, float size) {
   return textWidth(entry.name, size) + (entry.hasSample ? (kSample + kGap) * size : 0);
 }
 
-/// The size of the whole, whose entries take so much.
+/// Sets the size of the legend around entries of this size.
 void enclose(Legend& legend, float width, std::size_t rows) {
   legend.height = static_cast<float>(rows) * kRow * legend.size;
   if (legend.ramp) {
@@ -63,7 +63,7 @@ void enclose(Legend& legend, float width, std::size_t rows) {
   legend.height = std::ceil(legend.height + 1.2F * kPad * legend.size);
 }
 
-/// Column by column, all equally wide.
+/// Measures the entries column by column; all columns have the same width.
 void measure(Legend& legend) {
   float column = (kSample + kGap) * legend.size;
   for (const LegendEntry& entry : legend.entries)
@@ -77,7 +77,7 @@ void measure(Legend& legend) {
   enclose(legend, rows > 0 ? count * column + (count - 1) * kBetween * legend.size : 0, rows);
 }
 
-/// Names cut to what one of so many columns has room for.
+/// Cuts names to the width of one of this many columns.
 void shortenNames(Legend& legend, float width) {
   const auto columns = static_cast<float>(legend.columns);
   const float column =
@@ -90,7 +90,7 @@ void shortenNames(Legend& legend, float width) {
   }
 }
 
-/// Only as many entries as the height has room for, and how many are missing.
+/// Keeps as many entries as fit the height, and counts the missing ones.
 void dropEntries(Legend& legend, float height) {
   const float room = height - 1.2F * kPad * legend.size -
                      (legend.ramp ? rampHeight(*legend.ramp, legend.size) : 0);
@@ -123,7 +123,7 @@ void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Pla
   addMark(marks, style.mark, middle, std::min(style.markSize, 0.75F * size), style.colour);
 }
 
-/// Title, then the colours between the names of their ends.
+/// Adds a title, then the colours between the names of their ends.
 void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, Place at, float width,
              float size, const Theme& theme) {
   if (!ramp.title.empty()) {
@@ -135,7 +135,7 @@ void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, Place at
   addLabel(list, ramp.from.text, {at.x, baseline}, size, TextAnchor::Left, theme.text);
   const float left = at.x + textWidth(ramp.from.text, size) + kGap * size;
   const float bar = kBar * size, top = baseline - 0.36F * size - kBarHeight * size / 2;
-  for (int i = 0; i < kBarSteps; ++i) {  // each to the right end: no seams between them
+  for (int i = 0; i < kBarSteps; ++i) {  // each reaches the right end, so that there are no gaps
     const float done = bar * static_cast<float>(i) / kBarSteps;
     addRectangle(layer, {left + done, top, bar - done, kBarHeight * size},
                  rampColour((i + 0.5) / kBarSteps, theme));
@@ -154,7 +154,7 @@ Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles,
   legend.size = size;
   if (legend.empty()) return legend;
   measure(legend);
-  // More columns where there are too many rows and the width allows it.
+  // More columns are used where there are too many rows and the width allows it.
   while (legend.height > height && legend.columns < 4) {
     Legend wider = legend;
     ++wider.columns;

@@ -1,4 +1,5 @@
-// What the colours, strokes and marks of a diagram mean. Private to ui/chart. Pure; any thread.
+// The legend of a diagram: the meaning of colours, strokes and marks. Private to ui/chart. Pure;
+// any thread.
 #pragma once
 
 #include <optional>
@@ -14,10 +15,10 @@ struct LegendEntry {
   std::string name;
   SeriesStyle style;
   bool hasSample = true;
-  Place place{};  // of its row's upper left corner, from that of the first row
+  Place place{};  // upper left corner of its row, relative to the first row
 };
 
-/// Measured and ready to be put somewhere; empty where there is nothing to say.
+/// A legend that is measured and can be placed; empty where there are no entries.
 struct Legend {
   std::vector<LegendEntry> entries;
   std::optional<DiagramRamp> ramp;
@@ -28,17 +29,17 @@ struct Legend {
   bool empty() const { return entries.empty() && !ramp; }
 };
 
-/// At most this large; names that are too long are shortened, entries without room are counted in
-/// the last one ("and 7 more").
+/// Makes a legend of at most this size; long names are shortened, entries that do not fit are
+/// counted in the last one ("and 7 more").
 Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                  float width, float height);
 
-/// In rows that are filled one after the other, nothing shortened; not whole where one name is too
-/// long for this width.
+/// Makes a legend in rows that are filled one after the other. No name is shortened; it is not
+/// whole where a name is too long for this width.
 Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles, float size,
                   float width);
 
-/// On a plate of the background's colour.
+/// Adds the legend on a plate in the background's colour.
 void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed,
                const DiagramSizes& sizes, const Theme& theme);
 

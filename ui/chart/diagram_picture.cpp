@@ -13,28 +13,29 @@
 namespace asperity {
 namespace {
 
-constexpr int kMarkerColour = 1;  // told from the present curve, which is the first
+constexpr int kMarkerColour = 1;  // differs from the present curve, which has the first colour
 
-/// One diagram of a sheet: first its parts find their places, then they are drawn.
+/// One diagram of a sheet: first its parts are placed, then they are drawn.
 class Panel {
  public:
   /// `above`: pixels for the title and the names of regions, the same for all of a sheet.
-  /// `saysAlong`: with labels and title of the axis along. `titleAbove`: the title of the axis up
-  /// stands over the frame. `isAligned`: alignTo() will be called.
-  Panel(const Diagram& diagram, const Box& cell, float above, bool saysAlong, bool titleAbove,
+  /// `hasXLabels`: labels and title of the x-axis are drawn. `titleAbove`: the title of the y-axis
+  /// is over the frame. `isAligned`: alignTo() will be called.
+  Panel(const Diagram& diagram, const Box& cell, float above, bool hasXLabels, bool titleAbove,
         bool isAligned, const DiagramSizes& sizes, const Theme& theme)
       : diagram_(diagram), cell_(cell), sizes_(sizes), theme_(theme), isAligned_(isAligned) {
-    axes_.saysAlong = saysAlong;
+    axes_.hasXLabels = hasXLabels;
     axes_.titleAbove = titleAbove;
     top_ = std::round(cell.y + above + aboveAxes(axes_, sizes));
-    bottom_ = std::max(top_ + 1, std::floor(cell.bottom() - (saysAlong ? belowAxes(sizes) : 0)));
-    along_ = rangeAlong(diagram);
+    bottom_ = std::max(top_ + 1, std::floor(cell.bottom() - (hasXLabels ? belowAxes(sizes) : 0)));
+    xRange_ = xRange(diagram);
     arrange();
   }
 
   const Box& frame() const { return axes_.box; }
 
-  /// The frame between these places along x, as those of others; the legend inside or above it.
+  /// Sets the left and right edges of the frame, aligned with others; the legend is inside or above
+  /// it.
   void alignTo(float left, float right) {
     left_ = left;
     right_ = right;
@@ -43,27 +44,28 @@ class Panel {
 
   float frameHeight() const { return axes_.box.height; }
 
-  /// Whether the title of the axis up can say what the axis is of.
+  /// Returns whether the title of the y-axis fits.
   bool hasTitle() const {
-    return axes_.titleAbove || axes_.up.title.empty() ||
-           fitsUpright(axes_.up.title, axes_.box.height, sizes_);
+    return axes_.titleAbove || axes_.yAxis.title.empty() ||
+           fitsUpright(axes_.yAxis.title, axes_.box.height, sizes_);
   }
 
   bool isReadable() const {
     const Box& box = axes_.box;
     return box.width >= 4 * sizes_.tick && box.height >= 2 * sizes_.tick;
   }
-  /// A name stands beside it, upright, and two ticks or more.
+  /// Returns whether the frame is readable, with an upright title beside it and at least two ticks.
   bool isComfortable() const { return isReadable() && axes_.box.height >= 7 * sizes_.tick; }
 
-  /// Nothing where the frame would be too small to read.
+  /// Adds the diagram; nothing where the frame would be too small to read.
   void addTo(DrawList& list) const {
     if (!isReadable()) return;
     const Box& box = axes_.box;
     addSpans(list, diagram_, axes_, sizes_, theme_);
     addDiagramGrid(list, axes_, sizes_, theme_);
     const float above = aboveFrame(diagram_, sizes_);
-    addDiagramFrame(list, axes_, sizes_, theme_, above);  // marks at its edge lie over it
+    addDiagramFrame(list, axes_, sizes_, theme_,
+                    above);  // marks at the frame's edge are drawn over it
     addMarkerLine(list);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
     addBlank(list);
@@ -84,10 +86,10 @@ class Panel {
     return part.right() <= whole.right() && part.y >= whole.y;
   }
 
-  /// Where the marker is, from the bottom to the top.
+  /// Returns the line of the marker from the bottom to the top.
   std::vector<Place> markerLine() const {
     const Box& box = axes_.box;
-    const float x = axes_.px(axisPlace(axes_.along.scale, diagram_.marker->x));
+    const float x = axes_.px(axisPlace(axes_.xAxis.scale, diagram_.marker->x));
     return {{x, box.y}, {x, box.bottom()}};
   }
 
@@ -101,7 +103,7 @@ class Panel {
     list.layers.push_back(std::move(layer));
   }
 
-  /// Why nothing is to be seen.
+  /// Adds the reason why there are no curves.
   void addBlank(DrawList& list) const {
     const Box& box = axes_.box;
     const float size = sizes_.legend;
@@ -116,11 +118,13 @@ class Panel {
     }
   }
 
-  /// With the legend inside the frame where it hides nothing and is whole, otherwise at the right
-  /// of the frame or above it where the frame can spare the room, otherwise where it hides least.
+  /// Places the frame and the legend: inside the frame where the legend hides nothing and is whole;
+  /// otherwise at the right of the frame or above it where there is enough space; otherwise where
+  /// it hides least.
   void arrange() {
-    constexpr float kLeastWidth = 0.55F, kLeastHeight = 0.6F;  // of the frame, what is left of it
-    constexpr float kMuch = 0.25F;                             // share of a legend's box
+    constexpr float kLeastWidth = 0.55F,
+                    kLeastHeight = 0.6F;  // minimum part of the frame that stays beside a legend
+    constexpr float kMuch = 0.25F;        // part of a legend's box
     place(0, 0);
     if (legend_.empty() || (hidden_ <= 0 && legend_.isWhole)) return;
     const Box frame = axes_.box;
@@ -146,17 +150,17 @@ class Panel {
     }
   }
 
-  /// Everything, with so many pixels kept free at the right, and above the frame.
+  /// Places everything, with this many pixels kept free at the right and above the frame.
   void place(float right, float above) {
     Box& box = axes_.box;
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
-    axes_.up = tickedUp(diagram_.y, rangeUp(diagram_, along_), box.height, sizes_);
+    axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
       const float end = right_ > 0 ? right_ : cell_.right() - right - overhang;
       box.width = std::max(1.0F, std::floor(end - box.x));
-      axes_.along = tickedAlong(diagram_.x, along_, box.width, sizes_);
+      axes_.xAxis = tickedXAxis(diagram_.x, xRange_, box.width, sizes_);
     };
     fit(sizes_.tick);
     fit(overhang());
@@ -169,7 +173,7 @@ class Panel {
     labels_ = placeLabels(diagram_, axes_, map, sizes_);
     placeLegend(map);
     if (hidden_ <= 0 || labels_.empty()) return;
-    // Labels can give way to the legend.
+    // Labels move out of the way of the legend.
     const Panel before = *this;
     placeLegend(series);
     series.addBox(legendBox_, kTaken);
@@ -188,11 +192,11 @@ class Panel {
     hidden_ = legendBox_.width > 0 ? map.under(legendBox_) : 1;
   }
 
-  /// Of the last label beyond the frame.
+  /// Returns the length of the last label beyond the frame.
   float overhang() const {
     const Box& box = axes_.box;
     float most = 2 * sizes_.unit;
-    for (const AxisTick& tick : axes_.along.ticks)
+    for (const AxisTick& tick : axes_.xAxis.ticks)
       most = std::max(most, axes_.px(tick.value) + textWidth(tick.label, sizes_.tick) / 2 -
                                 box.right() + 2 * sizes_.unit);
     return most;
@@ -202,21 +206,21 @@ class Panel {
   Box cell_;
   DiagramSizes sizes_;
   Theme theme_;
-  AxisRange along_;
+  AxisRange xRange_;
   DiagramAxes axes_;
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;
-  bool isAligned_;              // with the frames of other diagrams, or of a picture above
-  float top_ = 0, bottom_ = 1;  // of the frame where no legend is above it
-  float left_ = 0;              // where the frame begins at least
-  float right_ = 0;             // where the frame ends; 0: by itself
-  Box legendBox_;               // no width: not shown
-  float hidden_ = 0;            // share of the legend's box that hides something
+  bool isAligned_;              // with the frames of other diagrams or of a picture above
+  float top_ = 0, bottom_ = 1;  // of the frame if no legend is above it
+  float left_ = 0;              // minimum left edge of the frame
+  float right_ = 0;             // right edge of the frame; 0: automatic
+  Box legendBox_;               // width 0: not shown
+  float hidden_ = 0;            // part of the legend's box that hides something
 };
 
-/// Above the frames: titles and names of regions, the same height for all of the sheet, and some
-/// air, which titles of axes take with them.
+/// Returns the height above the frames for titles and names of regions, the same for all of the
+/// sheet, with some space that titles of axes include.
 float aboveFrames(const DiagramSheet& sheet, bool titlesAbove, const DiagramSizes& sizes) {
   float title = 0, names = 0;
   for (const Diagram& diagram : sheet.diagrams) {
@@ -245,7 +249,7 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
   const bool isCommon = hasCommonAxis(sheet);
   const bool isStack = gridFor(sheet).columns == 1 && sheet.diagrams.size() > 1;
   const bool isAligned = !sheet.diagrams.empty() && (isStack || options.above);
-  if (options.above)  // whose labels begin nearer to the edge
+  if (options.above)  // the labels of the picture above begin nearer to the edge
     for (Box& cell : cells) {
       const float nearer = 0.6F * sheetMargin(sizes);
       cell.x -= nearer;
@@ -268,8 +272,8 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
   return panels;
 }
 
-/// In the language in use, with markers as series: the way that one came, and a ring around its
-/// dot, which may stand in the middle of that way.
+/// Returns the sheet in the current language, with markers as series: the trace of a marker, and a
+/// ring around its dot, which may lie in the middle of the trace.
 DiagramSheet prepared(const DiagramSheet& english) {
   DiagramSheet sheet = translated(english);
   for (Diagram& diagram : sheet.diagrams) {
@@ -292,8 +296,8 @@ DiagramSheet prepared(const DiagramSheet& english) {
   return sheet;
 }
 
-/// The panels in their places; heading and note are put on `list`. Titles of the axes up stand
-/// upright, or over all frames where they lack the room beside one and the frames can spare it.
+/// Places the panels; heading and note are added to `list`. Titles of the y-axes are upright, or
+/// above all frames where they do not fit beside one and the frames leave enough space.
 std::vector<Panel> panelsOf(const DiagramSheet& sheet, const DiagramOptions& options,
                             DrawList& list) {
   const DiagramSizes sizes = sizesFor(sheet, options);
@@ -339,7 +343,7 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
 }
 
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) {
-  constexpr float kGood = 3;  // heights of a number
+  constexpr float kGood = 3;  // in heights of a number
   if (sheet.diagrams.size() > 1 && lowestFrame(sheet, options) < kGood) sheet.diagrams.pop_back();
   if (lowestFrame(sheet, options) < kGood) sheet.note = {};
   return sheet;

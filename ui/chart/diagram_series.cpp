@@ -11,20 +11,20 @@
 namespace asperity {
 namespace {
 
-// In units.
+// These are in units.
 constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F, kBar = 1.2F;
 constexpr float kMark = 7.2F, kSmallestMark = 3.6F, kRim = 0.8F;
-// In line widths.
+// These are in line widths.
 constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
 constexpr float kBandAlpha = 0.2F;
-constexpr float kFaded = 0.3F;  // of its colour, what is left of a faded series
+constexpr float kFaded = 0.3F;  // opacity of a faded series
 
 bool isFinite(const Place& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
 bool holds(const Box& box, const Place& p) {
-  constexpr float kEdge = 0.5F;  // a point at the very end belongs to the diagram
+  constexpr float kEdge = 0.5F;  // tolerance for points at the very end of an axis
   return p.x >= box.x - kEdge && p.x <= box.right() + kEdge && p.y >= box.y - kEdge &&
          p.y <= box.bottom() + kEdge;
 }
@@ -36,7 +36,7 @@ std::vector<Place> placesOf(const DiagramSeries& series, const DiagramAxes& axes
   return places;
 }
 
-/// Runs without gaps, no denser along x than pixels are.
+/// Returns the parts of a curve without gaps, with no more points in x than pixels.
 std::vector<Polyline> runsOf(const std::vector<Place>& places, const Box& box) {
   std::vector<Polyline> runs;
   bool open = false;
@@ -55,7 +55,7 @@ std::vector<Polyline> runsOf(const std::vector<Place>& places, const Box& box) {
   return runs;
 }
 
-/// The curve of a series inside the frame.
+/// Returns the curve of a series inside the frame.
 std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes) {
   std::vector<Polyline> parts;
   for (const Polyline& run : runsOf(placesOf(series, axes), axes.box))
@@ -64,11 +64,11 @@ std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& ax
 }
 
 struct Bar {
-  float x, low, high;  // pixels; low is the larger row
+  float x, low, high;  // pixels; low is the lower end, so the larger row
   bool lowShown, highShown;
 };
 
-/// The error of a point; an end that has no place on a logarithmic axis reaches to its bottom.
+/// Returns the error bar of a point; an end without a place on a logarithmic axis is at its bottom.
 Bar barOf(const DiagramPoint& point, const DiagramAxes& axes) {
   const Place low = axes.place(point.x, point.low), high = axes.place(point.x, point.high);
   const bool toZero = !isFinite(low) && std::isfinite(point.low);
@@ -80,7 +80,7 @@ bool isDrawable(const Bar& bar) {
   return bar.highShown && std::isfinite(bar.low) && std::isfinite(bar.x);
 }
 
-/// Where points crowd, one bar for each column of pixels, around all that are there.
+/// Returns one bar for each pixel column that encloses all bars there, where points are dense.
 std::vector<Bar> thinnedBars(const DiagramSeries& series, const DiagramAxes& axes) {
   const bool isCrowded = static_cast<float>(series.points.size()) > 2 * axes.box.width;
   std::vector<Bar> bars;
@@ -181,7 +181,7 @@ std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& si
     if (series.isFaded) style.colour = mix(theme.background, style.colour, kFaded);
     style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * sizes.unit;
     style.stroke = series.stroke;
-    // Series that share a colour differ in their stroke.
+    // Series that share a colour have different strokes.
     if (next > kDistinctColours && series.colour < 0 && style.stroke == SeriesStroke::Solid)
       style.stroke = SeriesStroke::Dashed;
     style.mark = series.mark;
@@ -204,7 +204,7 @@ void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesS
     case SeriesStroke::Solid:
       return addLine(layer, places, w, style.colour);
     case SeriesStroke::Dashed:
-      // The round ends of a dash make it one width longer, the gap one shorter.
+      // The round ends of a dash make it one width longer, and the gap one width shorter.
       for (Polyline& dash : dashed(places, (kDash - 1) * w, (kDashGap + 1) * w))
         addLine(layer, std::move(dash), w, style.colour);
       return;

@@ -8,7 +8,7 @@
 
 namespace asperity {
 
-/// How a series is drawn, in its diagram and in the legend. Pixels.
+/// The appearance of a series in its diagram and in the legend. Pixels.
 struct SeriesStyle {
   Rgba colour;
   float width = 2;
@@ -18,21 +18,23 @@ struct SeriesStyle {
   bool isBand = false, hasBars = false;
 };
 
-/// One for each series; marks shrink where points crowd in a frame `pixels` wide.
+/// Returns one style for each series; marks shrink where points are dense in a frame `pixels` wide.
 std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
                                   const Theme& theme, float pixels);
 
-/// The lowest and the highest of each pixel column, in their order; both ends are kept. x ascends.
+/// Returns the lowest and the highest point of each pixel column, in their order; both ends are
+/// kept. x ascends.
 std::vector<Place> thinned(const std::vector<Place>& places);
 
-/// A line in a series' stroke.
+/// Adds a line in a series' stroke.
 void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesStyle& style);
 
-/// Bands, then theory, then the data in its order.
+/// Adds bands, then theory, then the data in its order.
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme);
 
-/// Where the series are: 1 under curves and marks, less under bars and bands.
+/// Marks in the map where the series are: weight 1 under curves and marks, less under bars and
+/// bands.
 void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                  const DiagramAxes& axes);
 

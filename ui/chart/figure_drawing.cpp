@@ -9,9 +9,9 @@
 namespace asperity {
 namespace {
 
-constexpr double kFramesPerSecond = 25;  // of the film whose first frame a contact is
+constexpr double kFramesPerSecond = 25;  // of the film that begins with the frame of the contact
 
-/// Its title is the figure's own, not a person's.
+/// Replaces the scene's title by the figure's translated title.
 Frame inPresentLanguage(Frame contact, const Figure& figure) {
   Scene scene = *contact.scene;
   scene.title = translated(figure.sheet.title);

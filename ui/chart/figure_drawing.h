@@ -1,5 +1,5 @@
-// A figure of the paper as a picture: its diagrams, or the contact where it has none. Pure
-// functions; any thread.
+// A figure of the paper as a picture: its diagrams, or a contact where it has none. Pure functions;
+// any thread.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace asperity {
 
-/// The frame that a figure without diagrams is drawn from; null for the others. Throws what its
-/// scene's steady state throws.
+/// Returns the frame of the contact for a figure without diagrams; null for the others. Throws the
+/// errors of the scene's steady state.
 std::shared_ptr<const Frame> contactOf(const Figure& figure);
 
-/// contact: as contactOf() gave it.
+/// Draws the figure. contact: the result of contactOf().
 DrawList composeFigure(const Figure& figure, const Frame* contact, const DiagramOptions& options);
 
 }  // namespace asperity

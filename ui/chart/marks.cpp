@@ -7,7 +7,7 @@
 namespace asperity {
 namespace {
 
-constexpr float kRing = 1.9F;  // of the other marks' size
+constexpr float kRing = 1.9F;  // relative to the other marks' size
 constexpr int kRingSides = 32;
 
 void addRing(DrawLayer& layer, Place at, float size, const Rgba& colour) {
@@ -20,7 +20,7 @@ void addRing(DrawLayer& layer, Place at, float size, const Rgba& colour) {
   addLine(layer, circle, width, colour);
 }
 
-/// Of the line around a mark, whose smooth edge the triangles lack.
+/// Returns the width of the line around a mark; it gives the triangles a smooth edge.
 float edgeWidth(float size) {
   return std::min(1.5F, 0.3F * size);
 }
@@ -68,7 +68,8 @@ void addMark(DrawLayer& layer, SeriesMark mark, Place at, float size, const Rgba
 
 void addMarkRim(DrawLayer& layer, SeriesMark mark, Place at, float size, float rim,
                 const Rgba& colour) {
-  if (mark == SeriesMark::None || mark == SeriesMark::Ring) return;  // what it is around shows
+  if (mark == SeriesMark::None || mark == SeriesMark::Ring)
+    return;  // the enclosed mark stays visible
   if (mark == SeriesMark::Circle) return addLine(layer, {at}, size + 2 * rim, colour);
   addLine(layer, closed(markCorners(mark, at, size)), 2 * rim, colour);
 }

@@ -6,14 +6,14 @@
 
 namespace asperity {
 
-/// The corners of a mark around a place, as large to the eye as a circle `size` wide; empty for a
-/// circle, a ring and for none.
+/// Returns the corners of a mark around a place, which appears as large as a circle `size` wide;
+/// empty for a circle, a ring and no mark.
 std::vector<Place> markCorners(SeriesMark mark, Place at, float size);
 
 /// Draws a filled mark with smooth edges.
 void addMark(DrawLayer& layer, SeriesMark mark, Place at, float size, const Rgba& colour);
 
-/// What keeps a mark apart from what is under it; in a layer below the mark's.
+/// Adds a rim that separates a mark from objects under it; its layer is below the mark's.
 void addMarkRim(DrawLayer& layer, SeriesMark mark, Place at, float size, float rim,
                 const Rgba& colour);
 

@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-/// A line one or more whole pixels wide, sharp.
+/// Adds a sharp line, one or more whole pixels wide.
 void addRule(DrawLayer& layer, float x, float y, float width, float height, const Rgba& colour) {
   addRectangle(layer, {std::round(x), std::round(y), std::round(width), std::round(height)},
                colour);
@@ -24,8 +24,8 @@ void addFrame(DrawLayer& layer, const ContactLayout& layout) {
   addRule(layer, p.right(), p.y, w, p.height, colour);
 }
 
-/// Labels near an end are pushed inwards so that they stay on the picture.
-void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+/// Adds the x-axis. Labels near an end are pushed inwards so that they stay on the picture.
+void addXAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const float w = std::max(1.0F, std::round(s.unit));
   const float baseline = std::round(layout.plot.bottom() + 8 * s.unit + s.small * 0.9F);
@@ -38,11 +38,11 @@ void addAlong(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
              layout.theme.faintText);
   }
   if (!layout.axisTitles) return;
-  addLabel(list, axisTitleAlong(layout), layout.axisTitle, s.small, TextAnchor::Centre,
+  addLabel(list, xAxisTitle(layout), layout.axisTitle, s.small, TextAnchor::Centre,
            layout.theme.text);
 }
 
-void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
+void addHeightAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const float w = std::max(1.0F, std::round(s.unit));
   const float rise = s.small * 0.36F;
@@ -61,11 +61,11 @@ void addUp(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
            s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
 
-/// Both ends, on the title's line.
+/// Adds the numbers of both ends, on the title's line.
 void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
-  const std::vector<LegendTick> ticks = layout.scale.ticks(2);
+  const std::vector<ColourTick> ticks = layout.scale.ticks(2);
   const float gap = kNumberGap * s.unit, baseline = layout.legend.titleEnd.y;
   addLabel(list, ticks.front().label, {bar.x - gap, baseline}, s.small, TextAnchor::Right,
            layout.theme.faintText);
@@ -73,22 +73,22 @@ void addNumbersBeside(DrawList& list, const ContactLayout& layout) {
            layout.theme.faintText);
 }
 
-/// Both ends always, within the bar or nearly so; others where there is room.
+/// Adds the labels of both ends, within the bar or nearly so, and others where they fit.
 void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Sizes& s = layout.sizes;
   const Box& bar = layout.legend.bar;
-  const std::vector<LegendTick> ticks = layout.scale.ticks(6);
+  const std::vector<ColourTick> ticks = layout.scale.ticks(6);
   const float baseline = std::round(bar.bottom() + s.small * 1.15F);
   const float wide = std::max(1.0F, std::round(s.unit));
-  const auto write = [&](const LegendTick& tick, TextAnchor anchor) {
-    addLabel(list, tick.label, {bar.x + tick.share * bar.width, baseline}, s.small, anchor,
+  const auto write = [&](const ColourTick& tick, TextAnchor anchor) {
+    addLabel(list, tick.label, {bar.x + tick.position * bar.width, baseline}, s.small, anchor,
              layout.theme.faintText);
   };
-  for (const LegendTick& tick : ticks)
-    addRule(layer, std::min(bar.x + tick.share * bar.width, bar.right() - wide), bar.bottom(), wide,
-            3 * s.unit, layout.theme.axis);
-  const auto half = [&](const LegendTick& tick) { return textWidth(tick.label, s.small) / 2; };
-  const LegendTick &first = ticks.front(), &last = ticks.back();
+  for (const ColourTick& tick : ticks)
+    addRule(layer, std::min(bar.x + tick.position * bar.width, bar.right() - wide), bar.bottom(),
+            wide, 3 * s.unit, layout.theme.axis);
+  const auto half = [&](const ColourTick& tick) { return textWidth(tick.label, s.small) / 2; };
+  const ColourTick &first = ticks.front(), &last = ticks.back();
   const bool isZero = first.label == "0";
   write(first, isZero ? TextAnchor::Centre : TextAnchor::Left);
   write(last, TextAnchor::Right);
@@ -96,7 +96,7 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
   float from = bar.x + (isZero ? 1 : 2) * half(first) + gap;
   const float to = bar.right() - 2 * half(last) - gap;
   for (std::size_t i = 1; i + 1 < ticks.size(); ++i) {
-    const float x = bar.x + ticks[i].share * bar.width;
+    const float x = bar.x + ticks[i].position * bar.width;
     if (x - half(ticks[i]) < from || x + half(ticks[i]) > to) continue;
     write(ticks[i], TextAnchor::Centre);
     from = x + half(ticks[i]) + gap;
@@ -105,7 +105,7 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
 
 void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Box& bar = layout.legend.bar;
-  constexpr int kSteps = 20;  // twice the control colours of the maps, or finer
+  constexpr int kSteps = 20;  // twice the number of control colours of the maps, or more
   const float step = bar.width / kSteps;
   for (int i = 0; i < kSteps; ++i) {
     const Box part{bar.x + static_cast<float>(i) * step, bar.y, step, bar.height};
@@ -115,7 +115,7 @@ void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   layout.legend.inLine ? addNumbersBeside(list, layout) : addLegendLabels(list, layer, layout);
 }
 
-/// As many of the notes as have room, the more important first.
+/// Adds as many notes as fit, the more important ones first.
 void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   const float size = layout.sizes.small;
   std::string footer;
@@ -132,8 +132,8 @@ void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) 
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   DrawLayer layer;
   addFrame(layer, layout);
-  addAlong(list, layer, layout);
-  addUp(list, layer, layout);
+  addXAxis(list, layer, layout);
+  addHeightAxis(list, layer, layout);
   if (layout.legend.bar.width > 0) addLegend(list, layer, layout);
   if (!layout.legend.title.empty())
     addLabel(list, layout.legend.title, layout.legend.titleEnd, layout.sizes.small,

@@ -18,8 +18,9 @@ std::vector<Place> pixelsOf(const Curve& curve, const ContactLayout& layout) {
   return places;
 }
 
-/// Everything below the curve, in colours that depend on the row. A few columns at a time go down
-/// to the lowest of them and one rectangle from there: tall slivers are slow to draw.
+/// Fills the area below the curve with colours that depend on the row. Several columns together are
+/// filled down to their lowest point, and one rectangle follows below: tall narrow rectangles are
+/// slow to draw.
 template <typename Shade>
 void fillBelow(DrawLayer& layer, const std::vector<Place>& curve, float bottom,
                const Shade& shade) {
@@ -39,7 +40,7 @@ void fillBelow(DrawLayer& layer, const std::vector<Place>& curve, float bottom,
   }
 }
 
-/// A band of light along the upper edge of what lies below the curve.
+/// Adds a band of light along the upper edge of the body below the curve.
 void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
   const Rgba bright{1, 1, 1, 0.14F}, none{1, 1, 1, 0};
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
@@ -49,23 +50,23 @@ void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
   }
 }
 
-/// The row below which a curve does not come, within the plot; what lies under other bodies further
-/// down would be drawn for nothing.
+/// Returns the lowest row of a curve within the plot; drawing further down, behind other bodies,
+/// would be wasted.
 float lowestRow(const std::vector<Place>& curve, const ContactLayout& layout) {
   float low = layout.plot.y;
   for (const Place& place : curve) low = std::max(low, place.y);
   return std::min(std::ceil(low) + 1, layout.plot.bottom());
 }
 
-/// The usual sign for a rigid body; the strokes travel with the line.
+/// Adds the usual hatching of a rigid body; the strokes move with the line.
 void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layout, float bottom) {
   const Box& p = layout.plot;
   const double gap = std::round(13 * layout.sizes.unit);
   const double velocity = frame.scene ? frame.scene->sliding.velocity : 1;
   const double slid = velocity < 0 ? -std::abs(frame.distance) : frame.distance;
-  double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreAlong(), gap);
+  double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreX(), gap);
   if (!std::isfinite(offset)) offset = 0;
-  // Lines of one colour, which vector pictures can keep as such.
+  // The lines have one colour, so vector pictures can keep them as lines.
   const Rgba colour = withAlpha(layout.theme.rigidEdge, 0.15F);
   const float width = std::max(1.0F, layout.sizes.unit);
   for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
@@ -113,7 +114,7 @@ void addCurve(DrawLayer& layer, const Curve& curve, const ContactLayout& layout,
   layer.lines.push_back(std::move(line));
 }
 
-/// Over the bodies, under the curves and contacts, which must keep their colours.
+/// Adds the grid over the bodies, but under the curves and contacts, which must keep their colours.
 void addGrid(DrawLayer& layer, const ContactLayout& layout) {
   const float width = std::max(1.0F, std::round(layout.sizes.unit));
   for (const Tick& tick : layout.heightTicks.ticks)
@@ -122,7 +123,7 @@ void addGrid(DrawLayer& layer, const ContactLayout& layout) {
                  layout.theme.grid);
 }
 
-/// The level of the elastomer before it was touched, dashed.
+/// Adds the dashed level of the undeformed elastomer.
 void addUndeformedLevel(DrawLayer& layer, const ContactLayout& layout) {
   const float u = layout.sizes.unit, y = layout.py(0);
   for (float x = layout.plot.x; x < layout.plot.right(); x += 12 * u)
@@ -130,7 +131,7 @@ void addUndeformedLevel(DrawLayer& layer, const ContactLayout& layout) {
             withAlpha(layout.theme.elastomerEdge, 0.55F));
 }
 
-/// A wide faint line under a narrow bright one; a single point is a dot.
+/// Adds a wide faint line under a narrow bright one; a single point is a dot.
 void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
   const float u = layout.sizes.unit;
   DrawLine core, halo;
@@ -146,8 +147,8 @@ void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& lay
   layer.lines.push_back(std::move(core));
 }
 
-/// The free surface in the colours of its age, with a band of them below; nothing in contact and
-/// where contact was never seen.
+/// Draws the free surface in the colours of its age, with a band of them below. Nothing is drawn in
+/// contact, and where contact has never occurred.
 void addAge(DrawLayer& below, DrawLayer& curves, const Curve& surface,
             const ContactLayout& layout) {
   const float u = layout.sizes.unit, depth = 0.1F * layout.plot.height;
@@ -169,7 +170,7 @@ void addAge(DrawLayer& below, DrawLayer& curves, const Curve& surface,
   curves.lines.push_back(std::move(line));
 }
 
-/// A contact that is too narrow for a line, in every period shown: bright on a dark rim.
+/// Marks a contact that is too narrow for a line, in every period shown: bright on a dark rim.
 void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
   const std::size_t point = *layout.marked;
   const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
@@ -193,17 +194,17 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   if (!isDrawable(frame)) return;
   const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
   const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
-  const Columns columns{layout.view.left, layout.pixelsPerMetreAlong()};
+  const Columns columns{layout.view.left, layout.pixelsPerMetreX()};
   const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
   const bool coloursAge = layout.scale.overlay == ContactOverlay::Relaxation;
   const Curve line = decimated(frame, frame.lineHeight, range, columns);
   const Curve surface = decimated(frame, frame.surfaceHeight, range, columns, values);
-  // Stretches closer than the width of a hairline are one to the eye.
+  // Two contacts closer than the width of a hairline cannot be distinguished.
   const double hairlines = columns.pixelsPerMetre / std::max(1.0F, layout.sizes.unit);
   std::vector<Curve> stretches;
   if (layout.scale.isShown() && !coloursAge)
-    stretches =
-        stretchesAbove(frame, range, {columns.left, hairlines}, values, layout.scale.leastShown());
+    stretches = stretchesAbove(frame, range, {columns.left, hairlines}, values,
+                               layout.scale.minimumShown());
 
   DrawLayer rigid = rigidLayer(frame, line, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);

@@ -11,13 +11,14 @@
 namespace asperity {
 namespace {
 
-constexpr float kLeastPlot = 130;         // units; in lower plots there is no room
-constexpr float kLowPlot = 300;           // units; in higher ones the line may pass behind arrows
-constexpr float kAir = 4;                 // units, from an arrow's end to the line
-constexpr float kShortestArrow = 5;       // units; a shorter one is lost in the dot at its foot
-constexpr double kTypicalFriction = 0.5;  // of the plateau's mu: its arrow is about as long as F_N
+constexpr float kLeastPlot = 130;    // units; lower plots have no space
+constexpr float kLowPlot = 300;      // units; in higher ones the line may pass behind arrows
+constexpr float kAir = 4;            // units, between an arrow's end and the line
+constexpr float kShortestArrow = 5;  // units; a shorter one would vanish in the dot at its foot
+constexpr double kTypicalFriction =
+    0.5;  // of the plateau's mu; its arrow is about as long as that of F_N
 
-/// 1, 2 or 5 times a power of ten; at plateaus mu is about 1.4 times the rms slope.
+/// Returns 1, 2 or 5 times a power of ten; on plateaus mu is about 1.4 times the rms slope.
 double enlargementFor(double rmsSlope) {
   return rmsSlope > 0 ? std::max(1.0, roundUp125(kTypicalFriction / rmsSlope)) : 1;
 }

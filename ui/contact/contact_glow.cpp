@@ -23,7 +23,7 @@ class Strip {
   float& operator[](std::size_t i) { return values_[i]; }
   float operator[](std::size_t i) const { return values_[i]; }
 
-  /// The nearest place, held within the strip.
+  /// Returns the nearest place, limited to the strip.
   std::size_t nearest(float x) const {
     const float i = std::round((x - left_) / step_);
     return static_cast<std::size_t>(std::clamp(i, 0.0F, static_cast<float>(values_.size() - 1)));
@@ -45,7 +45,7 @@ class Strip {
   std::vector<float> values_;
 };
 
-/// Pixel row of the surface at every place of the strip.
+/// Writes the surface's pixel row at every place of the strip.
 void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
                    const ContactLayout& layout) {
   std::size_t k = 0;
@@ -60,11 +60,11 @@ void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
   }
 }
 
-/// Share of the colour scale; places between the vertices of a stretch are interpolated.
+/// Writes positions on the colour scale; places between the vertices of a stretch are interpolated.
 void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
                  const ContactLayout& layout) {
   const auto share = [&](const CurveVertex& v) {
-    return std::clamp(layout.scale.share(v.value), 0.02F, 1.0F);
+    return std::clamp(layout.scale.position(v.value), 0.02F, 1.0F);
   };
   const auto mark = [&](float x, float value) {
     if (shares.covers(x)) {
@@ -85,14 +85,15 @@ void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
   }
 }
 
-/// Where light is (weight) and how bright (weighted share), softened row by row.
+/// Where light is (weight) and how bright it is (weighted share), smoothed row by row.
 struct Light {
   Strip weight, share;
   Rgba colour(std::size_t i, int row) const {
     const float w = weight[i];
     const float t = w > 0 ? share[i] / w : 0;
     const float fade = 1 - static_cast<float>(row) / kRows;
-    // Like embers, redder with depth: yellow over the elastomer's blue would turn green.
+    // Like embers, the light gets redder with depth: yellow over the elastomer's blue would turn
+    // green.
     const float warmth = t * (0.25F + 0.6F * fade * fade);
     return withAlpha(pressureColour(warmth), std::pow(w, 0.7F) * fade * fade * (0.45F + 0.5F * t));
   }

@@ -1,4 +1,4 @@
-// The light that what is coloured throws down into the elastomer. Private to ui/contact; pure.
+// The light below coloured parts of the elastomer's surface. Private to ui/contact; pure.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace asperity {
 
-/// Triangles that start at the surface and fade with depth, coloured as the contacts above them.
+/// Adds triangles that start at the surface and fade with depth, in the colours of the contacts
+/// above.
 void addGlow(DrawLayer& layer, const std::vector<CurveVertex>& surface,
              const std::vector<std::vector<CurveVertex>>& contacts, const ContactLayout& layout);
 
-/// How far down it reaches, in pixels; the lower half is hardly seen.
+/// Returns the depth of the light in pixels; its lower half is hardly visible.
 float glowDepth(const ContactLayout& layout);
 
 }  // namespace asperity

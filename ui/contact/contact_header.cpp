@@ -1,4 +1,4 @@
-// Title and readings above the axes.
+// The title and readings above the axes.
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +14,11 @@ namespace {
 struct Reading {
   TextRuns label;
   std::string value;
-  int rank = 0;  // the highest goes first where there is no room
+  int rank = 0;  // the highest is left out first
   std::string tip;
 };
 
-/// Where it stands: the label's left end, and the baseline of the row before.
+/// A reading with its place: the label's left end, and the baseline of its first row.
 struct PlacedReading {
   Reading reading;
   Place at;
@@ -38,13 +38,13 @@ std::string percent(double fraction) {
   return std::isfinite(fraction) ? shortNumber(100 * fraction) + " %" : "\u2013";
 }
 
-/// "0.951 \u00B1 0.04" where the error of the discretization is known.
+/// Returns "0.951 \u00B1 0.04" where the discretization error is known.
 std::string frictionText(double mu, double error) {
   const std::string text = shortNumber(mu, 3, Zeros::Keep);
   return std::isfinite(error) ? text + " \u00B1 " + shortNumber(error, 1) : text;
 }
 
-/// Of the interface and in total, where the scene has local friction.
+/// Adds interface and total friction, where the scene has local friction.
 void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
   if (!hasInterface(frame)) return;
   const ContactState state = drawnState(frame);
@@ -75,7 +75,8 @@ std::string frictionTip(const Frame& frame) {
       "computed without time steps.");
 }
 
-/// Of what is drawn. While that is on its way to the steady state, the friction there is told, too.
+/// Returns the readings of the state that is drawn. While it is on its way to the steady state, the
+/// friction of the latter is shown, too.
 std::vector<Reading> readingsOf(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
@@ -126,7 +127,7 @@ std::vector<Reading> readingsOf(const Frame& frame) {
   return readings;
 }
 
-/// Readings in rows, left to right.
+/// Arranges readings in rows, from left to right.
 std::vector<std::vector<Reading>> flow(const std::vector<Reading>& readings, float width, float gap,
                                        const Sizes& s) {
   std::vector<std::vector<Reading>> rows(1);
@@ -178,10 +179,10 @@ std::string titleOf(const Frame& frame) {
       {lineOf(frame.scene->surface)});
 }
 
-/// "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
+/// Returns "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
 std::string progressOf(const Frame& frame) {
   if (!(frame.time > 0)) return {};
-  constexpr double kRounding = 1e-12;  // of the period: a motion that came back
+  constexpr double kRounding = 1e-12;  // part of the period, for a motion that returned
   const double slid = std::abs(frame.distance);
   return filled(Words::tr("t = %1, slid %2"),
                 {quantity(frame.time, "s", 3, Zeros::Keep),
@@ -192,7 +193,7 @@ float titleBaseline(const Sizes& s) {
   return std::round(10 * s.unit + s.title);
 }
 
-/// The title and what stands at the right end of its line, as far as there is room.
+/// The title and the text at the right end of its line, if it fits.
 struct TitleLine {
   std::string whole, shown, progress;
   float side = 0, room = 0, progressAt = 0;
@@ -234,7 +235,7 @@ float rowHeight(const Sizes& s) {
   return std::round(s.small + s.body + 14 * s.unit);
 }
 
-/// As many as have room below a title whose baseline this is.
+/// Places as many readings as fit below a title with this baseline.
 std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictureOptions& options,
                                           float baseline) {
   const Sizes s = sizesFor(options);

@@ -1,5 +1,5 @@
-// Labels inside the axes. They stand still in the corners, on soft plates of their body's colour;
-// in a low view, where the line reaches up to them, they give way to it.
+// Labels inside the axes. They are fixed in the corners, on translucent plates of their body's
+// colour; in a low view, where the line reaches up to them, they move out of its way.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -27,7 +27,8 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
              {{"v = " + quantity(v, "m/s")}}};
 }
 
-/// The arrows in the tags only say which way; where there is room they are drawn in scale instead.
+/// Returns the tag of friction. Arrows in tags show only the direction; where there is space,
+/// arrows to scale are drawn instead.
 Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
   const bool toTheRight = pushesRight(frame);
   Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
@@ -48,18 +49,18 @@ Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
           {}};
 }
 
-/// The more important first.
+/// Returns the tags of the forces, the more important ones first.
 std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
   std::vector<Tag> tags;
   const ContactState state = drawnState(frame);
   if (state.normalForce > 0) tags.push_back(pressingTag(frame, arrows));
-  // No steady friction (none at all, or a state that has none): no arrow for what rounding leaves.
+  // Without steady friction (no friction, or a state without it) rounding errors get no arrow.
   if (totalFriction(state) > 0 && frictionForce(state) > 0)
     tags.push_back(frictionTag(frame, arrows));
   return tags;
 }
 
-/// "viscoelastic, G = 10 MPa, τ = 1 ms" or ", 13 arms"; empty without a scene.
+/// Returns "viscoelastic, G = 10 MPa, τ = 1 ms" or ", 13 arms"; empty without a scene.
 std::string elastomerWords(const Frame& frame) {
   if (!frame.scene) return {};
   const ElementLaw law = lawOf(frame.scene->elastomer);
@@ -74,7 +75,7 @@ std::string elastomerWords(const Frame& frame) {
                 {modulus, std::to_string(law.arms.size())});
 }
 
-/// The whole label first, then the name alone.
+/// Returns the full label first, then the name alone.
 std::vector<Tag> elastomerTags(const Frame& frame) {
   const Tag name{{{Words::tr("elastomer"), true}}, ArrowWay::None, {}};
   const std::string words = elastomerWords(frame);
@@ -82,9 +83,9 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {{name.before, ArrowWay::None, {{words}}}, name};
 }
 
-/// Names the rigid body, its motion and the forces in places that the line leaves free now, as near
-/// to the usual places as possible. A label that finds no place is left out, because the line would
-/// cross it. The labels of the forces hold their arrows.
+/// Names the rigid body, its motion and the forces at places that the line leaves free now, as near
+/// to the usual places as possible. A label that does not fit is left out, because the line would
+/// cross it. The labels of the forces contain their arrows.
 void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                                float y) {
   const float gap = std::round(10 * layout.sizes.unit);
@@ -109,14 +110,14 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
   if (motion && !placeMotion()) {
     motion = slidingTag(frame, true);
     if (!placeMotion()) {
-      motion->after.clear();  // the header says how fast
+      motion->after.clear();  // the header shows the velocity
       placeMotion();
     }
   }
   const std::vector<Tag> forces = forceTags(frame, {});
   float needed = -gap;
   for (const Tag& force : forces) needed += painter.width(force) + gap;
-  // From left to right; F_N, which is the first of them, stands at the right.
+  // The tags are placed from left to right; F_N, the first of them, is on the right.
   for (auto force = forces.rbegin(); force != forces.rend(); ++force) {
     const bool isLast = force + 1 == forces.rend();
     if (isLast || right - left >= needed) place(*force, right - needed);
@@ -124,12 +125,12 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
   }
 }
 
-/// Where arrows may begin under the row of labels whose upper edge is at y.
+/// Returns where arrows may begin under the row of labels whose upper edge is at y.
 float belowRow(const TagPainter& painter, const ContactLayout& layout, float y) {
   return y + painter.height() + std::round(9 * layout.sizes.unit);
 }
 
-/// "rigid body" on the left, the motion in the middle, the forces on the right, as far as they fit.
+/// Adds "rigid body" on the left, the motion in the middle, the forces on the right, if they fit.
 void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& layout, float y) {
   const float gap = std::round(10 * layout.sizes.unit);
   const Rgba& plate = layout.theme.rigid;
@@ -138,11 +139,11 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   std::optional<Tag> motion = slidingTag(frame, false);
   const auto both = [&] { return painter.width(name) + painter.width(*motion) + gap; };
   if (motion && both() > right - left) motion = slidingTag(frame, true);
-  // Zoomed to the rubber, there is no rigid body in its corner.
+  // A view of the elastomer alone has no rigid body in its corner.
   const bool isThere =
       liesOn(Body::Rigid, frame, layout, {left, y, painter.width(name), painter.height()});
   if (isThere) painter.paint(name, {left, y}, plate);
-  if (motion && isThere && both() > right - left) {  // a narrow picture: one below the other
+  if (motion && isThere && both() > right - left) {  // a narrow picture has them below each other
     const float below = y + painter.height();
     if (painter.width(*motion) <= right - left && 6 * painter.height() < layout.plot.height &&
         lineStaysBelow(frame, layout, below + painter.height()))
@@ -163,9 +164,9 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   painter.paint(*motion, {std::round(std::clamp(middle, left, right - width)), y}, plate);
 }
 
-/// "200 \u00B5W total, 23 % in the free surface": what comes back takes power, too. In steady
-/// sliding all is what the friction force does, that of the interface included, to the last digit;
-/// the sum over points, which gives the shares, only comes near to it.
+/// Returns "200 \u00B5W total, 23 % in the free surface": the recovering surface takes power, too.
+/// In steady sliding the total is exactly the work of the friction force per time, including that
+/// of the interface; the sum over points, which gives the parts, is only an approximation.
 std::string powerText(const Frame& frame) {
   double free = 0, whole = 0;
   for (std::size_t i = 0; i < frame.power.size(); ++i) {
@@ -199,7 +200,7 @@ float footerWidth(const Notes& notes, const ContactLayout& layout) {
   return width;
 }
 
-/// Puts the note into the footer, before a less important one; false where there is no room.
+/// Puts the note into the footer, before a less important one; returns false where it does not fit.
 bool footerWith(Notes& notes, const std::string& note, const ContactLayout& layout) {
   Notes wanted{notes.front(), note};
   if (footerWidth(wanted, layout) > layout.footerWidth) return false;
@@ -207,8 +208,8 @@ bool footerWith(Notes& notes, const std::string& note, const ContactLayout& layo
   return true;
 }
 
-/// Names the elastomer where that hides no contact: at the bottom left if no contact ever comes
-/// there, so that the label stands still; else in the footer; else in a place that is clear now.
+/// Names the elastomer where the label hides no contact: at the bottom left if no contact ever gets
+/// there, so that the label stays fixed; else in the footer; else in a place that is free now.
 void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                    Notes& notes) {
   const float margin = std::round(9 * layout.sizes.unit);
@@ -257,7 +258,7 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const ForceArrows arrows = hasRow ? forceArrows(frame, layout, top) : ForceArrows{};
   if (arrows.down > 0) addForceArrows({plates, layer}, arrows, footOf(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
-  list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last has the curves
+  list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves
   list.layers.push_back(std::move(layer));
   return notes;
 }

@@ -11,12 +11,12 @@
 namespace asperity {
 namespace {
 
-constexpr float kLowest = 50;        // units of height for a plot with a legend
+constexpr float kLowest = 50;        // minimum height in units of a plot with a legend
 constexpr float kFarOutside = 1e5F;  // pixels; keeps coordinates small enough for floats
 constexpr float kNarrow = 4;         // units; a contact less wide than this is marked by a dot
-constexpr float kTitleGap = 10;      // units, from the legend's title to what follows
+constexpr float kTitleGap = 10;      // units, from the legend's title to the bar
 
-/// "20 mm": without a title the last number says the unit.
+/// Adds the unit to the last number, "20 mm", because the axis has no title.
 void nameUnit(AxisTicks& axis) {
   if (!axis.ticks.empty() && !axis.unit.empty()) axis.ticks.back().label += " " + axis.unit;
 }
@@ -27,7 +27,7 @@ float widestLabel(const AxisTicks& axis, float size) {
   return widest;
 }
 
-/// Leaves out those before the last one along that its unit runs into.
+/// Leaves out x-ticks that the unit of the last one would touch.
 void dropTicksUnderLast(ContactLayout& layout) {
   std::vector<Tick>& ticks = layout.xTicks.ticks;
   const float size = layout.sizes.small;
@@ -42,7 +42,7 @@ void dropTicksUnderLast(ContactLayout& layout) {
   }
 }
 
-/// Pixels of a row for the legend in one line, with this title, and the bar in it.
+/// Pixels of a row for the legend in one line: with this title, and its bar.
 struct LineNeeds {
   float width = 0, bar = 0;
 };
@@ -51,7 +51,7 @@ LineNeeds lineNeeds(const ContactLayout& layout, const std::string& title) {
   const Sizes& s = layout.sizes;
   const float wide = title.empty() ? 0 : textWidth(title, s.small) + kTitleGap * s.unit;
   if (!layout.scale.isShown()) return {wide, 0};
-  const std::vector<LegendTick> ends = layout.scale.ticks(2);
+  const std::vector<ColourTick> ends = layout.scale.ticks(2);
   const float numbers = textWidth(ends.front().label, s.small) +
                         textWidth(ends.back().label, s.small) + 2 * kNumberGap * s.unit;
   const float bar =
@@ -59,7 +59,8 @@ LineNeeds lineNeeds(const ContactLayout& layout, const std::string& title) {
   return {wide + numbers + bar, bar};
 }
 
-/// The legend at the right end of the axis title's line; false where it would run into the title.
+/// Places the legend at the right end of the axis title's line; returns false where it would touch
+/// the title.
 bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
   const Sizes& s = layout.sizes;
   const LineNeeds needs = lineNeeds(layout, title);
@@ -76,13 +77,14 @@ bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
   return true;
 }
 
-/// A low picture has one line for all: exaggeration at the left, the axis' title, the legend at the
-/// right. The title of the axis makes room where it must, that of the legend gets shorter.
+/// Arranges everything of a low picture in one line: exaggeration on the left, the axis' title, the
+/// legend on the right. The title of the axis moves where necessary, that of the legend gets
+/// shorter.
 void placeInLine(ContactLayout& layout, const std::string& reason) {
   const Sizes& s = layout.sizes;
   const float gap = 16 * s.unit;
   const Box& plot = layout.plot;
-  const float axis = layout.axisTitles ? textWidth(axisTitleAlong(layout), s.small) : 0;
+  const float axis = layout.axisTitles ? textWidth(xAxisTitle(layout), s.small) : 0;
   std::vector<std::string> titles;
   if (layout.scale.isShown())
     titles = {layout.scale.title(), layout.scale.shortTitle(), std::string()};
@@ -103,7 +105,7 @@ void placeInLine(ContactLayout& layout, const std::string& reason) {
 
 }  // namespace
 
-std::string axisTitleAlong(const ContactLayout& layout) {
+std::string xAxisTitle(const ContactLayout& layout) {
   return Words::tr("position") + " (" + layout.xTicks.unit + ")";
 }
 
@@ -111,32 +113,32 @@ Sizes sizesFor(const ContactPictureOptions& options) {
   const float scale = options.scale > 0 ? options.scale : 1;
   const float room = std::min(static_cast<float>(options.width) / (1280 * scale),
                               static_cast<float>(options.height) / (720 * scale));
-  // Small pictures shrink their texts a little, large ones enlarge them less than themselves.
+  // Small pictures shrink their texts a little; large ones enlarge them less than the picture.
   const float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
   const auto font = [&](float size) { return std::max(7.0F, std::round(size * unit)); };
   return {unit, font(19), font(14), font(12)};
 }
 
-double ContactLayout::pixelsPerMetreAlong() const {
+double ContactLayout::pixelsPerMetreX() const {
   return plot.width / view.width;
 }
 
-double ContactLayout::pixelsPerMetreUp() const {
+double ContactLayout::pixelsPerMetreY() const {
   return plot.height / (view.top - view.bottom);
 }
 
 float ContactLayout::px(double x) const {
-  const double pixels = plot.x + (x - view.left) * pixelsPerMetreAlong();
+  const double pixels = plot.x + (x - view.left) * pixelsPerMetreX();
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
 float ContactLayout::py(double metres) const {
-  const double pixels = plot.y + (view.top - metres) * pixelsPerMetreUp();
+  const double pixels = plot.y + (view.top - metres) * pixelsPerMetreY();
   return static_cast<float>(std::clamp<double>(pixels, -kFarOutside, kFarOutside));
 }
 
 std::string exaggerationText(const ContactLayout& layout) {
-  const double ratio = layout.pixelsPerMetreUp() / layout.pixelsPerMetreAlong();
+  const double ratio = layout.pixelsPerMetreY() / layout.pixelsPerMetreX();
   return filled(Words::tr("vertical exaggeration %1\u00D7"), {shortNumber(ratio, 2)});
 }
 
@@ -148,9 +150,9 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.sizes = sizesFor(options);
   layout.theme = options.theme;
   layout.view = resolvedView(frame, options.view);
-  layout.scale = {options.overlay, endIn(layout.view, options.overlay)};
+  layout.scale = {options.overlay, colourMaximum(layout.view, options.overlay)};
   if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
-    layout.scale = {};  // the frame lacks them
+    layout.scale = {};  // the frame lacks the values
   const std::string reason = layout.scale.isShown() ? "" : reasonUncoloured(frame, options.overlay);
   const bool hasLegend = layout.scale.isShown() || !reason.empty();
   const Sizes& s = layout.sizes;
@@ -165,7 +167,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.axisTitles = room - tickRow > 90 * u;
   const bool footer = room - tickRow - titleRow - footerRow > 150 * u;
 
-  // Sideways: the height axis' labels decide.
+  // The labels of the height axis determine the left edge.
   const float plotTop = std::round(headerBottom + pad);
   float below = tickRow + pad * 0.6F;
   const bool hasLine = layout.axisTitles || (hasLegend && room - tickRow - titleRow > kLowest * u);
@@ -173,7 +175,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
   const std::string title = layout.scale.isShown() ? layout.scale.title() : reason;
   const float titleWidth = textWidth(title, s.small);
-  // Decades need more room for their numbers than even steps do.
+  // Decades need more space for their numbers than equal steps do.
   const bool isPower = layout.scale.overlay == ContactOverlay::Power;
   const float barWidth = std::round(isPower ? std::clamp(width * 0.26F, 150 * u, 360 * u)
                                             : std::clamp(width * 0.2F, 110 * u, 300 * u));
@@ -183,7 +185,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.plot.y = plotTop;
   layout.plot.height = std::max(1.0F, std::round(height - below) - plotTop);
   layout.heightTicks =
-      ticksUp(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
+      yTicks(layout.view.bottom, layout.view.top, layout.plot.height, 48 * u, s.small, "m");
   if (!layout.axisTitles) nameUnit(layout.heightTicks);
   const float left = widestLabel(layout.heightTicks, s.small) + 9 * u + pad +
                      (layout.axisTitles ? s.small * 1.6F : 0);
@@ -195,7 +197,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
     nameUnit(layout.xTicks);
     dropTicksUnderLast(layout);
   }
-  layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreAlong());
+  layout.marked = narrowContact(frame, kNarrow * u / layout.pixelsPerMetreX());
   const float ticks = std::round(layout.plot.bottom() + 8 * u + s.small * 0.9F);
   layout.axisTitle = {layout.plot.x + layout.plot.width / 2, std::round(ticks + s.small * 1.45F)};
   if (!footer) {

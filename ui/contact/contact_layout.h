@@ -1,4 +1,4 @@
-// Where the parts of a contact picture go, and the way from metres to pixels. Private to
+// The places of the parts of a contact picture, and the map from metres to pixels. Private to
 // ui/contact. Plain values; any thread.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace asperity {
 
-/// Sizes in pixels; whole numbers for fonts, as the painter knows no others.
+/// Sizes in pixels; whole numbers for fonts, because the painter knows no others.
 struct Sizes {
   float unit = 1;  // of line widths and distances
   float title = 18, body = 13, small = 11;
@@ -18,13 +18,13 @@ Sizes sizesFor(const ContactPictureOptions& options);
 
 inline constexpr float kNumberGap = 6;  // units, from a legend's bar to a number beside it
 
-/// What the colours mean: a title, a bar, and numbers below it or, where the picture is low, beside
-/// it in one line.
+/// The legend of the colours: a title, a bar, and numbers below it or, in a low picture, beside it
+/// in one line.
 struct LegendPlace {
-  Box bar;              // no width: nothing is coloured, or there is no room
-  bool inLine = false;  // numbers stand beside the bar
+  Box bar;              // width 0: nothing is coloured, or there is no space
+  bool inLine = false;  // the numbers are beside the bar
   std::string title;    // or why nothing is coloured; may be empty
-  Place titleEnd;       // of its baseline, at the right
+  Place titleEnd;       // right end of its baseline
 };
 
 struct ContactLayout {
@@ -36,24 +36,24 @@ struct ContactLayout {
   AxisTicks xTicks, heightTicks;
   ColourScale scale;
   bool axisTitles = true;
-  Place axisTitle;  // of the axis along: middle of its baseline
+  Place axisTitle;  // of the x-axis: middle of its baseline
   LegendPlace legend;
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
-  std::optional<std::size_t> marked;  // point of a contact so narrow that a dot has to show it
+  std::optional<std::size_t> marked;  // point of a contact so narrow that a dot must show it
 
-  double pixelsPerMetreAlong() const;
-  double pixelsPerMetreUp() const;
+  double pixelsPerMetreX() const;
+  double pixelsPerMetreY() const;
   float px(double x) const;
   float py(double metres) const;  // heights as in Frame
 };
 
-/// `headerBottom`: pixels taken by the title and readings.
+/// Makes the layout. `headerBottom`: pixels taken by the title and readings.
 ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& options,
                             float headerBottom);
 
-/// "position (mm)".
-std::string axisTitleAlong(const ContactLayout& layout);
+/// Returns "position (mm)".
+std::string xAxisTitle(const ContactLayout& layout);
 std::string exaggerationText(const ContactLayout& layout);
 
 }  // namespace asperity

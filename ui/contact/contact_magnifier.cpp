@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 
-#include "ui/contact/contact_insets.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/decimate.h"
 #include "ui/contact/label_placement.h"
@@ -15,9 +14,9 @@ namespace asperity {
 namespace {
 
 constexpr float kLeastWidth = 110, kLeastHeight = 74;  // units
-constexpr int kLeastPoints = 6;                        // of the frame in the inset
+constexpr int kLeastPoints = 6;  // minimum number of the frame's points in the inset
 
-/// The heights of both curves in a part of the world, m.
+/// The height range of both curves in a view, m.
 struct Heights {
   double low = 0, high = 0;
 };
@@ -37,20 +36,20 @@ Heights heightsIn(const Frame& frame, const ContactView& view, float pixels) {
   return heights;
 }
 
-/// The part of the world in the inset, with at least the part `below` of its height free under both
-/// curves. Its heights end at round places, so that they stand still while a contact is followed.
+/// Returns the view of the inset, with at least the part `below` of its height free under both
+/// curves. Its heights end at round values, so that they stay fixed while a contact is followed.
 ContactView partOf(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout,
                    float pixels, double below) {
-  constexpr double kAround = 1.6;  // of the curves' range
+  constexpr double kAround = 1.6;  // times the curves' range
   ContactView view = layout.view;
   const double enlargement = magnifier.enlargement > 1 ? magnifier.enlargement : 1;
-  view.width = std::max(pixels / layout.pixelsPerMetreAlong() / enlargement,
+  view.width = std::max(pixels / layout.pixelsPerMetreX() / enlargement,
                         std::min(kLeastPoints * frame.spacing, view.width));
   view.left = magnifier.position - 0.5 * view.width;
   const auto [low, high] = heightsIn(frame, view, pixels);
   const double least = 1e-3 * (layout.view.top - layout.view.bottom);
   const double range = std::max(high - low, least);
-  constexpr double kAbove = 0.15;  // of the height, for the heading
+  constexpr double kAbove = 0.15;  // part of the height, for the heading
   const double size = roundUp(below > 0 ? range / (1 - below - kAbove) : kAround * range);
   const double grid = size / 20;
   const double bottom = below > 0 ? low - below * size : 0.5 * (low + high) - 0.55 * size;
@@ -59,7 +58,7 @@ ContactView partOf(const Frame& frame, const Magnifier& magnifier, const Contact
   return view;
 }
 
-/// What is enlarged, in the picture around: at least a few pixels wide.
+/// Returns the enlarged box in the picture, at least a few pixels wide.
 Box sourceBox(const ContactView& part, const ContactLayout& layout) {
   const Box& plot = layout.plot;
   const float left = std::max(layout.px(part.left), plot.x);
@@ -77,7 +76,7 @@ void addBorder(DrawLayer& layer, const Box& b, float width, const Rgba& colour) 
           width, colour);
 }
 
-/// From the enlarged part to the inset's near corners.
+/// Adds lines from the enlarged part to the inset's near corners.
 void addConnection(DrawLayer& layer, const Box& source, const Box& inset, float width,
                    const Rgba& colour) {
   const bool insetIsRight = inset.x > source.x;
@@ -87,27 +86,27 @@ void addConnection(DrawLayer& layer, const Box& source, const Box& inset, float 
   addLine(layer, {{from, source.bottom()}, {to, inset.bottom()}}, width, colour);
 }
 
-/// Round, and 0.12 to 0.3 of the whole.
+/// Returns a round length, 0.12 to 0.3 of the whole.
 double barLength(double whole) {
   return roundUp125(0.12 * whole);
 }
 
-/// Two bars from a corner with their lengths, on a plate; what they say of the scale.
+/// Two scale bars from a corner with their lengths, on a plate.
 class ScaleBars {
  public:
   explicit ScaleBars(const ContactLayout& inset)
       : inset_(inset),
-        along_(barLength(inset.view.width)),
-        up_(barLength(inset.view.top - inset.view.bottom)),
-        width_(static_cast<float>(along_ * inset.pixelsPerMetreAlong())),
-        height_(static_cast<float>(up_ * inset.pixelsPerMetreUp())) {}
+        length_(barLength(inset.view.width)),
+        rise_(barLength(inset.view.top - inset.view.bottom)),
+        width_(static_cast<float>(length_ * inset.pixelsPerMetreX())),
+        height_(static_cast<float>(rise_ * inset.pixelsPerMetreY())) {}
 
-  /// The plate in the lower left corner, or in the right one.
+  /// Returns the plate in the lower left corner, or in the right one.
   Box plate(bool isRight) const {
     const Sizes& s = inset_.sizes;
     const float u = s.unit, edge = std::round(4 * u);
-    const float texts = std::max(textWidth(quantity(up_, "m"), s.small),
-                                 width_ + 5 * u + textWidth(quantity(along_, "m"), s.small));
+    const float texts = std::max(textWidth(quantity(rise_, "m"), s.small),
+                                 width_ + 5 * u + textWidth(quantity(length_, "m"), s.small));
     const Box box{inset_.plot.x + edge, 0, texts + 10 * u, height_ + 13 * u + s.small};
     return {isRight ? inset_.plot.right() - edge - box.width : box.x,
             inset_.plot.bottom() - edge - box.height, box.width, box.height};
@@ -121,20 +120,20 @@ class ScaleBars {
     addRectangle(layer, plate, withAlpha(mix(inset_.theme.elastomer, {0, 0, 0, 1}, 0.3F), 0.75F));
     addLine(layer, {{corner.x, corner.y - height_}, corner, {corner.x + width_, corner.y}}, 2 * u,
             ink);
-    addLabel(list, quantity(up_, "m"), {corner.x - 2 * u, std::round(corner.y - height_ - 5 * u)},
+    addLabel(list, quantity(rise_, "m"), {corner.x - 2 * u, std::round(corner.y - height_ - 5 * u)},
              s.small, TextAnchor::Left, ink);
-    addLabel(list, quantity(along_, "m"),
+    addLabel(list, quantity(length_, "m"),
              {corner.x + width_ + 5 * u, std::round(corner.y + 0.2F * s.small)}, s.small,
              TextAnchor::Left, ink);
   }
 
  private:
   const ContactLayout& inset_;
-  double along_, up_;  // m
+  double length_, rise_;  // m
   float width_, height_;
 };
 
-/// Where the plate of the bars hides neither curve, so no contact; none where it would.
+/// Returns a plate for the bars that hides neither curve, so no contact; none where there is none.
 std::optional<Box> clearPlate(const ScaleBars& bars, const Frame& frame,
                               const ContactLayout& inset) {
   const CurveRows line = rowsOf(frame, frame.lineHeight, inset);
@@ -160,9 +159,9 @@ void addHeading(DrawList& list, const ContactLayout& inset, double enlargement) 
            s.small, TextAnchor::Left, textOn(inset.theme.rigid));
 }
 
-/// Gives the inset its view, and returns where its scale goes: into a corner that is free of the
-/// contact, which gets more room below where neither is; none where that would leave nothing to
-/// see.
+/// Sets the view of the inset, and returns the place of its scale bars: a corner without contact.
+/// The contact gets more space below where neither corner is free; there are no bars where this
+/// would leave nothing visible.
 std::optional<Box> zoomIn(ContactLayout& inset, const Frame& frame, const Magnifier& magnifier,
                           const ContactLayout& layout) {
   std::optional<Box> plate;
@@ -180,14 +179,14 @@ std::optional<Box> zoomIn(ContactLayout& inset, const Frame& frame, const Magnif
 Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout) {
   const Box& plot = layout.plot;
   const float u = layout.sizes.unit, edge = std::round(10 * u);
-  // A small plot gives it more of its room.
+  // In a small plot, the inset takes a larger part.
   const float width = std::round(std::max(0.3F * plot.width, kLeastWidth * u));
   const float height = std::round(std::max(0.56F * plot.height, kLeastHeight * u));
   if (!isDrawable(frame) || width > 0.45F * plot.width || height > 0.7F * plot.height) return {};
   const float x = layout.px(magnifier.position);
   const bool isLeft = x > plot.x + 0.5F * plot.width;
-  // Clear of the labels: on the left below the row of them, on the right at the bottom, away from
-  // the forces.
+  // The inset avoids the labels: on the left it is below their row, on the right it is at the
+  // bottom, away from the forces.
   const float low = plot.bottom() - edge - height;
   const float top = plot.y + std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
   if (isLeft) return {plot.x + edge, std::min(top, low), width, height};
@@ -203,7 +202,7 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   inset.plot = box;
   inset.heightTicks = {};
   const std::optional<Box> plate = zoomIn(inset, frame, magnifier, layout);
-  inset.marked = narrowContact(frame, 4 * layout.sizes.unit / inset.pixelsPerMetreAlong());
+  inset.marked = narrowContact(frame, 4 * layout.sizes.unit / inset.pixelsPerMetreX());
 
   const float u = layout.sizes.unit;
   const Rgba& ink = layout.theme.text;
@@ -218,7 +217,7 @@ void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier
   if (plate) ScaleBars(inset).addTo(list, above, *plate);
   addBorder(above, box, 2.2F * u, ink);
   list.layers.push_back(std::move(above));
-  addHeading(list, inset, inset.pixelsPerMetreAlong() / layout.pixelsPerMetreAlong());
+  addHeading(list, inset, inset.pixelsPerMetreX() / layout.pixelsPerMetreX());
 }
 
 }  // namespace asperity

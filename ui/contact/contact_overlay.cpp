@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPowerDecades = 3;
-// A free surface has come back after so many of its longest relaxation times.
+// A free surface has recovered after this many of its longest relaxation times.
 constexpr double kRelaxationTimes = 4;
 
 std::string_view unitOf(ContactOverlay overlay) {
@@ -25,8 +25,8 @@ std::string_view unitOf(ContactOverlay overlay) {
   return overlay == ContactOverlay::Power ? "W/m" : "N/m";
 }
 
-/// The end with the unit that the numbers before it count in: "200 N/m" or, where there is no
-/// prefix any more, "5×10⁻²⁹ N/m".
+/// Returns the maximum with the unit of the numbers before it: "200 N/m" or, where there is no
+/// prefix, "5×10⁻²⁹ N/m".
 std::string lastLabel(double end, const AxisTicks& axis, std::string_view unit) {
   const bool hasPrefix = axis.unitSize == prefixFor(end).size;
   return hasPrefix ? shortNumber(end / axis.unitSize) + " " + axis.unit : quantity(end, unit);
@@ -39,7 +39,7 @@ double greatestOf(const std::vector<double>& values) {
   return greatest;
 }
 
-/// s; infinite where nothing relaxes to rest.
+/// Returns the longest relaxation time, s; infinite where nothing relaxes to rest.
 double longestRelaxation(const Frame& frame) {
   if (!frame.scene) return std::numeric_limits<double>::infinity();
   const RetardationModes modes = retardationModes(lawOf(frame.scene->elastomer));
@@ -68,20 +68,20 @@ std::string_view wordFor(ContactOverlay overlay) {
   }
 }
 
-float ColourScale::share(double value) const {
-  if (!(end > 0) || std::isnan(value)) return 0;
-  double share = value / end;
+float ColourScale::position(double value) const {
+  if (!(maximum > 0) || std::isnan(value)) return 0;
+  double position = value / maximum;
   if (overlay == ContactOverlay::Power)
-    share = share > 0 ? 1 + std::log10(share) / kPowerDecades : 0;
-  return static_cast<float>(std::clamp(share, 0.0, 1.0));
+    position = position > 0 ? 1 + std::log10(position) / kPowerDecades : 0;
+  return static_cast<float>(std::clamp(position, 0.0, 1.0));
 }
 
-double ColourScale::leastShown() const {
-  return overlay == ContactOverlay::Power ? end * std::pow(10, -kPowerDecades) : 0;
+double ColourScale::minimumShown() const {
+  return overlay == ContactOverlay::Power ? maximum * std::pow(10, -kPowerDecades) : 0;
 }
 
-Rgba ColourScale::colourAt(float share) const {
-  return overlay == ContactOverlay::Relaxation ? ageColour(share) : pressureColour(share);
+Rgba ColourScale::colourAt(float position) const {
+  return overlay == ContactOverlay::Relaxation ? ageColour(position) : pressureColour(position);
 }
 
 std::string ColourScale::title() const {
@@ -106,20 +106,20 @@ std::string ColourScale::shortTitle() const {
   }
 }
 
-std::vector<LegendTick> ColourScale::ticks(int most) const {
-  const AxisTicks round = linearTicks(0, end, most, unitOf(overlay));
-  const std::string last = lastLabel(end, round, unitOf(overlay));
-  std::vector<LegendTick> ticks;
+std::vector<ColourTick> ColourScale::ticks(int most) const {
+  const AxisTicks round = linearTicks(0, maximum, most, unitOf(overlay));
+  const std::string last = lastLabel(maximum, round, unitOf(overlay));
+  std::vector<ColourTick> ticks;
   if (overlay == ContactOverlay::Power) {
-    // One unit for all: numbers alone are short enough to stand at each decade.
+    // All numbers share one unit; without units they are short enough to fit at each decade.
     for (int decade = kPowerDecades; decade > 0; --decade) {
-      const double value = end * std::pow(10, -decade);
-      ticks.push_back({share(value), shortNumber(value / round.unitSize)});
+      const double value = maximum * std::pow(10, -decade);
+      ticks.push_back({position(value), shortNumber(value / round.unitSize)});
     }
   } else {
     for (const Tick& tick : round.ticks)
-      if (tick.value < end * (1 - 1e-9))
-        ticks.push_back({share(tick.value), tick.value == 0 ? "0" : tick.label});
+      if (tick.value < maximum * (1 - 1e-9))
+        ticks.push_back({position(tick.value), tick.value == 0 ? "0" : tick.label});
   }
   ticks.push_back({1, last});
   return ticks;
@@ -130,7 +130,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
     return {};
   const bool rests = velocityOf(frame) == 0;
-  // Points that are all in contact would bear pressure.
+  // If all points were in contact, they would bear pressure.
   const bool touches =
       frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
   if (touches && !(greatestOf(frame.pressure) > 0))
@@ -158,8 +158,8 @@ const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) 
   }
 }
 
-double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
-  constexpr double kInHand = 1.1;  // or it would change often
+double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
+  constexpr double kInHand = 1.1;  // margin, so that the scale rarely changes
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
   double greatest = greatestOf(valuesOf(frame, overlay));
@@ -169,7 +169,7 @@ double scaleEnd(const Frame& frame, ContactOverlay overlay, double last) {
   return roundUp(overlay == ContactOverlay::Relaxation ? greatest : kInHand * greatest);
 }
 
-double endIn(const ContactView& view, ContactOverlay overlay) {
+double colourMaximum(const ContactView& view, ContactOverlay overlay) {
   switch (overlay) {
     case ContactOverlay::Pressure:
       return view.pressure;

@@ -1,5 +1,5 @@
-// What the colours of a contact picture mean: pressure, time since contact or dissipated power.
-// Pure; any thread.
+// The meaning of the colours in a contact picture: pressure, time since contact or dissipated
+// power. Pure; any thread.
 #pragma once
 
 #include <string>
@@ -10,48 +10,49 @@
 
 namespace asperity {
 
-/// What a frame must hold for it.
+/// Returns the optional values that a frame must contain for the overlay.
 FrameFields fieldsFor(ContactOverlay overlay);
 
-/// "none", "pressure", "relaxation", "power".
+/// Returns "none", "pressure", "relaxation" or "power".
 std::string_view wordFor(ContactOverlay overlay);
 
-struct LegendTick {
-  float share;  // of the bar
+struct ColourTick {
+  float position;  // on the bar, 0 to 1
   std::string label;
 };
 
-/// The way from a value to its colour; nothing is coloured where `end` is 0.
+/// The map from a value to its colour; nothing is coloured where `maximum` is 0.
 struct ColourScale {
   ContactOverlay overlay = ContactOverlay::None;
-  double end = 0;  // N/m, s or W/m at the bar's end
+  double maximum = 0;  // N/m, s or W/m at the right end of the bar
 
-  bool isShown() const { return overlay != ContactOverlay::None && end > 0; }
-  /// Place on the bar, 0 to 1. Linear; of power three decades, because a few elements at the edges
-  /// of contact take a hundred times what a free surface does.
-  float share(double value) const;
-  /// Only values above are coloured.
-  double leastShown() const;
-  Rgba colour(double value) const { return colourAt(share(value)); }
-  Rgba colourAt(float share) const;
+  bool isShown() const { return overlay != ContactOverlay::None && maximum > 0; }
+  /// Returns the position on the bar, 0 to 1. It is linear; power has three decades, because a few
+  /// elements at the edges of contact dissipate a hundred times the power of a free surface.
+  float position(double value) const;
+  /// Returns the value above which points are coloured.
+  double minimumShown() const;
+  Rgba colour(double value) const { return colourAt(position(value)); }
+  Rgba colourAt(float position) const;
   std::string title() const;
-  std::string shortTitle() const;  // where there is no room for it
-  /// Both ends, and between them round values or, of power, decades; the last one has the unit.
-  std::vector<LegendTick> ticks(int most) const;
+  std::string shortTitle() const;  // where the full title does not fit
+  /// Returns ticks at both ends, and between them round values or, for power, decades; the last one
+  /// has the unit.
+  std::vector<ColourTick> ticks(int most) const;
 };
 
-/// A few words on why the frame has nothing to colour; empty where it has, or where it is not known
-/// because the frame lacks the values.
+/// Returns a few words on why the frame has nothing to colour; empty where it has, or where this is
+/// unknown because the frame lacks the values.
 std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay);
 
-/// The values of the scale at the frame's points; empty where the frame lacks them.
+/// Returns the values of the scale at the frame's points; empty where the frame lacks them.
 const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay);
 
-/// A round end of the scale for this frame, 0 where it has nothing to show. `last`: kept as long as
-/// it does; of pressures only where those of the steady state are not known.
-double scaleEnd(const Frame& frame, ContactOverlay overlay, double last);
+/// Returns a round maximum of the scale for this frame, 0 where it has no values. `last` is kept as
+/// long as it fits; for pressures only where those of the steady state are unknown.
+double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last);
 
-/// The end in a view.
-double endIn(const ContactView& view, ContactOverlay overlay);
+/// Returns the maximum of the colour scale in a view.
+double colourMaximum(const ContactView& view, ContactOverlay overlay);
 
 }  // namespace asperity

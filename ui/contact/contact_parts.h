@@ -1,5 +1,6 @@
-// The parts of a contact picture, each added to the list by one function. Private to ui/contact.
-// Pure; any thread.
+// The parts of a contact picture, each added to the list by one function, and the tools for
+// details: a crosshair with its readout, and a magnified inset. Private to ui/contact. Pure; any
+// thread.
 #pragma once
 
 #include <string>
@@ -13,17 +14,33 @@ namespace asperity {
 using Notes = std::vector<std::string>;
 inline constexpr const char* kNoteGap = "      ";  // between two of them
 
-/// Title and readings; returns the pixels they take from the top.
+/// Adds title and readings; returns the pixels that they take from the top.
 float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options);
 
-/// Both bodies, the gap, the curves and the lit contacts.
+/// Adds both bodies, the gap, the curves and the coloured contacts.
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
-/// What the bodies are, which way the line slides, the forces; after addBodies. Returns what the
-/// footer has to say.
+/// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.
+/// Returns the texts for the footer.
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
-/// Frame, ticks, axis titles, pressure legend, footer.
+/// Adds frame, ticks, axis titles, colour legend and footer.
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes);
+
+/// Returns the place of the inset: in the half of the plot that it does not enlarge. Width 0: the
+/// plot is too small for one.
+Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout);
+
+/// Adds the inset: the neighbourhood at a larger scale, with scale bars and its exaggeration.
+void addMagnifier(DrawList& list, const Frame& frame, const Magnifier& magnifier,
+                  const ContactLayout& layout);
+
+/// Adds a vertical line at the element nearest to x, dots on line and surface, and a readout beside
+/// them that covers neither. `taken`: a box to avoid, if that is possible.
+void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout& layout,
+              const Box& taken);
+
+/// Removes the texts that a box over them would touch.
+void removeTextsUnder(DrawList& list, const Box& box);
 
 }  // namespace asperity

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ui/contact/contact_insets.h"
 #include "ui/contact/contact_parts.h"
 
 namespace asperity {

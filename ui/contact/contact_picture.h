@@ -1,6 +1,6 @@
-// The contact as a picture, in the manner of Fig. 1 of Li et al. (2013): the rigid line above, the
-// deformed elastomer filled below, contacts coloured by pressure or the surface by what else is
-// asked for, forces as arrows, axes with units, the vertical exaggeration stated. Pure functions of
+// The contact as a picture, in the style of Fig. 1 of Li et al. (2013): the rigid line above, the
+// deformed elastomer filled below, contacts coloured by pressure or the surface by another
+// quantity, forces as arrows, axes with units, the vertical exaggeration as text. Pure functions of
 // their arguments; the same picture in the window, headless and in the tests. Any thread.
 #pragma once
 
@@ -14,29 +14,29 @@
 
 namespace asperity {
 
-/// The part of the world that is shown. Metres; heights as in Frame.
+/// The visible part of the contact. Metres; heights as in Frame.
 struct ContactView {
-  double left = 0, width = 0;  // 0 width: the whole period
-  double bottom = 0, top = 0;  // equal: fitted to the frame, and steady while it slides
-  double pressure = 0;         // N/m, bright end of the colour scale; 0: fitted to the frame
-  double age = 0;              // s since contact, likewise
-  double power = 0;            // W/m, likewise
+  double left = 0, width = 0;  // width 0: the whole period
+  double bottom = 0, top = 0;  // equal: fitted to the frame, and fixed while it slides
+  double pressure = 0;         // N/m, maximum of the colour scale; 0: fitted to the frame
+  double age = 0;              // s since contact, the same for that scale
+  double power = 0;            // W/m, the same for that scale
 
   bool operator==(const ContactView&) const = default;
 };
 
-/// What the colours on the elastomer's surface say.
+/// The quantity that the colours of the elastomer's surface show.
 enum class ContactOverlay {
   None,
   Pressure,
   Relaxation,  // time since contact (Frame::sinceContact)
-  Power        // dissipated (Frame::power)
+  Power        // dissipated power (Frame::power)
 };
 
 /// A part of the contact enlarged in an inset.
 struct Magnifier {
-  double position = 0;     // m, in its middle
-  double enlargement = 8;  // of lengths along, against the picture around it
+  double position = 0;     // m, of its middle
+  double enlargement = 8;  // of x, relative to the picture around it
 
   bool operator==(const Magnifier&) const = default;
 };
@@ -48,26 +48,27 @@ struct ContactPictureOptions {
   ContactView view;
   bool title = true;  // scene title and readings above the axes
   ContactOverlay overlay = ContactOverlay::Pressure;
-  std::optional<double> probe;  // m: a crosshair there, and what is to be read at that element
+  std::optional<double> probe;  // m: position of a crosshair with readings of that element
   std::optional<Magnifier> magnifier;
 };
 
-/// A view that fits the frame and moves only when it must (call with the last view to avoid
-/// jitter). Heights and colours are fitted to the whole period, so they stand still while the line
+/// Returns a view that fits the frame and changes only when it must (pass the last view to avoid
+/// jitter). Heights and colours are fitted to the whole period, so they stay fixed while the line
 /// slides by; left and width are those of `last` (0 and 0 without one: the whole period).
 ContactView fittedView(const Frame& frame, const std::optional<ContactView>& last = {});
 
-/// The same view with every 0 that stands for a default replaced by its value. An end of a colour
-/// scale stays 0 where none is known: the frame has no such values and the view names none.
+/// Returns the view with every 0 for a default replaced by its value. A maximum of a colour scale
+/// stays 0 where it is unknown: the frame has no such values and the view gives none.
 ContactView resolvedView(const Frame& frame, const ContactView& view);
 
-/// Where composeContact puts the axes' rectangle: the view's left, width, bottom and top fill it.
+/// Returns the rectangle of the axes in composeContact; it shows the view's left, width, bottom and
+/// top.
 Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
-/// Pixels, of line widths and distances in it; its small texts are 12 of them high.
+/// Returns the unit of line widths and distances, in pixels; its small texts are 12 units high.
 float contactUnit(const ContactPictureOptions& options);
 
-/// A reading above the axes: where it stands (pixels), what it is called, and a sentence on it. A
-/// title that does not fit its line is the first, with all of it for the sentence.
+/// A reading above the axes: its place (pixels), its name, and a sentence about it. A title that
+/// does not fit its line is the first one, with its full text as the sentence.
 struct ContactReading {
   Clip place;
   std::string name, tip;
@@ -75,8 +76,9 @@ struct ContactReading {
 std::vector<ContactReading> contactReadings(const Frame& frame,
                                             const ContactPictureOptions& options);
 
-/// Shapes and texts. A frame without points gives empty axes; never throws for what a frame holds.
-/// At most two vertices a pixel column and curve, so the cost does not grow with the points.
+/// Draws shapes and texts. A frame without points gives empty axes; it never throws because of a
+/// frame's content. Each curve has at most two vertices per pixel column, so the cost does not grow
+/// with the points.
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& options);
 
 }  // namespace asperity

@@ -11,8 +11,9 @@
 namespace asperity {
 namespace {
 
-/// A marched element is under a constant pressure in each time step, so at the end of the step its
-/// law gives its rate exactly. The line's slope and velocity give it to first order in the step.
+/// Returns the rate of the surface. A marched element has a constant pressure in each time step, so
+/// its law gives the rate at the end of the step exactly. The line's slope and velocity give it
+/// only to first order in the step.
 std::optional<double> surfaceRate(const Frame& frame, std::size_t point) {
   const bool isMarched = frame.transient || frame.isSettling;
   if (!frame.scene || !isMarched) return std::nullopt;

@@ -1,4 +1,4 @@
-// What is to be read at one element of a contact picture. Pure; any thread.
+// The reading at one element of a contact picture. Pure; any thread.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +17,24 @@ struct ProbeReading {
   double surface = 0;     // m, u
   double gap = 0;         // m, 0 in contact
   double pressure = 0;    // N/m
-  double slope = 0;       // dz/dx; where the frame has none a central difference
-  /// m/s, du/dt of the elastomer, where it does not follow from the slope and the velocity alone:
-  /// of Kelvin elements in a motion, and while a picture settles. With it the pressure is that of
-  /// the depth, p = 4 (G |u| - eta du/dt), to rounding (Li et al. 2013, Eq. 1).
+  double slope = 0;       // dz/dx; a central difference where the frame has no slopes
+  /// m/s, du/dt of the elastomer, where the slope and the velocity do not determine it: for Kelvin
+  /// elements in a motion, and while a picture settles. It makes the pressure agree with the depth
+  /// to rounding, p = 4 (G |u| - eta du/dt) (Li et al. 2013, Eq. 1).
   std::optional<double> surfaceRate;
-  std::optional<double> age;    // s since contact, where the frame knows it
-  std::optional<double> power;  // W/m, likewise
+  std::optional<double> age;    // s since contact, if the frame has it
+  std::optional<double> power;  // W/m, if the frame has it
 };
 
-/// At the element nearest to x (m, any period); nothing where the frame cannot be drawn.
+/// Returns the reading at the element nearest to x (m, any period); nothing where the frame cannot
+/// be drawn.
 std::optional<ProbeReading> probeReading(const Frame& frame, double x);
 
 struct ProbeLine {
   std::string label, value;
 };
 
-/// "gap" "12 nm" and so on, for a readout or to be spoken.
+/// Returns "gap" "12 nm" and so on, for a readout or a screen reader.
 std::vector<ProbeLine> probeLines(const ProbeReading& reading);
 
 }  // namespace asperity

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "ui/contact/contact_insets.h"
+#include "ui/contact/contact_parts.h"
 #include "ui/contact/contact_probe.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
@@ -16,7 +16,7 @@ bool overlap(const Box& a, const Box& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
-/// Of the text with its ascenders and descenders, turned or not.
+/// Returns the box of a text with its ascenders and descenders, rotated or not.
 Box boxOf(const DrawText& text) {
   const float width = textWidth(text.utf8, text.size, text.bold);
   const float start = text.anchor == TextAnchor::Left     ? 0
@@ -48,15 +48,15 @@ Readout readoutOf(std::vector<ProbeLine> lines, const Sizes& s) {
   return readout;
 }
 
-/// The crosshair and its dots in the plot, and a box that is taken.
+/// The crosshair and its dots in the plot, and a box to avoid.
 struct Surroundings {
   float x, upper, lower;
   Box taken;
 };
 
-/// Beside the crosshair, on the side with more room; high or low, where the dots are not. In a
-/// narrow plot at its edges, above the dots or below them. Nothing where all of that covers the
-/// dots or what is taken.
+/// Returns the place of the readout: beside the crosshair, on the side with more space, high or
+/// low, away from the dots. In a narrow plot it is at the edges, above or below the dots. Nothing
+/// where all of these places cover the dots or the box to avoid.
 std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
                            const ContactLayout& layout) {
   const Box& plot = layout.plot;
@@ -67,7 +67,7 @@ std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
   const float right = x + away, left = x - away - w;
   const float first = plot.x + edge, last = plot.right() - edge - w;
   const float middle = 0.5F * (upper + lower) - 0.5F * h;
-  // Below the row of labels where there is room.
+  // The readout is below the row of labels where it fits.
   const float row = std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
   const float high = plot.y + edge, low = plot.bottom() - edge - h;
   const float least = high + row <= low ? high + row : high;
@@ -83,8 +83,8 @@ std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
   return std::nullopt;
 }
 
-/// From the last one on; of the first four the rigid line's height, which is that of the elastomer
-/// in contact.
+/// Leaves out a line, from the last one on; of the first four the rigid line's height, which in
+/// contact equals that of the elastomer.
 void leaveOneOut(std::vector<ProbeLine>& lines) {
   if (lines.size() == 4)
     lines.erase(lines.begin() + 1);
@@ -92,8 +92,8 @@ void leaveOneOut(std::vector<ProbeLine>& lines) {
     lines.pop_back();
 }
 
-/// The readout with as many of its lines as there is a free place for, three at least; over an
-/// inset only where there is no such place.
+/// Returns the readout with as many of its lines as fit at a free place, at least three; it covers
+/// an inset only where there is no such place.
 std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& reading,
                                                       Surroundings around,
                                                       const ContactLayout& layout) {
@@ -142,7 +142,7 @@ void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout&
               const Box& taken) {
   const auto reading = probeReading(frame, x);
   if (!reading) return;
-  // The period in which the crosshair is.
+  // The copies are shifted to the period of the crosshair.
   const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
   const double place = reading->position + period * std::round((x - reading->position) / period);
   const Box& plot = layout.plot;

@@ -1,4 +1,4 @@
-// Short labels inside the axes: words and an arrow on a soft plate. Private to ui/contact.
+// Short labels inside the axes: words and an arrow on a translucent plate. Private to ui/contact.
 #pragma once
 
 #include "ui/contact/contact_layout.h"
@@ -7,7 +7,7 @@ namespace asperity {
 
 enum class ArrowWay { None, Left, Right, Down };
 
-/// Words, an arrow, words.
+/// A label: words, an arrow, words.
 struct Tag {
   TextRuns before;
   ArrowWay arrow = ArrowWay::None;

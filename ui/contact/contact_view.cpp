@@ -1,4 +1,4 @@
-// Which heights and pressures are shown.
+// The ranges of heights and pressures that are shown.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-// Room above and below the rough interface, as shares of its extent: for the bodies and their
+// Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
 constexpr double kAbove = 0.24, kBelow = 0.30;
 constexpr double kMostPeriods = 50;
@@ -33,7 +33,7 @@ Extent interfaceExtent(const Frame& frame) {
   return extent.low <= extent.high ? extent : Extent{};
 }
 
-/// A flat interface is shown together with the undeformed surface, or with a micrometre around it.
+/// Extends the range of a flat interface to the undeformed surface, or to a micrometre around it.
 Extent withSubstance(Extent extent) {
   const double farthest = std::max(std::abs(extent.low), std::abs(extent.high));
   if (extent.size() > 1e-9 * farthest) return extent;
@@ -54,14 +54,15 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
   ContactView view = last.value_or(ContactView{});
   const Extent extent = withSubstance(interfaceExtent(frame));
   if (!stillFits(view, extent)) {
-    // Outwards to round places, so that small changes leave the axis alone even without `last`.
+    // The ends are rounded outwards, so that small changes do not move the axis even without
+    // `last`.
     const double grid = roundUp125(extent.size() / 20);
     view.bottom = std::floor((extent.low - kBelow * extent.size()) / grid) * grid;
     view.top = std::ceil((extent.high + kAbove * extent.size()) / grid) * grid;
   }
-  view.pressure = scaleEnd(frame, ContactOverlay::Pressure, view.pressure);
-  view.age = scaleEnd(frame, ContactOverlay::Relaxation, view.age);
-  view.power = scaleEnd(frame, ContactOverlay::Power, view.power);
+  view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
+  view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
+  view.power = scaleMaximum(frame, ContactOverlay::Power, view.power);
   return view;
 }
 

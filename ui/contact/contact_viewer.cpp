@@ -9,19 +9,19 @@
 namespace asperity {
 namespace {
 
-constexpr double kStep = 1.25;    // enlargement of one step
-constexpr double kHeights = 0.7;  // a usual Hurst exponent
-constexpr double kFewest = 8;     // elements across the plot
-// Another asperity has to be pressed so much more before the magnifier leaves for it; within this
-// part of the period it is still the same one.
+constexpr double kStep = 1.25;    // enlargement per step
+constexpr double kHeights = 0.7;  // exponent of heights, a usual Hurst exponent
+constexpr double kFewest = 8;     // minimum number of elements across the plot
+// The magnifier moves to another asperity only if its pressure is greater by the first factor;
+// within the second part of the period it is still the same asperity.
 constexpr double kMore = 1.25, kSame = 0.01;
 
 double periodOf(const Frame& frame) {
   return frame.spacing * static_cast<double>(frame.lineHeight.size());
 }
 
-/// Whether colours go on: another scene, the end of settling and a motion that begins anew have a
-/// scale of their own, whatever was shown before.
+/// Returns whether the colour scale is kept: another scene, the end of settling and a motion that
+/// begins again have a new scale.
 bool showsTheSame(const Frame& last, const Frame& now) {
   return last.sceneNumber == now.sceneNumber && last.isSettling == now.isSettling &&
          last.time <= now.time;
@@ -40,7 +40,7 @@ void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
   if (magnifies_) followPeak(last.get());
 }
 
-/// The greatest pressure, unless what was the greatest is still about as much.
+/// Finds the greatest pressure, but keeps the former place while its pressure is still similar.
 void ContactViewer::followPeak(const Frame* last) {
   const Frame& frame = *frame_;
   if (!isDrawable(frame)) return;
@@ -56,7 +56,7 @@ void ContactViewer::followPeak(const Frame* last) {
     if (p > 0 && std::abs(away) < kSame * period && (!same || p > frame.pressure[*same])) same = i;
   }
   const bool stays = same && frame.pressure[most] < kMore * frame.pressure[*same];
-  // It goes with the line, not with the element that happens to be pressed most.
+  // The magnifier moves with the line, not with the element that has the greatest pressure.
   peak_ = stays ? here : static_cast<double>(most) * frame.spacing;
 }
 
@@ -89,7 +89,7 @@ FrameFields ContactViewer::fields() const {
 void ContactViewer::zoom(const ViewPlace& at, double steps) {
   navigation_ =
       navigation_.zoomed(at, std::pow(kStep, steps), std::pow(kStep, kHeights * steps), finest());
-  // Out to the whole period means everything.
+  // Zooming out to the whole period shows everything.
   if (steps < 0 && navigation_.enlargement() == 1) fit();
 }
 
@@ -97,9 +97,9 @@ void ContactViewer::exaggerate(const ViewPlace& at, double steps) {
   navigation_ = navigation_.zoomed(at, 1, std::pow(kStep, steps), finest());
 }
 
-void ContactViewer::pan(double along, double up) {
-  // A view of all heights stays one.
-  navigation_ = navigation_.panned(along, navigation_.isFittedUp() ? 0 : up);
+void ContactViewer::pan(double dx, double dy) {
+  // A view of all heights keeps them when it is moved.
+  navigation_ = navigation_.panned(dx, navigation_.hasFittedHeights() ? 0 : dy);
 }
 
 void ContactViewer::fit() {
@@ -127,7 +127,7 @@ void ContactViewer::movePointer(int elements) {
   const ContactView seen = view();
   const double from = pointer().value_or(seen.left + 0.5 * seen.width);
   double to = std::round(from / frame_->spacing + elements) * frame_->spacing;
-  // It leaves the view on one side and comes in on the other.
+  // The crosshair leaves the view on one side and enters it on the other.
   if (to < seen.left) to = seen.left + seen.width - 0.5 * frame_->spacing;
   if (to > seen.left + seen.width) to = seen.left + 0.5 * frame_->spacing;
   cursor_.reset();
@@ -138,7 +138,7 @@ std::optional<double> ContactViewer::pointer() const {
   if (!frame_) return std::nullopt;
   if (!cursor_) return element_;
   const ContactView seen = view();
-  return seen.left + cursor_->along * seen.width;
+  return seen.left + cursor_->x * seen.width;
 }
 
 std::optional<ProbeReading> ContactViewer::reading() const {

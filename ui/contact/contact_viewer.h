@@ -1,6 +1,6 @@
-// How somebody looks at the contact: the place zoomed to, the crosshair, the magnifier, the
-// colours. Frames go in, the options of their pictures come out. Knows no widget: places come as
-// shares of the plot. One thread at a time.
+// The user's view of the contact: the zoomed part, the crosshair, the magnifier, the colours. It
+// takes frames and returns the options of their pictures. It uses no widget: places are relative to
+// the plot. One thread at a time.
 #pragma once
 
 #include <memory>
@@ -15,36 +15,39 @@ namespace asperity {
 
 class ContactViewer {
  public:
-  /// Heights and colours stay fitted and steady from frame to frame; a line of another length is
-  /// shown as a whole.
+  /// Sets the frame. Heights and colours stay fitted and steady from frame to frame; a line of
+  /// another length is shown as a whole.
   void setFrame(std::shared_ptr<const Frame> frame);
   const std::shared_ptr<const Frame>& frame() const { return frame_; }
 
-  /// Of a picture of the frame, but for size, scale and theme; there has to be a frame.
+  /// Returns the options of the frame's picture without size, scale and theme; there must be a
+  /// frame.
   ContactPictureOptions options() const;
 
-  /// What frames have to hold for it.
+  /// Returns the optional values that frames need for it.
   FrameFields fields() const;
 
   const ViewNavigation& navigation() const { return navigation_; }
-  /// One step of zoom: enlarges along, and heights by less, as a self-affine line looks the same at
-  /// every scale where heights grow with length to the power H.
+  /// Zooms by steps. One step enlarges x, and heights by less: a self-affine line has the same
+  /// appearance at every scale if heights grow with length to the power H.
   void zoom(const ViewPlace& at, double steps);
   void exaggerate(const ViewPlace& at, double steps);
-  void pan(double along, double up);
+  void pan(double dx, double dy);
   void fit();
   void fitHeights();
   void follow(bool follows);
 
-  /// The crosshair under a cursor at that place, or none.
+  /// Sets the crosshair to the place of a cursor, or removes it.
   void pointAt(std::optional<ViewPlace> place);
-  /// By so many elements, from where it is or from the middle; it then belongs to its element.
+  /// Moves the crosshair by this many elements, from its place or the middle; it then stays on its
+  /// element.
   void movePointer(int elements);
-  /// Where the crosshair is, in m; none without one.
+  /// Returns the position of the crosshair, m; none without one.
   std::optional<double> pointer() const;
   std::optional<ProbeReading> reading() const;
 
-  /// Around the crosshair, else around the asperity pressed most.
+  /// Switches the magnifier, around the crosshair or else around the asperity with the greatest
+  /// pressure.
   void magnify(bool magnifies);
   bool magnifies() const { return magnifies_; }
 
@@ -60,8 +63,8 @@ class ContactViewer {
   std::optional<ContactView> fitted_;
   ViewNavigation navigation_;
   std::optional<ViewPlace> cursor_;  // of the crosshair, or
-  std::optional<double> element_;    // m, the element it was moved to
-  double peak_ = 0;                  // m, the asperity last found pressed most
+  std::optional<double> element_;    // m, the element to which it was moved
+  double peak_ = 0;                  // m, the asperity with the greatest pressure at last
   bool magnifies_ = false;
   ContactOverlay overlay_ = ContactOverlay::Pressure;
 };

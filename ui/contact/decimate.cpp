@@ -6,7 +6,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kFarthest = 1e15;  // points from the origin; beyond, positions lose their meaning
+constexpr double kFarthest = 1e15;  // points from the origin; positions beyond are inexact
 
 class PeriodicPoints {
  public:
@@ -40,7 +40,7 @@ double column(const CurveVertex& vertex, const Columns& columns) {
   return std::floor((vertex.x - columns.left) * columns.pixelsPerMetre);
 }
 
-/// Lowest and highest of the points of one column.
+/// The lowest and highest point of one column.
 class ColumnExtremes {
  public:
   void add(const CurveVertex& vertex) {
@@ -65,7 +65,7 @@ class ColumnExtremes {
   bool empty_ = true;
 };
 
-/// Merges stretches closer than a column as their points come along.
+/// Merges stretches closer than a column while it takes their points in order.
 class StretchCollector {
  public:
   StretchCollector(const Columns& columns, bool everyPoint)

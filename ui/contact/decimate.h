@@ -1,4 +1,4 @@
-// Long curves reduced to what a pixel column can show. Pure; any thread.
+// Reduces long curves to the points that a pixel column can show. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -17,37 +17,37 @@ struct Columns {
 struct CurveVertex {
   double x = 0;       // m
   double height = 0;  // m
-  double value = 0;   // of what is coloured, the greatest of the points it stands for
+  double value = 0;   // of the colour scale, the greatest of the points it represents
 };
 
-/// Points first..last of the periodic frame; either index may be any whole number.
+/// Points first..last of the periodic frame; the indices may be any integers.
 struct PointRange {
   std::int64_t first = 0, last = -1;
   std::int64_t count() const { return last - first + 1; }
 };
 
-/// True if the arrays have one length, at least one point, and a positive finite spacing.
+/// Returns true if the arrays have one length, at least one point, and a positive finite spacing.
 bool isDrawable(const Frame& frame);
 
-/// The points from `left` to `left + width` and one more on either side.
+/// Returns the points from `left` to `left + width` and one more on either side.
 PointRange pointsWithin(const Frame& frame, double left, double width);
 
-/// `heights` is lineHeight or surfaceHeight of the frame. Every point where there are at most two a
-/// column; otherwise the lowest and the highest of each column, in their order along x. x ascends.
-/// `values`: one a point, or empty where there are none (then 0).
+/// Returns every point where there are at most two per column; otherwise the lowest and the highest
+/// of each column, in their order in x. x ascends. `heights` is lineHeight or surfaceHeight of the
+/// frame. `values`: one per point, or empty where there are none (then 0).
 std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>& heights,
                                    PointRange range, const Columns& columns,
                                    const std::vector<double>& values = {});
 
-/// The stretches of the elastomer's surface where values are above `least`, each decimated.
-/// Stretches less than a column apart become one; none is ever lost: one point alone is a stretch
-/// of one vertex.
+/// Returns the stretches of the elastomer's surface where values are above `least`, each decimated.
+/// Stretches less than a column apart are merged; none is ever lost: a single point is a stretch of
+/// one vertex.
 std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
                                                      const Columns& columns,
                                                      const std::vector<double>& values,
                                                      double least);
 
-/// Those in contact (pressure > 0).
+/// Returns the stretches in contact (pressure > 0).
 std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
                                                        const Columns& columns);
 

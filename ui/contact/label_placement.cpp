@@ -13,13 +13,14 @@ bool touches(const Frame& frame, const ContactLayout& layout, std::size_t point)
   return frame.pressure[point] > 0 || layout.marked == point;
 }
 
-/// Whether the contact at a point, with the brighter half of its glow, stays above the row.
+/// Returns whether the contact at a point, with the brighter half of its glow, stays above the row.
 bool isAbove(const Frame& frame, const ContactLayout& layout, std::size_t point, float top) {
   const float y = layout.py(frame.surfaceHeight[point]);
   return y + 0.5F * glowDepth(layout) < top || y > layout.plot.bottom() + 0.5F * glowDepth(layout);
 }
 
-/// How many points of the range, which goes on around the period, have it; none twice.
+/// Counts the points of the range with a property; the range continues periodically, but no point
+/// counts twice.
 std::int64_t countWithin(const Frame& frame, const PointRange& range, const auto& has) {
   const auto n = static_cast<std::int64_t>(frame.pressure.size());
   std::int64_t count = 0;
@@ -28,8 +29,8 @@ std::int64_t countWithin(const Frame& frame, const PointRange& range, const auto
   return count;
 }
 
-/// Nothing of the other body comes into the rows of the box, and at most of the points the body
-/// itself reaches its middle: the rest may be air.
+/// Returns whether the other body stays outside of the rows of the box, and the body itself reaches
+/// the middle of the box at most of the points: the rest may be air.
 bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box,
             const PointRange& range) {
   const float middle = box.y + box.height / 2;
@@ -47,9 +48,9 @@ bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Bo
          2 * countWithin(frame, range, isReached) >= std::min(range.count(), n);
 }
 
-/// The points that lie between two columns of pixels.
+/// Returns the points between two columns of pixels.
 PointRange pointsBetween(const Frame& frame, const ContactLayout& layout, float left, float right) {
-  const double perMetre = layout.pixelsPerMetreAlong();
+  const double perMetre = layout.pixelsPerMetreX();
   return pointsWithin(frame, layout.view.left + (left - layout.plot.x) / perMetre,
                       (right - left) / perMetre);
 }
@@ -72,7 +73,7 @@ std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& lay
                                     float width, float margin) {
   const Box& plot = layout.plot;
   const auto isClear = [&](float x) {
-    const float air = 0.5F * margin;  // less than margin: the axes' ends are no neighbours
+    const float air = 0.5F * margin;  // less than margin: the axes' ends do not count as neighbours
     return countWithin(frame, pointsBetween(frame, layout, x - air, x + width + air),
                        [&](std::size_t point) {
                          return touches(frame, layout, point) &&
@@ -113,7 +114,7 @@ CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
   CurveRows rows{plot.x, std::vector<float>(count, kFar), std::vector<float>(count, -kFar)};
   const std::vector<CurveVertex> curve =
       decimated(frame, heights, pointsWithin(frame, layout.view.left, layout.view.width),
-                {layout.view.left, layout.pixelsPerMetreAlong()});
+                {layout.view.left, layout.pixelsPerMetreX()});
   for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
     const float xa = layout.px(curve[k].x), xb = layout.px(curve[k + 1].x);
     const float ya = layout.py(curve[k].height), yb = layout.py(curve[k + 1].height);
@@ -135,7 +136,7 @@ CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
 std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to) {
   constexpr float kStep = 4;  // pixels
   const auto isClear = [&](float x) {
-    // All that lies above: a label below the line is on the elastomer or in the gap.
+    // Everything above counts as covered: a label below the line is on the elastomer or in the gap.
     const Box above{x, wanted.y - 1e6F, wanted.width, 1e6F + wanted.height};
     return x >= from && x + wanted.width <= to && !curve.crosses(above);
   };

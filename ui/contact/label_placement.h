@@ -1,5 +1,5 @@
-// Where a label hides no contact, where one is not crossed by the line of its body, and where one
-// lies on the body that it names. Private to ui/contact; pure.
+// Finds places where a label hides no contact, where the line of its body does not cross it, and
+// where it lies on the body that it names. Private to ui/contact; pure.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,22 @@
 
 namespace asperity {
 
-/// Whether no contact of the whole period, nor the brighter half of its glow, comes below the pixel
-/// row `top`: then none ever will while the line slides by.
+/// Returns whether no contact of the whole period, nor the brighter half of its glow, comes below
+/// the pixel row `top`: then none ever will while the line slides by.
 bool clearAcross(const Frame& frame, const ContactLayout& layout, float top);
 
-/// The left end of a label `width` pixels wide below the row `top` that hides no contact now: at
-/// the left, at the right (`margin` from the axes) or in the middle; none where all of them would.
+/// Returns the left end of a label `width` pixels wide below the row `top` that hides no contact
+/// now: at the left, at the right (`margin` from the axes) or in the middle; none where all of them
+/// would hide one.
 std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& layout, float top,
                                     float width, float margin);
 
-/// Whether the rigid line, all of its period, stays below the pixel row `bottom`: then it never
-/// crosses a label above the row while it slides by.
+/// Returns whether the whole period of the rigid line stays below the pixel row `bottom`: then it
+/// never crosses a label above the row while it slides by.
 bool lineStaysBelow(const Frame& frame, const ContactLayout& layout, float bottom);
 
-/// The same, or all of the line stays above the row `top`: it crosses nothing between the two.
+/// Returns whether this holds or the whole line is above the row `top`: it crosses nothing between
+/// the two.
 bool lineMisses(const Frame& frame, const ContactLayout& layout, float top, float bottom);
 
 /// The highest and the lowest pixel row that a curve of the frame reaches now, for each column of
@@ -31,19 +33,19 @@ struct CurveRows {
   float left = 0;  // of the first column
   std::vector<float> highest, lowest;
 
-  /// Whether the curve passes through the rows of the box.
+  /// Returns whether the curve passes through the rows of the box.
   bool crosses(const Box& box) const;
 };
 CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
                  const ContactLayout& layout);
 
-/// The left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row `top`
-/// that lies above the curve now; none where none does.
+/// Returns the left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row
+/// `top` that is above the curve now; none where there is no such place.
 std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to);
 enum class Body { Rigid, Elastomer };
 
-/// Whether a label in the box lies on the body and not on the other one: while the line slides by,
-/// or at least now.
+/// Returns whether a label in the box lies on the body and not on the other one: always while the
+/// line slides by, or at least now.
 bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box);
 
 }  // namespace asperity

@@ -9,11 +9,11 @@
 namespace asperity {
 namespace {
 
-/// Looks once around the period and on through it again as far as a stretch goes on.
+/// Goes once around the period, and again as far as a stretch continues.
 bool hasStretch(const Frame& frame, double metres) {
   const std::size_t n = frame.pressure.size();
   const double most = static_cast<double>(2 * n);
-  // In points; at least a neighbour, or one point alone would be a stretch.
+  // The width in points; at least two neighbours, because one point alone would be a stretch.
   const double wide = std::max(1.0, std::min(metres / frame.spacing, most));
   const double apart = std::max(1.0, 0.25 * wide);
   std::size_t first = 0, last = 0;
@@ -24,7 +24,7 @@ bool hasStretch(const Frame& frame, double metres) {
     within = true;
     last = i;
     if (static_cast<double>(last - first) >= wide) return true;
-    if (i >= n && first >= n) break;  // a stretch already seen
+    if (i >= n && first >= n) break;  // a stretch that was counted before
   }
   return false;
 }

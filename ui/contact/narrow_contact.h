@@ -1,4 +1,4 @@
-// Contacts too narrow to be seen as lines. Private to ui/contact; pure.
+// Contacts too narrow to be visible as lines. Private to ui/contact; pure.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,14 @@
 
 namespace asperity {
 
-/// The point of the deepest contact, where the two bodies touch but no stretch of points in contact
-/// is `metres` wide (stretches less than a quarter of it apart count as one). It is the point of
-/// the greatest pressure or, where contact lies between points and none carries pressure, of the
-/// smallest gap lineHeight - surfaceHeight. None where there is a wider contact or no contact.
+/// Returns the point of the deepest contact, where the two bodies touch but no stretch of points in
+/// contact is `metres` wide (stretches less than a quarter of it apart count as one). It is the
+/// point of the greatest pressure or, where contact lies between points and none carries pressure,
+/// of the smallest gap lineHeight - surfaceHeight. None where there is a wider contact or no
+/// contact.
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres);
 
-/// The greatest finite pressure, N/m; 0 where no point is in contact.
+/// Returns the greatest finite pressure, N/m; 0 where no point is in contact.
 double greatestPressure(const Frame& frame);
 
 }  // namespace asperity

@@ -6,9 +6,9 @@
 namespace asperity {
 namespace {
 
-// Heights shown at least and at most, in fitted ones: down to single elements, and up to where
-// along and up have one scale on almost any line.
-constexpr double kLeastUp = 1e-4, kMostUp = 1e6;
+// The smallest and largest height range, relative to the fitted one: from single elements to a
+// range at which x and y have the same scale on almost any line.
+constexpr double kLeastHeights = 1e-4, kMostHeights = 1e6;
 
 double wrapped(double share) {
   const double rest = share - std::floor(share);
@@ -27,47 +27,48 @@ ContactView ViewNavigation::applied(const ContactView& fitted, double period,
   view.width = width_ * period;
   view.left = follows_ ? period * wrapped(left_ + wrapped(distance / period)) : left_ * period;
   const double size = fitted.top - fitted.bottom;
-  if (!isFittedUp()) {
+  if (!hasFittedHeights()) {
     view.bottom = fitted.bottom + bottom_ * size;
     view.top = fitted.bottom + top_ * size;
   }
   return view;
 }
 
-/// Never wider than the period; enlarged heights stay within the fitted ones, others hold them.
+/// Limits the view: never wider than the period; enlarged heights stay within the fitted ones,
+/// others contain them.
 ViewNavigation ViewNavigation::within(double finest) const {
   ViewNavigation held = *this;
   const double middle = left_ + 0.5 * width_;
   held.width_ = std::clamp(width_, std::min(std::max(finest, 1e-12), 1.0), 1.0);
   held.left_ = wrapped(held.width_ == width_ ? left_ : middle - 0.5 * held.width_);
-  const double size = std::clamp(top_ - bottom_, kLeastUp, kMostUp);
+  const double size = std::clamp(top_ - bottom_, kLeastHeights, kMostHeights);
   const double centre = 0.5 * (bottom_ + top_);
   const double low = std::min(0.0, 1 - size), high = std::max(0.0, 1 - size);
   held.bottom_ = std::clamp(centre - 0.5 * size, low, high);
   held.top_ = held.bottom_ + size;
-  // All but everything is everything: no view is a hair away from the fitted one.
+  // A view that differs from the fitted one only by rounding becomes exactly that one.
   if (std::abs(size - 1) < 1e-9) held.bottom_ = 0, held.top_ = 1;
   return held;
 }
 
-ViewNavigation ViewNavigation::zoomed(const ViewPlace& at, double along, double up,
+ViewNavigation ViewNavigation::zoomed(const ViewPlace& at, double xFactor, double yFactor,
                                       double finest) const {
   ViewNavigation next = *this;
-  const double width = std::clamp(width_ / usable(along), std::min(finest, 1.0), 1.0);
-  next.left_ = left_ + at.along * (width_ - width);
+  const double width = std::clamp(width_ / usable(xFactor), std::min(finest, 1.0), 1.0);
+  next.left_ = left_ + at.x * (width_ - width);
   next.width_ = width;
   const double size = top_ - bottom_;
-  const double wanted = std::clamp(size / usable(up), kLeastUp, kMostUp);
-  next.bottom_ = bottom_ + at.up * (size - wanted);
+  const double wanted = std::clamp(size / usable(yFactor), kLeastHeights, kMostHeights);
+  next.bottom_ = bottom_ + at.y * (size - wanted);
   next.top_ = next.bottom_ + wanted;
   return next.within(finest);
 }
 
-ViewNavigation ViewNavigation::panned(double along, double up) const {
+ViewNavigation ViewNavigation::panned(double dx, double dy) const {
   ViewNavigation next = *this;
   const double size = top_ - bottom_;
-  if (std::isfinite(along)) next.left_ -= along * width_;
-  if (std::isfinite(up)) next.bottom_ -= up * size;
+  if (std::isfinite(dx)) next.left_ -= dx * width_;
+  if (std::isfinite(dy)) next.bottom_ -= dy * size;
   next.top_ = next.bottom_ + size;
   return next.within(width_);
 }

@@ -1,42 +1,43 @@
-// Where somebody looks in a contact picture: zoomed and moved, relative to the view that fits. As
-// shares of the period and of the fitted heights, so that another scene, or a force ten times as
-// great, never leaves the place chosen outside of everything. A plain value; every change gives
-// another one, within limits. Pure; any thread.
+// The zoomed and moved view of a contact picture, relative to the view that fits. It is stored in
+// parts of the period and of the fitted heights, so that it stays useful for another scene, or a
+// force ten times as great. A plain value; every change gives another one, within limits. Pure; any
+// thread.
 #pragma once
 
 #include "ui/contact/contact_picture.h"
 
 namespace asperity {
 
-/// A place in the plot as shares of it: 0, 0 is its left lower corner, 1, 1 its right upper one.
+/// A place in the plot, relative to its size: 0, 0 is its lower left corner, 1, 1 its upper right
+/// one.
 struct ViewPlace {
-  double along = 0.5, up = 0.5;
+  double x = 0.5, y = 0.5;
 };
 
 class ViewNavigation {
  public:
-  /// Shows everything.
+  /// A view that shows everything.
   ViewNavigation() = default;
 
-  /// What `fitted` (heights and colours from fittedView) becomes: period in m, distance of the line
-  /// in m, which is followed where that is chosen.
+  /// Returns the view made from `fitted` (heights and colours from fittedView): period in m,
+  /// distance of the line in m, which the view follows if that is chosen.
   ContactView applied(const ContactView& fitted, double period, double distance) const;
 
-  /// What is seen at that place stays there; factors above 1 enlarge. finest: the narrowest view,
-  /// as a share of the period.
-  ViewNavigation zoomed(const ViewPlace& at, double along, double up, double finest) const;
-  /// The contents move by these shares of the plot. Along, the period goes on and on.
-  ViewNavigation panned(double along, double up) const;
-  /// The same view with the line or with the elastomer standing still; nothing jumps.
+  /// Zooms about a place, which stays fixed; factors above 1 enlarge. finest: the narrowest view,
+  /// as a part of the period.
+  ViewNavigation zoomed(const ViewPlace& at, double xFactor, double yFactor, double finest) const;
+  /// Moves the contents by these parts of the plot. In x, the line continues periodically.
+  ViewNavigation panned(double dx, double dy) const;
+  /// Returns the same view, fixed to the line or to the elastomer; nothing jumps.
   ViewNavigation following(bool follows, double period, double distance) const;
-  /// The whole period, fitted; follows as before.
+  /// Returns the whole period, fitted; following is unchanged.
   ViewNavigation fitted() const;
-  /// Heights fitted again, the view along as it is.
+  /// Returns the view with fitted heights and the same x-range.
   ViewNavigation withFittedHeights() const;
 
   bool followsLine() const { return follows_; }
-  bool isFitted() const { return left_ == 0 && width_ == 1 && isFittedUp(); }
-  bool isFittedUp() const { return bottom_ == 0 && top_ == 1; }
+  bool isFitted() const { return left_ == 0 && width_ == 1 && hasFittedHeights(); }
+  bool hasFittedHeights() const { return bottom_ == 0 && top_ == 1; }
   double enlargement() const { return 1 / width_; }
 
   bool operator==(const ViewNavigation&) const = default;
@@ -44,8 +45,8 @@ class ViewNavigation {
  private:
   ViewNavigation within(double finest) const;
 
-  double left_ = 0, width_ = 1;  // of the period; left in [0, 1)
-  double bottom_ = 0, top_ = 1;  // of the fitted heights
+  double left_ = 0, width_ = 1;  // in periods; left in [0, 1)
+  double bottom_ = 0, top_ = 1;  // in fitted heights
   bool follows_ = false;         // left is measured on the line
 };
 

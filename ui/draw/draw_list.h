@@ -1,7 +1,7 @@
-// What to draw, in pixels, without saying how: filled triangles, antialiased lines and texts, in
-// this order. Made by ui/contact and ui/chart from a Frame, drawn by ui/draw/renderer.h (shapes)
-// and ui/draw/fonts.h (texts). A plain value; knows neither OpenGL nor Qt. Coordinates: pixels,
-// origin top left, y down. Colours: sRGB, straight alpha.
+// The content of a picture in pixels: filled triangles, antialiased lines and texts, in this order.
+// ui/contact and ui/chart make it; ui/draw/renderer.h draws its shapes and ui/draw/fonts.h its
+// texts. A plain value; uses neither OpenGL nor Qt. Coordinates: pixels, origin top left, y down.
+// Colours: sRGB, straight alpha.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct DrawText {
   Rgba colour;
 };
 
-/// Shapes inside this rectangle only; the whole picture where width is 0.
+/// Only shapes inside this rectangle are drawn; width 0: the whole picture.
 struct Clip {
   float x = 0, y = 0, width = 0, height = 0;
 };

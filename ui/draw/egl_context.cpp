@@ -40,7 +40,7 @@ struct Library : SharedLibrary {
   decltype(&eglMakeCurrent) makeCurrent = nullptr;
 };
 
-/// The functions that only this file needs; the renderer has a table of its own.
+/// Functions that only this file needs; the renderer has its own table.
 struct FramebufferFunctions {
   explicit FramebufferFunctions(const ProcAddress& find) {
     const auto get = [&find](auto& function, const char* name) {
@@ -82,8 +82,8 @@ constexpr EGLint kContext[] = {EGL_CONTEXT_MAJOR_VERSION,
                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                EGL_NONE};
 
-/// The display without a screen. It is the process's own and stays initialized: closing it would
-/// end every other context on it.
+/// Opens the display without a screen. It belongs to the process and stays initialized: closing it
+/// would end every other context on it.
 EGLDisplay openDisplay(const Library& egl) {
   const char* extensions = egl.queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
@@ -159,7 +159,7 @@ struct EglContext::Body {
     height = newHeight;
   }
 
-  /// OpenGL's rows come from the bottom.
+  /// Reads the pixels; OpenGL's rows begin at the bottom.
   Pixels read() const {
     Pixels pixels{width, height, {}};
     const std::size_t row = static_cast<std::size_t>(width) * 4;

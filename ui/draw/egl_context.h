@@ -1,5 +1,5 @@
-// An OpenGL 3.3 core context without a surface, by libEGL opened at run time; draws into a
-// framebuffer of its own.
+// An OpenGL 3.3 core context without a surface, with libEGL opened at run time; it draws into its
+// own framebuffer.
 // Threading and failure: as PixelContext. The environment variable ASPERITY_EGL_LIBRARY names
 // another library than libEGL.so.1.
 #pragma once

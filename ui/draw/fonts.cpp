@@ -20,8 +20,8 @@
 
 #include "ui/draw/pixel_context.h"
 
-/// Outside any namespace, as Qt asks: makes the embedded files known where this is a static
-/// library.
+/// This is outside of any namespace, as Qt requires. It registers the embedded files, which is
+/// necessary in a static library.
 static void initFontResources() {
   Q_INIT_RESOURCE(fonts);
 }
@@ -49,7 +49,8 @@ struct Special {
   std::uint32_t character;
   std::int16_t regular, bold;
 };
-// Latin-1, Greek, raised and lowered digits and letters, arrows and mathematical signs, ascending.
+// Latin-1, Greek, raised and lowered digits and letters, arrows and mathematical signs, in
+// ascending order.
 constexpr std::array<Special, 233> kSpecials = {
     {{0x00A0, 651, 713},   {0x00A1, 821, 934},   {0x00A2, 1303, 1425}, {0x00A3, 1303, 1425},
      {0x00A4, 1303, 1303}, {0x00A5, 1303, 1425}, {0x00A6, 690, 748},   {0x00A7, 1024, 1024},
@@ -186,7 +187,8 @@ QByteArray fontSubset(bool bold, const std::set<char32_t>& characters) {
 
 namespace {
 
-/// The next character; advances `at` past it. Damaged UTF-8 counts one character a byte.
+/// Returns the next character and moves `at` past it. In damaged UTF-8 each byte counts as a
+/// character.
 std::uint32_t nextCharacter(std::string_view utf8, std::size_t& at) {
   const auto byte = static_cast<unsigned char>(utf8[at++]);
   const int more = byte >= 0xF0 ? 3 : byte >= 0xE0 ? 2 : byte >= 0xC0 ? 1 : 0;
@@ -258,7 +260,7 @@ void paintText(QPainter& painter, const DrawText& text) {
   painter.setFont(font);
   painter.setPen(colourOf(text.colour));
   qreal left = leftEnd(text, QFontMetricsF(font).horizontalAdvance(words));
-  if (text.angle == 0) left = std::round(text.x + left) - text.x;  // whole pixels: sharp stems
+  if (text.angle == 0) left = std::round(text.x + left) - text.x;  // whole pixels give sharp stems
   painter.drawText(QPointF(left, 0), words);
   painter.restore();
 }
@@ -296,7 +298,7 @@ void paintTexts(QPainter& painter, const DrawList& list) {
 }
 
 QImage renderImage(PixelContext& context, const DrawList& list) {
-  // The image takes the pixels over instead of copying them.
+  // The image takes over the pixels instead of copying them.
   auto* pixels = new Pixels(context.draw(list));
   QImage image(
       pixels->rgba.data(), pixels->width, pixels->height, qsizetype{4} * pixels->width,

@@ -1,5 +1,5 @@
-// The embedded font: how wide its texts are, drawing them as pixels, and cutting out the characters
-// that a vector file needs. Any thread, each text by itself.
+// The embedded font: the widths of its texts, drawing them as pixels, and making a font of only the
+// characters that a vector file needs. Any thread, each text by itself.
 #pragma once
 
 #include <QByteArray>
@@ -20,46 +20,49 @@ namespace asperity {
 
 inline constexpr float kAdvancesPerSize = 2048;
 
-/// In units of 1/kAdvancesPerSize of the font's size; a character outside the table is a wide one.
+/// Returns the advance in units of 1/kAdvancesPerSize of the font's size; a character outside the
+/// table counts as a wide one.
 std::int16_t fontAdvance(std::uint32_t character, bool bold);
 
-/// The file of DejaVu Sans from the program's resources.
+/// Returns the file of DejaVu Sans from the program's resources.
 QByteArray fontFile(bool bold);
 
-/// Characters of the texts in one of the two fonts.
+/// Returns the characters of the texts in one of the two fonts.
 std::set<char32_t> charactersIn(const DrawList& list, bool bold);
 
-/// A TrueType font with the glyphs of these characters alone, without hints, kerning and ligatures;
-/// the same characters give the same bytes. Throws std::runtime_error where the font cannot be cut.
+/// Returns a TrueType font with the glyphs of these characters only, without hints, kerning and
+/// ligatures; the same characters give the same bytes. Throws std::runtime_error where the font
+/// cannot be reduced.
 QByteArray fontSubset(bool bold, const std::set<char32_t>& characters);
 
-/// Pixels, for a font of `size` pixels. Characters outside the table count as wide ones.
+/// Returns the width in pixels for a font of `size` pixels. Characters outside the table count as
+/// wide ones.
 float textWidth(std::string_view utf8, float size, bool bold = false);
 
-/// The largest whole font size from `size` down to `least` at which the text fits.
+/// Returns the largest integer font size from `size` down to `least` at which the text fits.
 float fittingSize(const std::string& utf8, float size, float least, bool bold, float width);
 
-/// The text, or its beginning and an ellipsis, at most `width` pixels wide; may be empty.
+/// Returns the text, or its beginning and an ellipsis, at most `width` pixels wide; may be empty.
 std::string elided(const std::string& utf8, float size, bool bold, float width);
 
-/// Broken at blanks into lines at most `width` pixels wide; a word wider than that is elided.
+/// Breaks the text at blanks into lines at most `width` pixels wide; a wider word is shortened.
 std::vector<std::string> wrapped(const std::string& utf8, float size, bool bold, float width);
 
 class PixelContext;
 
-/// Adds the embedded fonts (resources/fonts) to the application; once is enough. Throws
+/// Adds the embedded fonts (resources/fonts) to the application; repeated calls do nothing. Throws
 /// std::runtime_error if Qt refuses them.
 void loadFonts();
 
 QColor colourOf(const Rgba& colour);
 
-/// The font that paints this text.
+/// Returns the font of this text.
 QFont fontOf(const DrawText& text);
 
 /// Paints list.texts; the painter's coordinates are the list's pixels.
 void paintTexts(QPainter& painter, const DrawList& list);
 
-/// Shapes and texts as one picture. Throws std::runtime_error where the context cannot draw.
+/// Draws shapes and texts as one picture. Throws std::runtime_error where the context cannot draw.
 QImage renderImage(PixelContext& context, const DrawList& list);
 
 }  // namespace asperity

@@ -1,7 +1,6 @@
-// OpenGL 3.3 without a library of its own: its functions, found at run time, shader programs, and
-// the state of somebody else's context that drawing leaves as it was. A context is current in every
-// call. Failure: std::runtime_error naming the function that is missing, or with the compiler's
-// message.
+// OpenGL 3.3 without linking a library: its functions, found at run time, shader programs, and the
+// state of a foreign context, which drawing restores. A context must be current in every call.
+// Failure: std::runtime_error naming the missing function, or with the compiler's message.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -73,7 +72,7 @@ class ShaderProgram {
   ShaderProgram(const ShaderProgram&) = delete;
   ShaderProgram& operator=(const ShaderProgram&) = delete;
 
-  /// Makes it current for a picture of this size in pixels.
+  /// Makes the program current for a picture of this size in pixels.
   void use(int width, int height) const;
 
  private:

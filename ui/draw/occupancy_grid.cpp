@@ -78,7 +78,8 @@ Box freestPlace(const OccupancyGrid& map, float width, float height, float margi
       const Box box{std::round(area.x + margin + x * roomX),
                     std::round(area.y + margin + y * roomY), width, height};
       const float fromCorner = std::min(x, 1 - x) + std::min(y, 1 - y);
-      // A hidden hundredth outweighs the way from a corner to the middle.
+      // A hundredth of the box that is hidden counts more than the distance from a corner to the
+      // middle.
       const float cost = map.under(box) + 0.01F * fromCorner;
       if (cost < least) {
         least = cost;

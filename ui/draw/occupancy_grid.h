@@ -1,5 +1,5 @@
-// What of an area is taken, on a coarse grid, and where in it something finds a free place. Private
-// to ui/draw. A plain value; any thread. Pixels.
+// The occupied parts of an area on a coarse grid, and the search for a free place in it. Private to
+// ui/draw. A plain value; any thread. Pixels.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ class OccupancyGrid {
  public:
   OccupancyGrid(const Box& area, float cell);
 
-  /// Takes the cells under a line; what lies outside the area is ignored.
+  /// Marks the cells under a line as occupied; parts outside the area are ignored.
   void addLine(const std::vector<Place>& places, float weight);
-  /// Takes the cells that a box touches.
+  /// Marks the cells that a box touches as occupied.
   void addBox(const Box& box, float weight);
-  /// The mean weight of the cells that a box touches; outside the area counts as free.
+  /// Returns the mean weight of the cells that a box touches; outside the area counts as free.
   float under(const Box& box) const;
   float greatestUnder(const Box& box) const;
 
@@ -24,7 +24,7 @@ class OccupancyGrid {
 
  private:
   struct Cells {
-    int left, right, top, bottom;  // right and bottom are one beyond
+    int left, right, top, bottom;  // right and bottom are one past the last cell
   };
   Cells cellsOf(const Box& box) const;
 
@@ -34,8 +34,8 @@ class OccupancyGrid {
   std::vector<float> weights_;  // columns_ x rows_
 };
 
-/// A box of this size inside the map's area, `margin` from its edges, that covers least; corners
-/// are preferred. The box is empty where the area is too small.
+/// Returns the box of this size inside the map's area, `margin` from its edges, that covers least;
+/// corners are preferred. The box is empty where the area is too small.
 Box freestPlace(const OccupancyGrid& map, float width, float height, float margin);
 
 }  // namespace asperity

@@ -67,7 +67,7 @@ struct OsmesaContext::Body {
     release();
   }
 
-  /// Current, drawing into `pixels` of this size.
+  /// Makes the context current; it draws into `pixels` of this size.
   void makeCurrent(int width, int height) {
     pixels.width = width;
     pixels.height = height;

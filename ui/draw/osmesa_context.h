@@ -1,4 +1,4 @@
-// An OpenGL 3.3 core context in memory, by libOSMesa opened at run time.
+// An OpenGL 3.3 core context in memory, with libOSMesa opened at run time.
 // Threading and failure: as PixelContext. The environment variable ASPERITY_OSMESA_LIBRARY names
 // another library than libOSMesa.so.8.
 #pragma once

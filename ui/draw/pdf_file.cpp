@@ -18,9 +18,9 @@
 namespace asperity {
 namespace {
 
-constexpr int kResolution = 1200;  // dots an inch, of what the painter rounds to
+constexpr int kResolution = 1200;  // dots per inch, to which the painter rounds
 constexpr double kPointsPerInch = 72;
-constexpr int kSoftPixels = 2;  // of an image, each way in a pixel of the picture
+constexpr int kSoftPixels = 2;  // image pixels per picture pixel, in each direction
 
 QPointF pointOf(const Place& place) {
   return {place.x, place.y};
@@ -48,7 +48,7 @@ QBrush brushOf(const VectorPaint& paint) {
 
 void paintFill(QPainter& painter, const VectorFill& fill) {
   const QBrush brush = brushOf(fill.paint);
-  // Viewers smooth edges whatever the file says: pieces overlap a little.
+  // Viewers always smooth edges, so pieces overlap a little.
   painter.setPen(fill.isPieceOfMesh ? QPen(brush, 0.5) : QPen(Qt::NoPen));
   painter.setBrush(brush);
   painter.drawPath(pathOf(fill.outlines, true));
@@ -58,8 +58,8 @@ bool isSoft(const VectorFill& fill) {
   return fill.isPieceOfMesh && (fill.paint.from.a < 1 || fill.paint.to.a < 1);
 }
 
-/// Translucent light that changes from place to place as an image: Qt's PDF knows no gradients of
-/// opacity, and pieces would show at their edges. Of the whole pixels around the fills.
+/// Paints translucent colours that vary in space as an image: Qt's PDF has no gradients of opacity,
+/// and the edges of pieces would be visible. The image covers the whole pixels around the fills.
 void paintSoft(QPainter& painter, const std::vector<VectorFill>& fills, std::size_t first,
                std::size_t last, const QRectF& shown) {
   QRectF bounds;
@@ -124,8 +124,8 @@ void paintList(QPainter& painter, const DrawList& list) {
   paintTexts(painter, list);
 }
 
-/// Blanks over the date of creation, so that offsets stay right; it is the only thing in the file
-/// that does not follow from the picture.
+/// Writes blanks over the date of creation, so that offsets stay valid; the date is the only
+/// content that does not depend on the picture.
 void blankDate(QByteArray& bytes) {
   const QByteArray key("/CreationDate (");
   const qsizetype from = bytes.indexOf(key);
@@ -136,7 +136,7 @@ void blankDate(QByteArray& bytes) {
 }  // namespace
 
 std::string pdfOf(const DrawList& list, const PdfOptions& options) {
-  // Qt lists the fonts in the order of a hash, which is another one in every process otherwise.
+  // Qt lists the fonts in the order of a hash, which would differ in every process.
   QHashSeed::setDeterministicGlobalSeed();
   QByteArray bytes;
   QBuffer buffer(&bytes);

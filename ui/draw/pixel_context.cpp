@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kLargest = 16384;  // pixels a side, the limit of Mesa's software rasterizer
+constexpr int kLargest = 16384;  // pixels per side, the limit of Mesa's software rasterizer
 
 }  // namespace
 

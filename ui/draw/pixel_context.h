@@ -1,7 +1,7 @@
-// An OpenGL 3.3 core context without a screen, and what it draws. Two kinds: by OSMesa (software,
-// part of Mesa up to 25.0) and by EGL without a surface (whatever driver there is). Both libraries
-// are opened at run time, so a program starts without either.
-// Threading: one thread makes, draws and destroys; never one on which a Qt context is current.
+// An OpenGL 3.3 core context without a screen, and its pixels. There are two kinds: OSMesa
+// (software, part of Mesa up to 25.0) and EGL without a surface (any driver). Both libraries are
+// opened at run time, so a program starts without them.
+// Threading: one thread makes, draws and destroys; never a thread on which a Qt context is current.
 // Failure: std::runtime_error in one sentence that names the missing library and its package.
 #pragma once
 
@@ -25,20 +25,21 @@ class PixelContext {
  public:
   virtual ~PixelContext() = default;
 
-  /// The list's shapes (no texts) as a picture of its size, 1 to 16384 pixels each way; throws
-  /// std::runtime_error otherwise.
+  /// Draws the list's shapes (no texts) as a picture of its size, 1 to 16384 pixels in each
+  /// direction; throws std::runtime_error for other sizes.
   virtual Pixels draw(const DrawList& list) = 0;
 
-  /// "osmesa" or "egl".
+  /// Returns "osmesa" or "egl".
   virtual std::string name() const = 0;
 };
 
 enum class PixelBackend { Automatic, Osmesa, Egl };
 
-/// Automatic: OSMesa, and EGL where that fails; where both fail the sentences of both.
+/// Makes a context. Automatic: OSMesa, and EGL where that fails; where both fail, the error has
+/// both sentences.
 std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend = PixelBackend::Automatic);
 
-/// The one context of the calling thread: made with the first call, destroyed with the thread.
+/// Returns the context of the calling thread, made at the first call and destroyed with the thread.
 PixelContext& contextOfThread();
 
 /// Throws std::runtime_error unless a picture of this size can be drawn.

@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1A\n";
 constexpr std::string_view kMetadataKey = "asperity";
-// Our pictures are smooth up and down: the difference to the row above is mostly zero, and more
-// effort saves next to nothing. Qt's own writer, which tries all filters, takes five times as long.
+// The program's pictures are smooth in the vertical direction: the difference to the row above is
+// mostly zero, and more effort saves almost nothing. Qt's own writer, which tries all filters,
+// takes five times as long.
 constexpr char kUpFilter = 2;
 constexpr int kEffort = 2;
 
@@ -36,7 +37,7 @@ void addChunk(std::string& png, std::string_view type, std::string_view data) {
   png += bigEndian(libdeflate_crc32(0, png.data() + start, png.size() - start));
 }
 
-/// UTF-8, uncompressed, so that any program can find it.
+/// Adds uncompressed UTF-8 text, so that any program can find it.
 void addText(std::string& png, std::string_view key, const std::string& text) {
   if (text.empty()) return;
   std::string data(key);
@@ -44,7 +45,8 @@ void addText(std::string& png, std::string_view key, const std::string& text) {
   addChunk(png, "iTXt", data + text);
 }
 
-/// Rows of colours, filtered. The channels are known to the compiler: it takes a tenth of the time.
+/// Filters rows of colours. The number of channels is known at compile time, which is ten times
+/// faster.
 template <std::size_t kChannels>
 std::vector<std::uint8_t> filteredRows(const QImage& image) {
   const auto width = static_cast<std::size_t>(image.width());
@@ -91,7 +93,7 @@ bool isOpaque(const QImage& image) {
 
 std::string pngOf(const QImage& given, const PngOptions& options) {
   if (given.isNull()) throw std::runtime_error("an empty picture cannot be encoded as PNG");
-  // Where all is opaque, both formats hold the same bytes.
+  // In an opaque picture, both formats have the same bytes.
   const bool isRgba = given.format() == QImage::Format_RGBA8888_Premultiplied;
   const bool opaque = isRgba && isOpaque(given);
   const QImage image = opaque ? given : given.convertToFormat(QImage::Format_RGBA8888);
@@ -106,7 +108,7 @@ std::string pngOf(const QImage& given, const PngOptions& options) {
   if (options.dotsPerInch > 0) {
     const std::string density =
         bigEndian(static_cast<std::uint32_t>(std::lround(options.dotsPerInch / 0.0254)));
-    addChunk(png, "pHYs", density + density + '\1');  // per metre
+    addChunk(png, "pHYs", density + density + '\1');  // pixels per metre
   }
   addText(png, "Title", options.title);
   addText(png, kMetadataKey, options.metadata);

@@ -38,11 +38,11 @@ struct Renderer::Body {
   GlFunctions gl;
   ShaderProgram triangles, lines;
   GLuint buffer = 0, triangleArray = 0, lineArray = 0;
-  std::size_t capacity = 0;  // floats in the buffer
+  std::size_t capacity = 0;  // number of floats in the buffer
   Geometry geometry;
 };
 
-/// State, and the background over the list's rectangle.
+/// Sets the state, and draws the background over the list's rectangle.
 void Renderer::Body::prepare(const DrawList& list, unsigned framebuffer) {
   gl.bindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.viewport(0, 0, list.width, list.height);
@@ -59,7 +59,8 @@ void Renderer::Body::prepare(const DrawList& list, unsigned framebuffer) {
   gl.clear(GL_COLOR_BUFFER_BIT);
 }
 
-/// One upload a picture. The old storage is given up, so nothing waits for the last picture.
+/// Uploads the data once per picture. The old buffer is orphaned, so that the upload need not wait
+/// for the last picture.
 void Renderer::Body::upload() {
   gl.bindBuffer(GL_ARRAY_BUFFER, buffer);
   if (geometry.data.size() > capacity) capacity = geometry.data.size() * 3 / 2;

@@ -1,6 +1,6 @@
-// Draws a DrawList's shapes with OpenGL 3.3 core. Links no GL library: it is given a function that
-// finds GL functions and fills its own table, so the same object code serves a window, OSMesa and
-// EGL. Threading: one thread, with the context current in every call and in the destructor.
+// Draws a DrawList's shapes with OpenGL 3.3 core. It links no GL library: the constructor gets a
+// function that finds GL functions, so the same object code serves a window, OSMesa and EGL.
+// Threading: one thread, with the context current in every call and in the destructor.
 // Failure: the constructor throws std::runtime_error with the compiler's or linker's message.
 #pragma once
 
@@ -20,8 +20,8 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Into the given framebuffer object (a QOpenGLWidget's is not 0), which is at least
-  /// list.width x list.height pixels. Leaves no GL state behind that QPainter would trip over.
+  /// Draws into the given framebuffer object (a QOpenGLWidget's is not 0), which has at least
+  /// list.width x list.height pixels. It leaves no GL state that disturbs QPainter.
   void draw(const DrawList& list, unsigned framebuffer);
 
  private:

@@ -17,7 +17,7 @@ void append(std::vector<float>& data, const Rgba& c) {
   data.insert(data.end(), {c.r, c.g, c.b, c.a});
 }
 
-/// The pixels whose centres lie in [from, to).
+/// Returns the pixels whose centres lie in [from, to).
 void pixelRange(float from, float to, int size, int& first, int& count) {
   const auto edge = [&](float e) {
     return static_cast<int>(std::clamp(std::ceil(e - 0.5F), 0.0F, static_cast<float>(size)));
@@ -53,7 +53,7 @@ bool samePlace(const DrawVertex& a, const DrawVertex& b) {
   return a.x == b.x && a.y == b.y;
 }
 
-/// Without vertices that repeat the one before (they would hide the joins) or are not finite.
+/// Removes vertices that repeat the previous one (they would hide the joins) or are not finite.
 void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean) {
   clean.clear();
   for (const DrawVertex& v : line.vertices)
@@ -68,7 +68,7 @@ void appendSegment(const DrawVertex& before, const DrawVertex& from, const DrawV
   data.push_back(width);
 }
 
-/// A line of one vertex is a round dot.
+/// Appends a line; a line of one vertex is a round dot.
 void appendLine(const std::vector<DrawVertex>& v, float width, Geometry& geometry,
                 DrawBatch& batch) {
   if (v.empty() || !(width > 0)) return;
@@ -107,7 +107,7 @@ float loweredSize(float size) {
   return std::max(6.0F, std::round(size * 0.72F));
 }
 
-/// Room on either side of a lowered piece.
+/// Returns the space on either side of a lowered piece.
 float sideRoom(const TextRun& run, float size) {
   return run.lowered ? 0.06F * size : 0;
 }
@@ -117,8 +117,8 @@ float runWidth(const TextRun& run, float size) {
   return text + 2 * sideRoom(run, size);
 }
 
-/// The subscript of a normal force is a capital, which Unicode does not have: a lowered N for the
-/// small one that stands in texts.
+/// Replaces the small letter in the subscript of a normal force by a lowered capital N, which
+/// Unicode does not have.
 TextRuns withLoweredN(const TextRuns& runs) {
   constexpr std::string_view kSmall = "\u2099";
   TextRuns split;

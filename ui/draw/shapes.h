@@ -9,10 +9,10 @@
 
 namespace asperity {
 
-inline constexpr int kTriangleFloats = 6;  // x y r g b a, a corner
+inline constexpr int kTriangleFloats = 6;  // x y r g b a for each corner
 inline constexpr int kSegmentFloats = 17;  // ends (4), neighbours (4), two colours (8), width
 
-/// Whole pixels, origin bottom left as OpenGL counts.
+/// A box of whole pixels, with OpenGL's origin at the bottom left.
 struct ScissorBox {
   int x = 0, y = 0, width = 0, height = 0;
 };
@@ -44,17 +44,17 @@ struct Place {
 
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom);
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
-/// Left to right.
+/// Adds a rectangle whose colour changes from left to right.
 void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, const Rgba& right);
 void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
              const DrawVertex& d);
 void addLine(DrawLayer& layer, std::vector<Place> places, float width, const Rgba& colour);
-/// A box with half-round ends.
+/// Adds a box with half-round ends.
 void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
-/// A shaft with an open head at `to`; the head's sides are `head` pixels long.
+/// Adds a shaft with an open head at `to`; the head's sides are `head` pixels long.
 void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, const Rgba& colour);
 
-/// One text; `at` is its anchor on the baseline. An empty one is left out.
+/// Adds one text; `at` is its anchor on the baseline. An empty one is left out.
 void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
               const Rgba& colour, float angle = 0);
 
@@ -67,7 +67,7 @@ struct TextRun {
 using TextRuns = std::vector<TextRun>;
 
 float textWidth(const TextRuns& runs, float size);
-/// Left-aligned on the baseline; returns the right end.
+/// Adds text left-aligned on the baseline; returns its right end.
 float addText(DrawList& list, const TextRuns& runs, Place baseline, float size, const Rgba& colour);
 
 }  // namespace asperity

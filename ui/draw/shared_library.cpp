@@ -10,7 +10,7 @@ namespace asperity {
 SharedLibrary::SharedLibrary(const char* file, const char* variable, const char* package)
     : name_(file) {
   if (const char* other = std::getenv(variable); other != nullptr && *other != '\0') name_ = other;
-  // RTLD_LOCAL: gl* names must not become visible to the window's libraries.
+  // With RTLD_LOCAL the gl* names stay invisible to the window's libraries.
   handle_ = dlopen(name_.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle_ != nullptr) return;
   const char* reason = dlerror();

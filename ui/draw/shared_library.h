@@ -1,6 +1,6 @@
-// A library opened at run time, once in the process and never closed: its threads outlive any
-// context. Its names stay invisible to other libraries. Private to ui/draw. Failure:
-// std::runtime_error in one sentence with the library's and its package's name.
+// A library that is opened at run time, once in the process, and never closed, because its threads
+// outlive any context. Its names stay invisible to other libraries. Private to ui/draw. Failure:
+// std::runtime_error in one sentence with the names of the library and its package.
 #pragma once
 
 #include <string>

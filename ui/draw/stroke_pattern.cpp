@@ -23,7 +23,7 @@ bool isFinite(const Place& p) {
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-/// Liang and Barsky (1984).
+/// Clips a segment by the method of Liang and Barsky (1984).
 std::optional<Piece> inside(const Box& box, const Place& a, const Place& b) {
   double first = 0, last = 1;
   const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
@@ -77,7 +77,7 @@ std::vector<Polyline> dashed(const Polyline& line, float on, float off) {
   const double period = static_cast<double>(on) + off;
   pieces.push_back({line[0]});
   bool drawing = on > 0;
-  double left = drawing ? on : period;  // of the dash or the gap
+  double left = drawing ? on : period;  // rest of the dash or the gap
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double length = std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
     double at = 0;

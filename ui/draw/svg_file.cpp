@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSteps = 100;  // coordinates are kept to a hundredth of a pixel
 
-/// A whole number of hundredths as a short decimal: "-0.5", "12", "3.07".
+/// Returns a number of hundredths as a short decimal: "-0.5", "12", "3.07".
 std::string hundredths(std::int64_t value) {
   std::string text = value < 0 ? "-" : "";
   const std::int64_t size = value < 0 ? -value : value;
@@ -37,7 +37,7 @@ std::string number(float value) {
   return hundredths(rounded(value));
 }
 
-/// Three digits are enough for opacities.
+/// Returns three digits, which are enough for opacities.
 std::string fraction(float value) {
   std::array<char, 32> buffer;
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
@@ -55,7 +55,7 @@ std::string hexColour(const Rgba& c) {
   return text;
 }
 
-/// ` fill="#102030" fill-opacity="0.5"`.
+/// Returns ` fill="#102030" fill-opacity="0.5"`.
 std::string paintOf(const std::string& what, const std::string& opacity, const Rgba& c) {
   std::string text = " " + what + "=\"" + hexColour(c) + "\"";
   if (c.a < 1) text += " " + opacity + "=\"" + fraction(c.a) + "\"";
@@ -74,20 +74,21 @@ std::string stopOf(const Rgba& c) {
   return paintOf("stop-color", "stop-opacity", c);
 }
 
-/// Absolute first, then relative to the place before; differences of rounded places do not drift.
+/// The first place is absolute, others are relative to the previous one; differences of rounded
+/// places do not accumulate errors.
 void appendPath(std::string& path, const Polyline& line, bool closed) {
   std::int64_t x = rounded(line[0].x), y = rounded(line[0].y);
   path += "M" + hundredths(x) + " " + hundredths(y);
   for (std::size_t i = 1; i < line.size(); ++i) {
     const std::int64_t toX = rounded(line[i].x), toY = rounded(line[i].y);
     const std::string dx = hundredths(toX - x), dy = hundredths(toY - y);
-    // A minus sign parts two numbers as well as a blank.
+    // A minus sign separates two numbers as well as a blank does.
     path += i == 1 ? "l" : dx[0] == '-' ? "" : " ";
     path += dx + (dy[0] == '-' ? "" : " ") + dy;
     x = toX;
     y = toY;
   }
-  if (line.size() == 1) path += "h0";  // with round ends a dot
+  if (line.size() == 1) path += "h0";  // a dot, because ends are round
   if (closed) path += "z";
 }
 
@@ -183,7 +184,7 @@ class SvgWriter {
     return element + fillOf(text.colour) + ">" + xmlText(text.utf8) + "</text>\n";
   }
 
-  /// Letters stand as they were measured: without kerning and ligatures.
+  /// Letters keep their measured distances: without kerning and ligatures.
   std::string style() const {
     std::string css;
     for (const bool bold : {false, true}) {
@@ -224,7 +225,7 @@ bool isXmlCharacter(char32_t c) {
 }  // namespace
 
 std::string xmlText(std::string_view utf8) {
-  // Qt replaces what is no UTF-8.
+  // Qt replaces bytes that are not UTF-8.
   const auto characters =
       QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())).toUcs4();
   QString text;

@@ -1,5 +1,5 @@
 // Pictures as SVG: shapes as paths, texts as texts with the used part of the font inside. The same
-// picture gives the same bytes. Needs no QGuiApplication. Any thread.
+// picture gives the same bytes. No QGuiApplication is needed. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,22 @@
 namespace asperity {
 
 struct SvgOptions {
-  std::string title;      // what a viewer shows; empty: none
+  std::string title;      // shown by a viewer; empty: none
   std::string metadata;   // any UTF-8 text, kept in <metadata>; empty: none
   bool embedFont = true;  // the glyphs in use, as a data URI
 };
 
 std::string svgOf(const DrawList& list, const SvgOptions& options = {});
 
-/// As writeFileAtomically.
+/// Writes the file as writeFileAtomically.
 void writeSvg(const std::filesystem::path& path, const DrawList& list,
               const SvgOptions& options = {});
 
-/// With markup characters escaped, and characters that XML cannot hold replaced by U+FFFD.
+/// Returns the text with markup characters escaped, and characters that XML cannot contain replaced
+/// by U+FFFD.
 std::string xmlText(std::string_view utf8);
 
-/// The XMP packet of a file: title and description where they are not empty, no date, no
+/// Returns the XMP packet of a file: title and description where they are not empty, no date, no
 /// identifier.
 std::string xmpPacket(const std::string& title, const std::string& description);
 

@@ -61,8 +61,8 @@ constexpr Rgba bytes(int r, int g, int b) {
   return {static_cast<float>(r) / 255, static_cast<float>(g) / 255, static_cast<float>(b) / 255, 1};
 }
 
-// Control colours of "inferno" (matplotlib, CC0) at 0.5, 0.55, ..., 1. Its dark half is left out:
-// it would not stand out from the elastomer.
+// Control colours of "inferno" (matplotlib, CC0) at 0.5, 0.55, ..., 1. Its dark half is left out,
+// because it has too little contrast to the elastomer.
 constexpr std::array<Rgba, 11> kInferno = {
     bytes(188, 55, 84),  bytes(206, 68, 71),   bytes(221, 81, 58),  bytes(234, 99, 42),
     bytes(243, 120, 25), bytes(249, 142, 9),   bytes(252, 165, 10), bytes(251, 190, 35),

@@ -14,18 +14,19 @@ const Theme& lightTheme();
 const Theme& darkTheme();
 const Theme& printTheme();  // black on white, for paper
 
-/// a at t = 0, b at t = 1, channel by channel.
+/// Returns a at t = 0 and b at t = 1, interpolated channel by channel.
 Rgba mix(const Rgba& a, const Rgba& b, float t);
 Rgba withAlpha(Rgba colour, float alpha);
-/// Dark or light, whichever reads better on `fill`.
+/// Returns dark or light, whichever is more legible on `fill`.
 Rgba textOn(const Rgba& fill);
 
-/// The bright part of the published "inferno" map: perceptually uniform, ordered by lightness and
-/// so readable with any colour vision. t in [0, 1] from the least to the greatest pressure.
+/// Returns a colour of the bright part of the published "inferno" map: perceptually uniform, and
+/// ordered by lightness, so legible with any colour vision. t in [0, 1] from the least to the
+/// greatest pressure.
 Rgba pressureColour(float t);
 
-/// From a surface just released (t = 0, yellow) to one long free (t = 1, blue like the elastomer):
-/// most of the published "viridis" map, backwards.
+/// Returns a colour from a surface just released (t = 0, yellow) to one long free (t = 1, blue like
+/// the elastomer): most of the published "viridis" map, backwards.
 Rgba ageColour(float t);
 
 }  // namespace asperity

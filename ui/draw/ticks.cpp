@@ -10,7 +10,8 @@
 namespace asperity {
 namespace {
 
-/// A prefix would be wrong before a power (km² is not 1000 m²), a kilogram or what is no letter.
+/// Returns whether a unit can have a prefix. It cannot before a power (km² is not 1000 m²), a
+/// kilogram or a unit that is not a letter.
 bool takesPrefix(std::string_view unit) {
   if (unit.empty() || unit.starts_with("kg")) return false;
   const std::string_view first =
@@ -24,8 +25,8 @@ struct AxisUnit {
   double size;
 };
 
-/// Whether a unit counts in a power of ten: where it takes no prefix and plain numbers would be
-/// long, and beyond all prefixes.
+/// Returns whether a unit gets a power of ten: where it has no prefix and plain numbers would be
+/// long, and outside the range of prefixes.
 bool takesPower(double magnitude, std::string_view unit) {
   if (!(magnitude > 0) || !std::isfinite(magnitude)) return false;
   if (!takesPrefix(unit)) return !(magnitude >= 1e-2 && magnitude < 1e5);
@@ -33,14 +34,14 @@ bool takesPower(double magnitude, std::string_view unit) {
   return shown < 1 - 1e-9 || shown >= 1e3 * (1 + 1e-9);
 }
 
-/// The unit that an axis up to `magnitude` counts in, with a prefix where it takes one.
+/// Returns the unit of an axis up to `magnitude`, with a prefix where possible.
 AxisUnit axisUnit(double magnitude, std::string_view unit) {
   if (!takesPrefix(unit)) return {std::string(unit), 1};
   const UnitPrefix prefix = prefixFor(magnitude);
   return {std::string(prefix.text) + std::string(unit), prefix.size};
 }
 
-/// "10⁻⁴", "10⁶ 1/m": so that the largest tick has one digit before its point.
+/// Returns "10⁻⁴" or "10⁶ 1/m", chosen so that the largest tick has one digit before its point.
 AxisUnit powerUnit(double largestTick, std::string_view unit) {
   const int power = static_cast<int>(std::floor(std::log10(largestTick) + 1e-9));
   return {powerOfTen(power) + (unit.empty() ? "" : " ") + std::string(unit), std::pow(10.0, power)};
@@ -54,9 +55,9 @@ double nextOf(std::initializer_list<double> factors, double value) {
 }
 
 constexpr double kRounding = 1e-9;    // of a decade: a tick at the very end belongs to the axis
-constexpr double kMostDecades = 700;  // a double holds no more
+constexpr double kMostDecades = 700;  // the range of a double
 
-/// The multiples of every decade inside [from, to].
+/// Returns the multiples of every decade inside [from, to].
 std::vector<LogTick> multiples(double from, double to, const std::vector<int>& factors) {
   std::vector<LogTick> ticks;
   const int last = static_cast<int>(std::floor(to + kRounding));
@@ -74,7 +75,7 @@ std::vector<LogTick> decades(double from, double to, int most) {
   std::vector<LogTick> ticks;
   const int first = static_cast<int>(std::ceil(from - kRounding));
   const int last = static_cast<int>(std::floor(to + kRounding));
-  int step = 1;  // the multiples of it are the ticks
+  int step = 1;  // ticks are at its multiples
   const auto count = [&] {
     return std::floor(static_cast<double>(last) / step) -
            std::ceil(static_cast<double>(first) / step) + 1;
@@ -106,7 +107,7 @@ AxisTicks linearTicks(double from, double to, int most, std::string_view unit) {
   AxisTicks axis{{}, counted.text, counted.size};
   if (!(from < to) || !std::isfinite(to - from) || most < 1) return axis;
   double step = roundUp125((to - from) / most);
-  // 1-2-5 steps may place one tick more than asked for.
+  // Steps of 1, 2 and 5 may give one tick more than requested.
   const auto count = [&] {
     return std::floor(to / step + 1e-9) - std::ceil(from / step - 1e-9) + 1;
   };
@@ -153,11 +154,11 @@ AxisTicks roomyTicks(double from, double to, float pixels, float size, std::stri
   return linearTicks(from, to, 1, unit);
 }
 
-AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
-                  std::string_view unit) {
+AxisTicks yTicks(double from, double to, float pixels, float each, float size,
+                 std::string_view unit) {
   int most = tickCount(pixels, each);
   AxisTicks axis = linearTicks(from, to, most, unit);
-  // In steps of 1, 2 and 5 the next more are up to five times as many.
+  // With steps of 1, 2 and 5 the next number of ticks is up to five times as large.
   constexpr int kMost = 12;
   while (axis.ticks.size() < 2 && most < kMost) {
     AxisTicks closer = linearTicks(from, to, ++most, unit);
@@ -175,7 +176,7 @@ std::vector<LogTick> logTicks(double from, double to, int most) {
     return {};
   std::vector<LogTick> ticks = decades(from, to, most);
   if (ticks.size() > 1 || most < 2) return ticks;
-  // Multiples that give a scale and have room, or else the outermost of them.
+  // Uses multiples that give a scale and fit, or else the outermost of them.
   const std::vector<int> choices[] = {{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 3}, {1, 5}};
   for (const std::vector<int>& factors : choices) {
     std::vector<LogTick> finer = multiples(from, to, factors);

@@ -1,4 +1,4 @@
-// Numbers for people: round places on linear and logarithmic axes, values with a prefixed unit.
+// Numbers for users: round places on linear and logarithmic axes, values with a prefixed unit.
 // Pure; any thread. Texts are UTF-8 with a true minus, micro and multiplication sign.
 #pragma once
 
@@ -21,47 +21,47 @@ struct AxisTicks {
   double unitSize = 1;      // SI value of one such unit
 };
 
-/// The smallest of 1, 2, 5 times a power of ten that is at least `value` (> 0).
+/// Returns the smallest of 1, 2, 5 times a power of ten that is at least `value` (> 0).
 double roundUp125(double value);
 
-/// The next of 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten: ends for a scale.
+/// Returns the next of 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten, as the end of a scale.
 double roundUp(double value);
 
-/// At most `most` places with a step of 1, 2 or 5 times a power of ten; none if from >= to or the
-/// step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end. A unit that
-/// takes none ("", "%", "1/m", "m²") counts in a power of ten where plain numbers would be long,
-/// and so does any unit beyond all prefixes: that of the largest tick.
+/// Returns at most `most` places with a step of 1, 2 or 5 times a power of ten; none if from >= to
+/// or the step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end. A
+/// unit without prefixes ("", "%", "1/m", "m²") gets the power of ten of the largest tick where
+/// plain numbers would be long, and so does any unit outside the range of prefixes.
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
 
-/// The places between the ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in [from,
-/// to].
+/// Returns the places between the ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in
+/// [from, to].
 std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
 
-/// Ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
+/// Returns ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
 AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit);
 
-/// Ticks upwards, `each` pixels for one of them; a low axis has closer ones as far as labels in
-/// fonts of `size` have room, because a single tick says nothing of the scale.
-AxisTicks ticksUp(double from, double to, float pixels, float each, float size,
-                  std::string_view unit);
+/// Returns ticks of a vertical axis, `each` pixels for one of them. A low axis has closer ticks as
+/// far as labels in fonts of `size` fit, because a single tick does not show the scale.
+AxisTicks yTicks(double from, double to, float pixels, float each, float size,
+                 std::string_view unit);
 
 struct LogTick {
   double decade = 0;  // decimal logarithm of the value
   std::string label;  // "10⁻³", "2×10³"
 };
 
-/// Ticks between the decimal logarithms `from` and `to`, ascending, at most `most`: decades,
-/// thinned where they are many; where there are fewer than two, as many multiples of them as there
-/// may be. None where from >= to, either is not finite, or most < 1.
+/// Returns ticks between the decimal logarithms `from` and `to`, ascending, at most `most`:
+/// decades, thinned where there are many; where there are fewer than two, as many multiples of them
+/// as fit. None where from >= to, either is not finite, or most < 1.
 std::vector<LogTick> logTicks(double from, double to, int most);
 
-/// Decimal logarithms of the places between the ticks: 2, 3, ..., 9 times every decade, or 2 and 5
-/// times where `decadePixels` is below twelve times `apart`, or the decades alone where there is no
-/// room for those. Ascending, none at a tick.
+/// Returns decimal logarithms of the places between the ticks: 2, 3, ..., 9 times every decade, or
+/// 2 and 5 times where `decadePixels` is below twelve times `apart`, or only the decades where
+/// those do not fit. Ascending, none at a tick.
 std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
                                   double decadePixels, double apart);
 
-/// printedNumber() and printedQuantity() in the language in use.
+/// Return printedNumber() and printedQuantity() in the current language.
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);

@@ -12,14 +12,14 @@
 namespace asperity {
 namespace {
 
-constexpr float kColourSteps = 32;  // of a line whose colour changes, over the whole range
+constexpr float kColourSteps = 32;  // steps of a line whose colour changes over the whole range
 constexpr std::size_t kMostSteps = 16;
 
 bool samePlace(const DrawVertex& a, const DrawVertex& b) {
   return a.x == b.x && a.y == b.y;
 }
 
-/// Without what cannot be drawn, and without vertices that repeat the one before.
+/// Removes vertices that cannot be drawn, and those that repeat the previous one.
 std::vector<DrawVertex> cleaned(const DrawLine& line) {
   std::vector<DrawVertex> clean;
   for (const DrawVertex& v : line.vertices)
@@ -32,7 +32,7 @@ bool isTranslucent(const std::vector<DrawVertex>& vertices) {
                      [](const DrawVertex& v) { return v.colour.a < 1; });
 }
 
-/// Pieces of a translucent line would show where their ends overlap.
+/// Gives a translucent line its mean colour, because overlapping ends of pieces would be visible.
 void giveMeanColour(std::vector<DrawVertex>& vertices) {
   Rgba mean{0, 0, 0, 0};
   for (const DrawVertex& v : vertices) {
@@ -61,7 +61,7 @@ class StrokeCollector {
   }
 
  private:
-  /// In steps of nearly one colour.
+  /// Adds a segment in steps of nearly one colour.
   void addSegment(const DrawVertex& a, const DrawVertex& b) {
     const float change = kColourSteps * std::max({std::abs(a.colour.r - b.colour.r),
                                                   std::abs(a.colour.g - b.colour.g),
@@ -80,7 +80,7 @@ class StrokeCollector {
     }
   }
 
-  /// A new polyline, with the last pen where that cannot be seen.
+  /// Begins a new polyline, with the last pen where the difference is invisible.
   void begin(const Rgba& colour, const Place& at) {
     const bool samePen = !strokes_.empty() && strokes_.back().width == width_ &&
                          sameColour(strokes_.back().colour, colour) && colour.a >= 1;
@@ -110,10 +110,10 @@ namespace {
 using Corner = std::array<float, 2>;
 using Triangle = std::array<DrawVertex, 3>;
 
-// As differences of what is seen, 0 to 1.
-constexpr float kOneColour = 1e-4F;   // a triangle that varies less was meant to be of one colour
-constexpr float kSameShade = 0.012F;  // two descriptions of the same change of colour
-constexpr float kPiece = 0.08F;       // a piece of a mesh varies no more than this
+// Differences of visible colour, 0 to 1.
+constexpr float kOneColour = 1e-4F;   // a triangle that varies less is treated as one colour
+constexpr float kSameShade = 0.012F;  // two descriptions of the same gradient
+constexpr float kPiece = 0.08F;       // largest variation in a piece of a mesh
 constexpr float kInvisible = 0.002F;  // opacity
 constexpr float kSmallest = 4;        // pixels; smaller pieces are not split
 
@@ -121,7 +121,7 @@ float areaOf(const Triangle& t) {
   return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y)) / 2;
 }
 
-/// What is nearly transparent may be of any colour.
+/// Returns the difference of two colours; a nearly transparent one may have any colour.
 float seenDistance(const Rgba& a, const Rgba& b) {
   const float opacity = std::max(a.a, b.a);
   return std::max({opacity * std::abs(a.r - b.r), opacity * std::abs(a.g - b.g),
@@ -144,10 +144,10 @@ std::array<float, 4> channels(const Rgba& c) {
   return {c.r, c.g, c.b, c.a};
 }
 
-/// Colour as a function of the distance along one direction.
+/// The colour as a function of the distance in one direction.
 struct Shade {
   Place origin;
-  Rgba colour;                   // there
+  Rgba colour;                   // at the origin
   float x = 1, y = 0;            // unit vector
   std::array<float, 4> slope{};  // of the channels, per pixel
 
@@ -165,7 +165,7 @@ struct Shade {
   }
 };
 
-/// None where the colours do not change along one direction.
+/// Returns the shade; none where the colours do not change along one direction.
 std::optional<Shade> shadeOf(const Triangle& t) {
   const double ux = t[1].x - t[0].x, uy = t[1].y - t[0].y;
   const double vx = t[2].x - t[0].x, vy = t[2].y - t[0].y;
@@ -189,7 +189,7 @@ std::optional<Shade> shadeOf(const Triangle& t) {
   return shade;
 }
 
-/// Gathers triangles until one comes that needs another paint.
+/// Collects triangles until one needs another paint.
 class FillCollector {
  public:
   void add(Triangle t) {
@@ -238,7 +238,7 @@ class FillCollector {
     }
   }
 
-  /// Four by the middles of its sides, until each is nearly of one colour.
+  /// Splits a triangle into four at the middles of its sides, until each is nearly of one colour.
   void addPieces(const Triangle& t) {
     float longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -295,7 +295,7 @@ std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles) {
 }
 
 std::vector<Polyline> outlineOf(const std::vector<Place>& corners) {
-  std::map<std::pair<Corner, Corner>, int> edges;  // how often, against their reverse
+  std::map<std::pair<Corner, Corner>, int> edges;  // count of an edge minus that of its reverse
   std::vector<std::pair<Corner, Corner>> order;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// What vector files (SVG, PDF) are made of: paths of shapes, gradients and fills.
+// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct VectorPaint {
 struct VectorFill {
   VectorPaint paint;
   std::vector<Polyline> outlines;
-  /// One piece of many that abut: smooth edges would let what lies below shine through.
+  /// Whether this is one of many adjacent pieces, whose smooth edges would show what is below.
   bool isPieceOfMesh = false;
 };
 
@@ -36,19 +36,19 @@ struct VectorLayer {
   std::vector<VectorStroke> strokes;  // over the fills
 };
 
-/// Triangles in a row that share a paint become one fill, without the edges between them; lines in
-/// a row that share an opaque pen become one stroke; a line splits where its colour changes, or has
-/// the mean of its colours where it is translucent.
+/// Merges consecutive triangles with the same paint into one fill, without the edges between them,
+/// and consecutive lines with the same opaque pen into one stroke. A line is split where its colour
+/// changes, or has the mean of its colours where it is translucent.
 VectorLayer vectorized(const DrawLayer& layer);
 
-/// The outline of triangles that are all turned the same way: edges that two of them share are
-/// left out. Winding numbers stay what they were.
+/// Returns the outline of triangles of the same orientation: edges that two of them share are left
+/// out. Winding numbers do not change.
 std::vector<Polyline> outlineOf(const std::vector<Place>& corners);
 
 std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles);
 
 bool isDrawable(const DrawVertex& vertex);  // finite
-/// The same in eight bits a channel.
+/// Returns whether the colours agree in eight bits per channel.
 bool sameColour(const Rgba& a, const Rgba& b);
 
 }  // namespace asperity

@@ -11,7 +11,7 @@
 #include <map>
 #include <memory>
 
-// Outside of the namespace, as the resource compiler's function is.
+// This function is outside of the namespace, as the resource compiler's function is.
 static void openResources() {
   Q_INIT_RESOURCE(asperity_translations);
 }
@@ -21,12 +21,12 @@ namespace {
 
 constexpr std::array<Language, 2> kLanguages{{{"en", "English"}, {"de", "Deutsch"}}};
 
-/// Loaded once and never taken away: other threads may be reading it.
+/// A loaded language. It is never removed, because other threads may be reading it.
 struct Loaded {
   std::string_view code = "en";
-  std::unique_ptr<QTranslator> texts, dialogs;  // ours and Qt's own; none for English
+  std::unique_ptr<QTranslator> texts, dialogs;  // the program's and Qt's own; none for English
   QLocale locale = QLocale::c();
-  bool hasComma = false;  // in numbers
+  bool hasComma = false;  // decimal sign
 };
 
 std::atomic<const Loaded*>& presentOne() {
@@ -61,7 +61,7 @@ std::unique_ptr<Loaded> load(std::string_view code) {
   return language;
 }
 
-/// One of kLanguages. Called by the thread that chooses languages.
+/// Returns one of kLanguages. Only the thread that chooses languages may call it.
 const Loaded& languageOf(std::string_view code) {
   static std::map<std::string_view, std::unique_ptr<Loaded>> all;
   std::unique_ptr<Loaded>& language = all[code];
@@ -69,7 +69,7 @@ const Loaded& languageOf(std::string_view code) {
   return *language;
 }
 
-/// Sets the texts of what owns it when that is told of another language.
+/// Sets the texts of its owner when the language changes.
 class Translating : public QObject {
  public:
   Translating(QObject& owner, std::function<void()> say) : QObject(&owner), say_(std::move(say)) {

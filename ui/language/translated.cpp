@@ -10,10 +10,11 @@
 namespace asperity {
 namespace {
 
-constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;  // beyond them powers of ten
-constexpr const char* kScenes = "scenes";  // context of what shipped scenes say of themselves
+constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;  // outside of this range, powers of ten
+constexpr const char* kScenes = "scenes";               // context of the texts in shipped scenes
 
-/// "1e-10" and "6.3e+02" as all other numbers are printed; what is printed already stays.
+/// Returns "1e-10" and "6.3e+02" in the style of all other numbers; formatted numbers are
+/// unchanged.
 std::string shownNumber(const std::string& text) {
   double value = 0;
   const std::size_t e = text.find('e');
@@ -31,15 +32,15 @@ std::optional<QString> found(const std::string& form) {
   return text ? text : translationIn(kScenes, form.c_str());
 }
 
-/// A template of symbols and places alone, such as "%1 = %2": it is the same in every language.
-/// Words have two small letters side by side.
+/// Returns whether a template has only symbols and places, such as "%1 = %2", which is the same in
+/// every language. Words have two adjacent small letters.
 bool isFormula(std::string_view form) {
   const auto isSmall = [](char letter) { return letter >= 'a' && letter <= 'z'; };
   return std::ranges::adjacent_find(
              form, [&](char a, char b) { return isSmall(a) && isSmall(b); }) == form.end();
 }
 
-/// `isWhole` becomes false where a translation is missing.
+/// Translates a message. `isWhole` becomes false where a translation is missing.
 std::string translate(const Message& english, bool& isWhole) {
   if (english.kind == Message::Kind::Name) return english.text;
   if (english.kind == Message::Kind::Number) return shownNumber(english.text);

@@ -1,7 +1,7 @@
-// Texts that core makes (core/base/message.h), in the language in use. Core knows English alone, so
-// each is translated where it is shown: its template is looked up in
-// resources/translations/core_de.ts, where the values stand as %1, %2, ... Numbers get the
-// language's decimal sign, and such as 1e-10 are printed as all others are
+// Texts that core makes (core/base/message.h), in the current language. Core has only English, so
+// each text is translated where it is shown: its template is looked up in
+// resources/translations/core_de.ts, where the values are written as %1, %2, ... Numbers get the
+// language's decimal sign, and machine numbers such as 1e-10 are formatted as all others
 // (core/base/number_text.h). Pure once the language is chosen; any thread.
 #pragma once
 
@@ -16,22 +16,22 @@
 
 namespace asperity {
 
-/// Nothing where one of its templates has words and no translation.
+/// Returns the translation; nothing where one of its templates has words but no translation.
 std::optional<std::string> translationOf(const Message& english);
 
-/// The same; a template without a translation stays in English.
+/// Returns the translation; a template without one stays in English.
 std::string translated(const Message& english);
 QString translatedText(const Message& english);
 
-/// What an error says, behind the names of what it is about.
+/// Returns an error's message after the names of its subject.
 QString translatedError(const std::exception& error);
 
-/// A scene's own title, description or chapter: that of a shipped scene in the language in use,
-/// another as it is.
+/// Returns a scene's title, description or chapter: texts of shipped scenes in the current
+/// language, others unchanged.
 QString sceneText(std::string_view text);
 bool isTranslatedScene(std::string_view text);
 
-/// With all its titles, names and labels, which then have their text alone.
+/// Translates all titles, names and labels, which then have only their text.
 DiagramSheet translated(DiagramSheet sheet);
 
 }  // namespace asperity

@@ -5,7 +5,7 @@
 namespace asperity {
 
 std::string Words::tr(const char* english) {
-  // The tool finds the namespace in most places, but not in all.
+  // Qt's tool finds the namespace in most places, but not in all.
   for (const char* context : {"asperity::Words", "Words"})
     if (const auto found = translationIn(context, english)) return found->toStdString();
   return english;

@@ -1,5 +1,4 @@
-// The texts of pictures, as the language in use has them. Pure once the language is chosen; any
-// thread.
+// The texts of pictures in the current language. Pure once the language is chosen; any thread.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@ namespace asperity {
 
 class Words {
  public:
-  /// UTF-8. Found by Qt's tool for translators like any tr().
+  /// Returns the translation in UTF-8. Qt's tool for translators finds its calls like any tr().
   static std::string tr(const char* english);
 };
 

@@ -18,11 +18,11 @@ namespace asperity {
 
 namespace {
 
-constexpr std::size_t kShort = 4;  // arms that are never folded away unless by hand
-constexpr double kNextArm = 10;    // of the longest relaxation time
+constexpr std::size_t kShort = 4;  // a list of this many arms is folded only by hand
+constexpr double kNextArm = 10;    // relative to the longest relaxation time
 constexpr int kColumns = 6;        // number, two values with their units, button
 
-constexpr int kUnitDigits = 4;  // width of a unit
+constexpr int kUnitDigits = 4;  // width of a unit, in digits
 
 constexpr std::array kNames{"armModulus", "armTime"};
 
@@ -39,7 +39,7 @@ std::vector<Arm> sorted(std::vector<Arm> arms) {
   return arms;
 }
 
-/// A decade beyond the longest, where a spectrum goes on.
+/// Returns a new arm, a decade beyond the longest time, where a spectrum usually continues.
 Arm armAfter(const std::vector<Arm>& arms) {
   if (arms.empty()) return {};
   Arm next = arms.back();
@@ -56,7 +56,7 @@ class ArmRow {
  public:
   ArmRow(ArmsEditor& editor, QGridLayout& grid, std::size_t index)
       : editor_(editor), index_(index), number_(new QLabel), remove_(new QToolButton) {
-    const int line = static_cast<int>(2 * index) + 1;  // its complaint below it
+    const int line = static_cast<int>(2 * index) + 1;  // the error is below it
     number_->setText(QString::number(index + 1));
     number_->setProperty("role", "unit");
     grid.addWidget(number_, line, 0);
@@ -65,7 +65,7 @@ class ArmRow {
     remove_->setProperty("role", "remove");
     remove_->setObjectName(QStringLiteral("armRemove:%1").arg(index));
     remove_->setFocusPolicy(Qt::TabFocus);
-    // Later: the button may go with its arm.
+    // This runs later, because the button may be deleted with its arm.
     QObject::connect(
         remove_, &QToolButton::clicked, &editor_, [&editor, index] { editor.remove(index); },
         Qt::QueuedConnection);
@@ -76,7 +76,8 @@ class ArmRow {
     error_->setWordWrap(true);
     error_->hide();
     grid.addWidget(error_, line + 1, 1, 1, kColumns - 1);
-    // At once: a layout shows what it is given later, and what is hidden takes no focus.
+    // Widgets are shown at once: a layout would show them later, and hidden ones cannot get the
+    // focus.
     for (QWidget* widget : widgets()) widget->show();
     showTexts();
   }
@@ -117,7 +118,7 @@ class ArmRow {
   }
 
  private:
-  /// All but the complaint.
+  /// Returns all widgets except for the error.
   std::array<QWidget*, 6> widgets() const {
     return {number_, entries_[0], units_[0], entries_[1], units_[1], remove_};
   }
@@ -232,7 +233,7 @@ void ArmsEditor::showArms(const std::vector<Arm>& arms, std::optional<std::size_
   showFold();
 }
 
-/// The editor shows what the scene makes of it.
+/// Passes on the arms; the editor then shows the scene's result.
 void ArmsEditor::give(std::vector<Arm> arms) {
   emit armsGiven(sorted(std::move(arms)));
 }

@@ -1,8 +1,8 @@
 // The arms of an elastomer as a table: modulus and relaxation time of each in engineering units,
-// sorted by the time, with buttons to add and to remove; a long one is folded away under a line
-// that says what is in it. A refused value stays where it was typed, with the reason beneath.
-// Every accepted change gives the whole list. Object names: "armsFold", "armsAdd", and from 0
-// "armModulus:I", "armTime:I", "armRemove:I", "armError:I". GUI thread; belongs to its parent.
+// sorted by time, with buttons to add and to remove; a long table is folded under a line that
+// summarizes it. A refused value stays as it was typed, with the reason below it. Every accepted
+// change passes on the whole list. Object names: "armsFold", "armsAdd", and from 0 "armModulus:I",
+// "armTime:I", "armRemove:I", "armError:I". GUI thread; belongs to its parent.
 #pragma once
 
 #include <QWidget>
@@ -27,11 +27,11 @@ class ArmsEditor : public QWidget {
   explicit ArmsEditor(QWidget* parent = nullptr);
   ~ArmsEditor() override;
 
-  /// `wanted`: how many arms the rheology has, where it does not leave it open. `replace` also
-  /// overwrites what someone typed and was refused.
+  /// `wanted`: number of arms that the rheology prescribes, if any. `replace` also overwrites
+  /// refused input.
   void showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted, bool replace);
 
-  /// The line with the fold, for the row of the panel.
+  /// Returns the line with the fold, for the row of the panel.
   QToolButton& fold() { return *fold_; }
 
  signals:
@@ -49,9 +49,9 @@ class ArmsEditor : public QWidget {
   void showFold();
   bool isOpen() const;
 
-  std::vector<Arm> arms_;  // by relaxation time, rising
+  std::vector<Arm> arms_;  // by ascending relaxation time
   std::optional<std::size_t> wanted_;
-  std::optional<bool> opened_;  // by hand; else a short list is open
+  std::optional<bool> opened_;  // by hand; otherwise a short list is open
   std::vector<ArmRow*> rows_;
   QToolButton* fold_;
   QWidget* table_;

@@ -86,7 +86,7 @@ void TextBox::focusOutEvent(QFocusEvent* event) {
   if (event->reason() != Qt::PopupFocusReason) commit();
 }
 
-/// A scene's sentence is one paragraph.
+/// A scene's description is one paragraph.
 void TextBox::commit() {
   const QString text = toPlainText().simplified();
   if (text == accepted_) return replaceText(text);

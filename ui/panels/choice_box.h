@@ -25,10 +25,10 @@ class TextBox : public QPlainTextEdit {
  public:
   explicit TextBox(QWidget* parent = nullptr);
 
-  /// Shows the accepted text, unless someone is typing another one.
+  /// Shows the accepted text, unless the user is typing another one.
   void showText(const QString& text);
 
-  /// Shows it whatever stands there.
+  /// Shows the text in any case.
   void replaceText(const QString& text);
 
   QSize sizeHint() const override;

@@ -19,7 +19,8 @@ namespace asperity {
 double roundedToDigits(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return value;
   char text[32];
-  // Through decimal text, so that the result is the number that reads "0.0034", not a neighbour.
+  // The conversion uses decimal text, so that the result is exactly the number "0.0034", not a
+  // neighbour.
   const auto end = std::to_chars(std::begin(text), std::end(text), value,
                                  std::chars_format::scientific, digits - 1);
   double rounded = value;
@@ -75,7 +76,7 @@ struct Prefix {
   int exponent;
 };
 
-// Both letters that look like mu: the micro sign and the Greek one.
+// There are two letters for mu: the micro sign and the Greek one.
 const Prefix kPrefixes[] = {{u"", 0},        {u"f", -15},     {u"p", -12}, {u"n", -9}, {u"u", -6},
                             {u"\u00b5", -6}, {u"\u03bc", -6}, {u"m", -3},  {u"c", -2}, {u"k", 3},
                             {u"M", 6},       {u"G", 9},       {u"T", 12},  {u"P", 15}};
@@ -92,18 +93,19 @@ int largestExponent(const QString& unit) {
              : 9;
 }
 
-/// The letter to print, for a multiple of three from -12 to 9.
+/// Returns the letter to print, for a multiple of three from -12 to 9.
 QString prefixOf(int exponent) {
   static const QString letters = QStringLiteral("pn\u00b5m kMG");
   return exponent == 0 ? QString() : QString(letters[exponent / 3 + 4]);
 }
 
-/// 1.25 and 2 make "125"; digits as they are, so that nothing is rounded.
+/// Shifts the decimal point: 1.25 and 2 give "125"; the digits are unchanged, so nothing is
+/// rounded.
 QString shifted(const QString& mantissa, int places) {
   const bool isNegative = mantissa.startsWith('-');
   QString digits = mantissa.mid(isNegative ? 1 : 0);
   digits.remove('.');
-  const qsizetype before = places + 1;  // the point
+  const qsizetype before = places + 1;  // position of the point
   if (before <= 0)
     digits.prepend(QStringLiteral("0.") + QString(-before, '0'));
   else if (digits.size() <= before)
@@ -113,7 +115,7 @@ QString shifted(const QString& mantissa, int places) {
   return isNegative ? '-' + digits : digits;
 }
 
-constexpr int kMostPlaces = 5;  // written out, before or behind the point
+constexpr int kMostPlaces = 5;  // zeros written out, before or after the point
 
 }  // namespace
 
@@ -134,7 +136,7 @@ QString inPlainUnit(const QString& text, const QString& unit) {
   const QString given = match.captured(3).replace(QChar(0x00b7), QChar(' '));
   const std::optional<int> shift = exponentOf(given, unit);
   if (!shift) return text;
-  // The exponents are added as text, so that "20 mm" is the number that reads 0.02.
+  // The exponents are added as text, so that "20 mm" is exactly the number 0.02.
   return numberText((number + "e" + QString::number(exponent + *shift)).toDouble());
 }
 
@@ -163,11 +165,11 @@ QString inShownUnit(const QString& text, const QString& shownUnit) {
 
 namespace {
 
-/// A dimension in words, by a unit of it and with a value that people know.
+/// A dimension as text, with one of its units and an example from daily life.
 struct Dimension {
   const char* unit;
   QString words;
-  const char* example = "";  // only of what a parameter can be
+  const char* example = "";  // only for dimensions of parameters
 };
 
 QList<Dimension> dimensions() {
@@ -191,7 +193,7 @@ QList<Dimension> dimensions() {
           {"1/m", ParameterRow::tr("a wave number")}};
 }
 
-/// Units that no prefix makes of the plain one.
+/// A unit that is not the plain one with a prefix.
 struct OtherUnit {
   const char *name, *unit;
   double size, offset = 0;  // plain = (number + offset) size
@@ -208,7 +210,7 @@ constexpr OtherUnit kOtherUnits[] = {
 
 struct Quantity {
   double number = 0;
-  QString unit;  // as it was typed, without prefix or with
+  QString unit;  // as it was typed, with or without a prefix
 };
 
 std::optional<Quantity> quantityOf(const QString& text) {
@@ -238,7 +240,7 @@ std::optional<Dimension> dimensionOf(const QString& given) {
   return {};
 }
 
-/// The dimension and an example of what the rule takes.
+/// Returns the dimension and an example of the values that the rule accepts.
 std::pair<QString, QString> wantedBy(const NumberRule& rule) {
   const auto known = rule.unit.isEmpty() ? std::nullopt : dimensionOf(rule.unit);
   if (!known) return {ParameterRow::tr("a pure number"), inLanguage(QStringLiteral("0.5"))};
@@ -247,7 +249,8 @@ std::pair<QString, QString> wantedBy(const NumberRule& rule) {
           inLanguage(QString::fromUtf8(known->example))};
 }
 
-/// Degrees are no unit of a difference, per cent none of a whole number.
+/// Returns whether a unit is accepted: degrees Celsius are no unit of a difference, per cent none
+/// of an integer.
 bool isTaken(const OtherUnit& other, const NumberRule& rule) {
   return QString::fromUtf8(other.unit) == rule.unit && (other.offset == 0 || rule.isTemperature) &&
          !rule.isWhole;

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kLeastWidth = 350;  // pixels
 
-/// The key's, but what the curve is averaged over stands with the curve.
+/// Returns the key's section; parameters of the averaging belong to the curve's section.
 QString sectionOf(const Parameter& parameter) {
   const QString key = fromUtf8(parameter.key);
   const qsizetype dot = key.indexOf('.');
@@ -46,7 +46,7 @@ QString sectionTitle(const QString& section) {
   return section.left(1).toUpper() + section.mid(1);
 }
 
-/// What a person changes most comes first; sections the list does not know follow as in the table.
+/// Returns the sections: frequently used ones first; unknown ones follow in the order of the table.
 QStringList sections() {
   QStringList names{"sliding", "load", "elastomer", "surface", "interface", "sweep", "accuracy"};
   for (const Parameter& parameter : parameters())
@@ -59,7 +59,8 @@ QString askForProfile(QWidget* parent, const QString& folder) {
                                       ParameterPanel::tr("Profiles (*.csv);;All files (*)"));
 }
 
-/// As the scene names it: relative where the file lies in the scene's folder or below.
+/// Returns the file's name in the scene: relative where the file lies in the scene's folder or
+/// below.
 std::string nameInScene(const Scene& scene, const std::filesystem::path& file) {
   if (scene.folder.empty()) return file.string();
   const auto folder = std::filesystem::absolute(scene.folder).lexically_normal();
@@ -68,7 +69,7 @@ std::string nameInScene(const Scene& scene, const std::filesystem::path& file) {
   return isBelow ? name.string() : file.string();
 }
 
-/// Whether two scenes have their profile from the same place.
+/// Returns whether two scenes read their profile from the same file.
 bool haveSameFile(const Scene& a, const Scene& b) {
   return a.surface.kind == b.surface.kind && a.surface.file == b.surface.file &&
          a.folder == b.folder;
@@ -94,7 +95,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
 
   scroll_->setWidget(content);
   scroll_->setWidgetResizable(true);
-  scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take it
+  scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take the focus
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
@@ -117,7 +118,7 @@ void ParameterPanel::setScene(const Scene& scene) {
 }
 
 void ParameterPanel::showError(const QString& key, const QString& text) {
-  const QString whole = key.section('[', 0, 0);  // of a list: its row
+  const QString whole = key.section('[', 0, 0);  // row of the list
   ParameterRow* row = rows_.value(whole);
   if (!row) return;
   row->showError(text);
@@ -142,7 +143,7 @@ QSize ParameterPanel::sizeHint() const {
   return {380, 640};
 }
 
-/// The section's first choice, if it has one, stands in its heading.
+/// Adds a section. Its first choice, if it has one, is in its heading.
 void ParameterPanel::addSection(QVBoxLayout& column, const QString& section) {
   bool hasHeading = section.isEmpty();
   if (column.count() > 0) column.addSpacing(3);
@@ -175,7 +176,7 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
   return *row;
 }
 
-/// What is being typed stays. An entry that was refused is refused again, in the new language.
+/// Sets all texts. Unfinished input stays. A refused entry is refused again, in the new language.
 void ParameterPanel::showTexts() {
   scroll_->widget()->setAccessibleName(tr("parameters"));
   for (auto heading = headings_.cbegin(); heading != headings_.cend(); ++heading)
@@ -188,7 +189,8 @@ void ParameterPanel::showTexts() {
   showMissing();
 }
 
-/// The core decides; why it refused is said in the words and units of the entry.
+/// Tries a typed text. The core decides; the reason of a refusal has the words and units of the
+/// entry.
 void ParameterPanel::takeText(ParameterRow& row, const QString& text) {
   const Parameter& parameter = row.parameter();
   const bool isNumber = allowedRange(parameter).has_value();
@@ -219,6 +221,7 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
   }
   complaints_.remove(fromUtf8(row.parameter().key));
   sizes_.follow(scene_.surface, next.surface);
+  followRealizations(scene_, next);
   if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
   showRows(&row);
@@ -244,7 +247,7 @@ void ParameterPanel::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) showTexts();
 }
 
-/// Rows are never cut at the side, in large letters neither.
+/// Keeps the panel wide enough that rows are never cut at the side, also with a large font.
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::LayoutRequest)
     setMinimumWidth(std::max(kLeastWidth, scroll_->widget()->layout()->minimumSize().width() +

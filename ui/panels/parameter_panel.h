@@ -1,7 +1,7 @@
-// The panel of parameters, generated from the table alone: one ParameterRow for each row, grouped
-// by section, in a scroll area. Owns the scene that its controls show; every accepted change is a
-// new scene. A refused text changes nothing and is explained where it was typed; a scene that still
-// misses something is kept and says so, but is not passed on. GUI thread.
+// The panel of parameters, generated from the table: one ParameterRow for each row, grouped by
+// section, in a scroll area. It owns the scene that its controls show; every accepted change makes
+// a new scene. A refused text changes nothing, and the reason is shown where it was typed; an
+// incomplete scene is kept with a note, but not passed on. GUI thread.
 #pragma once
 
 #include <QMap>
@@ -22,7 +22,7 @@ namespace asperity {
 class ParameterRow;
 struct Parameter;
 
-/// Asks a person for a file, beginning in a folder; empty where none was chosen.
+/// Asks the user for a file, beginning in a folder; empty where none was chosen.
 using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
 class ParameterPanel : public QWidget {
@@ -33,19 +33,19 @@ class ParameterPanel : public QWidget {
 
   const Scene& scene() const { return scene_; }
 
-  /// Shows another scene; emits nothing.
+  /// Shows another scene without emitting a signal.
   void setScene(const Scene& scene);
 
-  /// A complaint about a parameter that only came up when the scene ran. Unknown keys are ignored.
+  /// Shows an error of a parameter that occurred only when the scene ran. Unknown keys are ignored.
   void showError(const QString& key, const QString& text);
 
-  /// The scene runs: takes such complaints away.
+  /// Removes such errors, because the scene runs.
   void clearErrors();
 
-  /// The line that is on the screen, for what the scene leaves to a file.
+  /// Shows values of the present line where the scene takes them from a file.
   void showLine(const LineSize& line);
 
-  /// A file dialog unless told otherwise.
+  /// Replaces the usual file dialog.
   void setFileChooser(FileChooser chooser);
 
   QSize sizeHint() const override;
@@ -70,14 +70,14 @@ class ParameterPanel : public QWidget {
   void applyStyle();
 
   Scene scene_;
-  Scene passedOn_;  // the newest that came from outside or went there
+  Scene passedOn_;  // the newest scene that was set or passed on
   KeptSizes sizes_;
-  LineSize line_;  // on the screen, where it is the scene's
+  LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
   QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
   QMap<QString, QLabel*> headings_;    // by section, where the heading has a line of its own
-  QMap<const ParameterRow*, QString> headingRows_;  // the section of which a row is the heading
+  QMap<const ParameterRow*, QString> headingRows_;  // the section of a row that is in the heading
   QScrollArea* scroll_;
 };
 

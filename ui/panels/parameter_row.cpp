@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kGap = 5;  // pixels between the columns
 
-// Digits.
+// These widths are in digits.
 constexpr double kEntryWidth = 8.2;
 constexpr double kUnitWidth = 4.9;
 constexpr double kResetWidth = 2.25;
@@ -37,7 +37,7 @@ ParameterValue sliderValue(const Parameter& parameter, double value) {
   return value;
 }
 
-/// "shear modulus G"; a label that ends with its own symbol, "shift C1", has it once.
+/// Returns "shear modulus G"; a label that ends with its symbol, "shift C1", has it once.
 QString labelWithSymbol(const Parameter& parameter) {
   QString label = ParameterRow::labelOf(parameter);
   if (parameter.symbol.empty()) return label;
@@ -46,8 +46,8 @@ QString labelWithSymbol(const Parameter& parameter) {
   return label + "&nbsp; " + symbolHtml(parameter.symbol);
 }
 
-/// Room for the longest label with its symbol. A label longer than most is broken into two lines,
-/// so that it does not take the room of every slider.
+/// Returns the width for the longest label with its symbol. A very long label is broken into two
+/// lines, so that it does not take space from every slider.
 int labelWidth(const QFont& font) {
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QFontMetrics metrics(font);
@@ -66,7 +66,7 @@ int labelWidth(const QFont& font) {
   return width + 4;
 }
 
-/// What is allowed, in the way the entries are written.
+/// Returns the allowed range in the notation of the entries.
 QString rangeText(const Parameter& parameter) {
   if (allowedRange(parameter)) return allowedInWords(ruleOf(parameter));
   QStringList words;
@@ -75,13 +75,13 @@ QString rangeText(const Parameter& parameter) {
   return words.join(QStringLiteral(", "));
 }
 
-/// A standard solid has one arm, a Prony series any number.
+/// Returns the number of arms: a standard solid has one, a Prony series any number.
 std::optional<std::size_t> armsWanted(const Scene& scene) {
   return scene.elastomer.rheology == Rheology::StandardSolid ? std::optional<std::size_t>(1)
                                                              : std::nullopt;
 }
 
-/// The default's arms in words, any other value as its row shows it.
+/// Returns the default's arms in words, any other value as its row shows it.
 QString resetText(const Parameter& parameter, const QString& value) {
   return std::holds_alternative<ArmsField>(parameter.field)
              ? ParameterRow::tr("Back to the default, one arm")
@@ -93,7 +93,7 @@ UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
     const UnitText text = inReadableUnit(*real, fromUtf8(parameter.unit));
     return {inLanguage(text.number), text.unit};
   }
-  // A shipped scene says what it is in the language of the window.
+  // Texts of shipped scenes are shown in the language of the window.
   if (const auto* text = std::get_if<std::string>(&value))
     if (std::holds_alternative<TextField>(parameter.field) && isTranslatedScene(*text))
       return {sceneText(*text), {}};
@@ -144,7 +144,7 @@ void ParameterRow::showTexts(const QString& heading) {
   label_->setToolTip(description());
   for (QWidget* control : std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, text_})
     if (control) describe(*control);
-  if (arms_) arms_->setToolTip({});  // its parts have their own
+  if (arms_) arms_->setToolTip({});  // its parts have their own tooltips
   if (choice_) {
     choice_->view()->setAccessibleName(choice_->accessibleName());
     const auto& words = std::get<ChoiceField>(parameter_.field).choices;
@@ -187,7 +187,7 @@ void ParameterRow::showEntry(const ParameterValue& value,
                              const std::optional<Placeholder>& placeholder, bool replace) {
   const UnitText shown = shownText(parameter_, value);
   const QString text = placeholder ? QString() : shown.number;
-  if (browse_)  // in words until there is a name that needs the room
+  if (browse_)  // the button has a text until a file name needs the space
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
   else
     entry_->setPlaceholderText(placeholder ? placeholder->text : QString());
@@ -228,7 +228,7 @@ void ParameterRow::addRemarks(QVBoxLayout& column) {
   error_ = remark("error");
 }
 
-/// Columns that stand under each other in all rows, as wide as the font needs.
+/// Aligns the columns of all rows, with widths that follow the font.
 void ParameterRow::setWidths() {
   const double digit = QFontMetricsF(font()).horizontalAdvance('0');
   const auto digits = [digit](double count) {
@@ -238,7 +238,7 @@ void ParameterRow::setWidths() {
   label_->setFixedWidth(width);
   for (QLabel* remark : {note_, error_}) remark->setIndent(width + kGap);
   if (unit_) {
-    // What has no unit is counted, in many digits: it takes the unit's place.
+    // A number without a unit is a count with many digits: it also uses the unit's width.
     const bool isCount = parameter_.unit.empty();
     unit_->setHidden(isCount);
     unit_->setFixedWidth(digits(kUnitWidth));
@@ -314,7 +314,7 @@ void ParameterRow::addLongText(QHBoxLayout& line) {
   line.setAlignment(label_, Qt::AlignTop);
 }
 
-/// The line of the fold stands in the row, the table under it.
+/// Adds the fold's line to the row and the table below it.
 void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
   arms_ = new ArmsEditor;
   name(*arms_, "arms");
@@ -324,7 +324,7 @@ void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
   column.addWidget(arms_);
 }
 
-/// The end of a path says more than its beginning.
+/// Adds the button for files. The entry shows the end of a path, which is more informative.
 void ParameterRow::addBrowse(QHBoxLayout& line) {
   entry_->setShownEnd(Qt::RightEdge);
   browse_ = new QToolButton;
@@ -355,7 +355,7 @@ void ParameterRow::describe(QWidget& control) {
   control.setToolTip(description());
 }
 
-/// "normal force (N)".
+/// Returns "normal force (N)".
 QString ParameterRow::accessibleLabel() const {
   const QString unit = fromUtf8(parameter_.unit);
   return unit.isEmpty() ? labelOf(parameter_)

@@ -1,9 +1,9 @@
 // One row of the table of parameters as controls: label with symbol, then slider and exact entry,
-// or a list of words, or a text, which a button beside it finds where it names a file, or the table
-// of an elastomer's arms; the sentence and the allowed range as tooltip, a button back to the
-// default, and the reason beneath where a text is refused. Object names: "slider:KEY", "entry:KEY",
-// "text:KEY", "arms:KEY", "choice:KEY", "browse:KEY", "reset:KEY", "note:KEY", "error:KEY",
-// "row:KEY". The row holds no scene; it shows one and says what a person gave. GUI thread.
+// or a list of words, or a text, with a button for files where it names a file, or the table of an
+// elastomer's arms; description and allowed range as tooltip, a button that resets to the default,
+// and the reason below a refused text. Object names: "slider:KEY", "entry:KEY", "text:KEY",
+// "arms:KEY", "choice:KEY", "browse:KEY", "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row
+// holds no scene; it shows one and emits the user's input. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -28,24 +28,24 @@ class ParameterRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// Without words until showTexts().
+  /// The row has no texts until showTexts().
   explicit ParameterRow(const Parameter& parameter, QWidget* parent = nullptr);
 
   const Parameter& parameter() const { return parameter_; }
 
-  /// The parameter's name in the language of the window.
+  /// Returns the parameter's name in the language of the window.
   static QString labelOf(const Parameter& parameter);
 
-  /// Sets all texts in the language of the window. `heading`, where not empty, stands for the row's
+  /// Sets all texts in the language of the window. `heading`, where not empty, replaces the row's
   /// own label as the title of its section.
   void showTexts(const QString& heading);
 
-  /// Shows the scene's value and vanishes where the row does not apply. `replace` also overwrites
-  /// what someone typed and was refused. `known` is the line that is shown.
+  /// Shows the scene's value; hides the row where it does not apply. `replace` also overwrites
+  /// refused input. `known` is the line that is shown.
   void showScene(const Scene& scene, const LineSize& known, bool replace);
   void showError(const QString& reason);
 
-  /// What has yet to be given here; an empty text takes it away.
+  /// Shows what is missing here; an empty text removes it.
   void showNote(const QString& text);
 
  signals:
@@ -82,12 +82,12 @@ class ParameterRow : public QWidget {
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
   ArmsEditor* arms_ = nullptr;
-  TextBox* text_ = nullptr;  // of several sentences
+  TextBox* text_ = nullptr;  // for several sentences
   QLabel* label_ = nullptr;
-  QLabel* unit_ = nullptr;  // of numbers
+  QLabel* unit_ = nullptr;  // for numbers
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
-  ParameterValue resting_;  // what the reset button gives
+  ParameterValue resting_;  // value of the reset button
   QLabel* note_ = nullptr;
   QLabel* error_ = nullptr;
 };

@@ -15,7 +15,7 @@ constexpr std::string_view kRealizations = "ensemble.realizations";
 constexpr std::string_view kOversampling = "accuracy.oversampling";
 constexpr int kDigits = 6;
 
-/// Whether 0 means: as the profile's file says, or chosen by the scene.
+/// Returns whether 0 means that the profile's file or the scene determines the value.
 bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
   return isChosenWhereOpen(parameter) || isLeftToProfile(parameter, scene, 0);
 }
@@ -31,7 +31,7 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
     scene.accuracy.oversampling = 0;
 }
 
-/// The number used for one line and, where that is another, for the curve.
+/// Returns the oversampling for one line and, if it differs, for the curve.
 Placeholder chosenOversampling(const Scene& scene) {
   const std::int64_t line = pointsPerElement(scene), curve = pointsPerElementOfCurve(scene);
   return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
@@ -126,6 +126,13 @@ void KeptSizes::follow(const Surface& before, Surface& next) {
     next.length = size.length;
     next.elements = size.elements;
   }
+}
+
+void followRealizations(const Scene& before, Scene& next) {
+  const Parameter& row = *findParameter(kRealizations);
+  const bool wasOpen = isLeftToProfile(row, before, 0), isOpen = isLeftToProfile(row, next, 0);
+  if (wasOpen == isOpen) return;
+  next.ensemble.realizations = isOpen ? 0 : Ensemble{}.realizations;
 }
 
 }  // namespace asperity

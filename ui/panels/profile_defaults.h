@@ -1,7 +1,6 @@
-// What a scene leaves open and something else says: the length and the elements of a profile are
-// its file's where they are 0, an oversampling of 0 is chosen by the scene, a line that is not
-// random is its only realization, and a profile without a file is no scene to run yet. Plain
-// values; any thread.
+// Values that a scene leaves open: the length and the elements of a profile come from its file
+// where they are 0, an oversampling of 0 is chosen by the scene, a line that is not random is its
+// only realization, and a profile without a file cannot run yet. Plain values; any thread.
 #pragma once
 
 #include <QString>
@@ -13,7 +12,7 @@
 
 namespace asperity {
 
-/// One period as it was made; 0 where not known.
+/// Length and elements of the present period; 0 where unknown.
 struct LineSize {
   double length = 0;  // m
   std::int64_t elements = 0;
@@ -24,48 +23,51 @@ struct LineSize {
 /// Shown in place of a value of the scene.
 struct Placeholder {
   QString text;                 // in pale letters
-  std::optional<double> value;  // where a slider stands
-  bool isFixed = false;         // there is nothing to choose
+  std::optional<double> value;  // position of a slider
+  bool isFixed = false;         // the user cannot choose
 };
 
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
                                           const LineSize& known);
 
-/// Where the reset button goes: the default, or 0 for what a profile's file says.
+/// Returns the reset button's value: the default, or 0 where a profile's file gives the value.
 ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
 
-/// Whether the scene chooses a value that is left open.
+/// Returns whether the scene chooses a value that is left open.
 bool isChosenWhereOpen(const Parameter& parameter);
 
-/// setValue() and setFromText(), which also take what is left open: 0, or no text.
+/// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text.
 void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 void giveText(const Parameter& parameter, Scene& scene, std::string_view text);
 
-/// Whether the parameter names a file.
+/// Returns whether the parameter names a file.
 bool isFile(const Parameter& parameter);
 
-/// Whether the parameter is a text of several sentences.
+/// Returns whether the parameter is a text of several sentences.
 bool isLongText(const Parameter& parameter);
 
-/// What has to be given before the scene can run, and where; the text is empty where nothing is
-/// missing.
+/// What is missing before the scene can run, and where; the text is empty where nothing is missing.
 struct Missing {
   std::string_view key;
   QString text;
 };
 Missing missingOf(const Scene& scene);
 
-/// Length and elements of the kinds that are not on the screen: a profile has its own, all others
-/// share theirs, and both come back with their kind.
+/// Length and elements of the kinds that are not on the screen: those with a file share theirs, all
+/// others share theirs, and both come back with their kind.
 class KeptSizes {
  public:
   explicit KeptSizes(const Surface& surface);
 
-  /// `next` has followed `before`.
+  /// Updates the memory after `next` has replaced `before`.
   void follow(const Surface& before, Surface& next);
 
  private:
   LineSize profile_, others_;
 };
+
+/// Realizations mean every row where a surface becomes a measured one, and a number again where it
+/// becomes another one. `next` has followed `before`.
+void followRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity

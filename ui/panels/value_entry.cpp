@@ -49,14 +49,14 @@ void ValueEntry::showError(const QString& reason) {
   style()->polish(this);
 }
 
-/// What may be undone here is what was typed and does not count yet.
+/// Returns whether the key undoes or redoes input that has not been accepted yet.
 bool ValueEntry::hasOwn(const QKeyEvent& event) const {
   if (event.matches(QKeySequence::Undo)) return text() != accepted_ && isUndoAvailable();
   if (event.matches(QKeySequence::Redo)) return isRedoAvailable();
   return true;
 }
 
-/// A line edit claims the keys of undo and redo though it has nothing to undo.
+/// A line edit claims the keys of undo and redo even if it has nothing to undo.
 bool ValueEntry::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && !hasOwn(*static_cast<QKeyEvent*>(event))) {
     event->ignore();
@@ -77,7 +77,7 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
   if (entered && !hasError()) clearFocus();
 }
 
-/// The present value needs no excuse, by whatever way its text came back.
+/// Removes the error where the text is again that of the accepted value.
 void ValueEntry::mend() {
   if (!hasError() || text() != accepted_ || unit_ != acceptedUnit_) return;
   setModified(false);

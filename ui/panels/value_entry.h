@@ -1,7 +1,6 @@
-// A line for exact entry. The text counts when Enter is pressed or the focus leaves; Escape takes
-// back what was typed. A refused text stays, framed in red; with an accepted one Enter also gives
-// the keys back to the window. Undo and redo are the window's where nothing is being typed. GUI
-// thread.
+// A line for exact entry. The text is accepted when Enter is pressed or the focus leaves; Escape
+// discards it. A refused text stays, framed in red; after an accepted one Enter also returns the
+// keys to the window. Undo and redo belong to the window unless the user is typing. GUI thread.
 #pragma once
 
 #include <QLineEdit>
@@ -14,31 +13,31 @@ class ValueEntry : public QLineEdit {
  public:
   explicit ValueEntry(QWidget* parent = nullptr);
 
-  /// Shows the accepted value, unless someone is typing another one or a refused text stands. The
-  /// unit stands beside the entry, where unitShown() puts it.
+  /// Shows the accepted value, unless the user is typing another one or a text was refused. The
+  /// unit is beside the entry, where unitShown() puts it.
   void showText(const QString& text, const QString& unit = {});
 
-  /// Shows it whatever stands there.
+  /// Shows the text in any case.
   void replaceText(const QString& text, const QString& unit = {});
 
-  /// Of what stands there, if it is a number alone.
+  /// Returns the unit of the present text, if that is only a number.
   QString unit() const { return unit_; }
 
-  /// Which end of a text that is too long is in sight; the left one unless told.
+  /// Sets which end of a long text is visible; the default is the left one.
   void setShownEnd(Qt::Edge end) { shownEnd_ = end; }
 
-  /// Red frame and the reason; an empty reason takes both away.
+  /// Shows a red frame and the reason; an empty reason removes both.
   void showError(const QString& reason);
   bool hasError() const { return !reason_.isEmpty(); }
 
  signals:
   void textCommitted(const QString& text);
   void unitShown(const QString& unit);
-  /// What was typed is gone: by Escape, or the accepted text stands again.
+  /// Emitted when the input was discarded: by Escape, or because it is the accepted text again.
   void takenBack();
 
  protected:
-  /// What was refused is given again, so that the reason is said in the new language.
+  /// Submits a refused text again, so that the reason appears in the new language.
   void changeEvent(QEvent* event) override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;

@@ -62,7 +62,8 @@ int SliderScale::positionOf(double value) const {
   if (above == values_.begin()) return 0;
   if (above == values_.end()) return count() - 1;
   const double middle = (coordinate(*(above - 1)) + coordinate(*above)) / 2;
-  const auto nearest = coordinate(value) < middle ? above - 1 : above;  // none is far from all
+  const auto nearest =
+      coordinate(value) < middle ? above - 1 : above;  // NaN is far from all values
   return static_cast<int>(nearest - values_.begin());
 }
 
@@ -78,13 +79,13 @@ ValueSlider::ValueSlider(const SliderScale& scale, QWidget* parent)
   setRange(0, scale_.count() - 1);
   setSingleStep(std::max(1, scale_.count() / 100));
   setPageStep(std::max(1, scale_.count() / 10));
-  setFocusPolicy(Qt::StrongFocus);  // not by the wheel
+  setFocusPolicy(Qt::StrongFocus);  // the wheel does not give it the focus
   connect(this, &QSlider::valueChanged, this,
           [this](int position) { emit valuePicked(scale_.valueAt(position)); });
 }
 
 void ValueSlider::showValue(double value) {
-  if (isSliderDown()) return;  // the hand on it knows better
+  if (isSliderDown()) return;  // the user is moving it
   const QSignalBlocker silent(this);
   setValue(scale_.positionOf(value));
 }
@@ -94,7 +95,7 @@ QSize ValueSlider::sizeHint() const {
 }
 
 QSize ValueSlider::minimumSizeHint() const {
-  return {40, 22};  // less is a dot
+  return {40, 22};  // a smaller one would be a dot
 }
 
 double ValueSlider::handleX() const {
@@ -122,7 +123,7 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
 
 void ValueSlider::wheelEvent(QWheelEvent* event) {
   if (hasFocus()) return QSlider::wheelEvent(event);
-  event->ignore();  // scrolls the panel
+  event->ignore();  // so that the panel scrolls
 }
 
 void ValueSlider::enterEvent(QEnterEvent* event) {

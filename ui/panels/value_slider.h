@@ -1,5 +1,5 @@
-// A slim horizontal slider over a SliderScale. A press anywhere on the groove takes the handle
-// there; the wheel counts only while the slider has the focus, so that scrolling past changes
+// A thin horizontal slider over a SliderScale. A press anywhere on the groove moves the handle
+// there; the wheel works only while the slider has the focus, so that scrolling the panel changes
 // nothing. GUI thread.
 #pragma once
 
@@ -12,13 +12,13 @@ namespace asperity {
 
 class SliderScale {
  public:
-  /// For a row with a RealField or an IntegerField.
+  /// Makes the scale of a row with a RealField or an IntegerField.
   explicit SliderScale(const Parameter& parameter);
 
   int count() const { return static_cast<int>(values_.size()); }
   double valueAt(int position) const;
 
-  /// The position whose value is nearest, on the row's own scale.
+  /// Returns the position with the nearest value, on the row's own scale.
   int positionOf(double value) const;
 
  private:
@@ -34,13 +34,13 @@ class ValueSlider : public QSlider {
  public:
   explicit ValueSlider(const SliderScale& scale, QWidget* parent = nullptr);
 
-  /// Moves the handle to the nearest position without saying valuePicked.
+  /// Moves the handle to the nearest position without emitting valuePicked.
   void showValue(double value);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
  signals:
-  /// The person moved the handle.
+  /// Emitted when the user moved the handle.
   void valuePicked(double value);
 
  protected:

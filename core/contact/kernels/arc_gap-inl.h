@@ -1,5 +1,5 @@
-// Where the line meets the free surface inside a segment, in many lanes at once: the equation and
-// its root. Compiled once per instruction set.
+// The intersection of the line with the free surface inside a segment, in many lanes at once: the
+// equation and its root. Compiled once per instruction set.
 
 #if defined(ASPERITY_ARC_GAP_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARC_GAP_INL
@@ -15,23 +15,23 @@ namespace asperity {
 namespace HWY_NAMESPACE {
 
 constexpr int kMostRootSteps = 100;
-/// A root's last step, relative, for a contact may be far shorter than its segment; what is left of
-/// the error is its cube.
+/// The relative size of a root's last step, because a contact may be far shorter than its segment;
+/// the remaining error is its cube.
 constexpr double kRootStep = 1e-6;
 
 HWY_INLINE Wide times(double factor, Wide x) {
   return Wide::all(factor) * x;
 }
-/// A free surface that was `depth` deep and has come up by depth (1 - exp(-(offset + rate t))). As
-/// heights, line and surface are told apart to the last digit even where the depth is far
-/// larger, or hardly relaxes over a period.
+/// A free surface that was `depth` deep and has risen by depth (1 - exp(-(offset + rate t))).
+/// Heights distinguish line and surface to the last digit even where the depth is far larger, or
+/// hardly relaxes over a period.
 struct WideArc {
   Wide depth, offset, rate;
 
   HWY_INLINE Wide lostAt(Wide t) const { return lostAfter(mulAdd(rate, t, offset)); }
 };
 
-/// A polynomial and the way that an arc has come up: one equation for all edges of contact.
+/// A polynomial and the rise of an arc: one equation for all edges of contact.
 template <class Polynomial>
 struct WideGap {
   Polynomial polynomial;
@@ -41,8 +41,8 @@ struct WideGap {
     return mulAdd(arc.depth, lost, polynomial.at(t));
   }
 
-  /// Halley's step from t, where that part of the arc's depth is lost; far outside where the root
-  /// lies beyond a turning point, next to which such steps are short.
+  /// Returns Halley's step from t, where that part of the arc's depth is lost. The step goes far
+  /// outside where the root lies beyond a turning point, near which such steps are short.
   HWY_INLINE Wide step(Wide t, Wide value, Wide lost) const {
     const Wide fall = arc.rate * negMulAdd(arc.depth, lost, arc.depth);
     const Wide slope = polynomial.slopeAt(t) + fall;
@@ -56,34 +56,34 @@ struct WideRoot {
   Wide t, lost;  // lost: part of the arc's depth
 };
 
-/// Halley's method inside [low, high] for the lanes wanted, bisection where it would leave. The
-/// root's `lost` is good where the arc's depth is above 0.
+/// Halley's method inside [low, high] for the wanted lanes, with bisection where it would leave.
+/// The root's `lost` is valid where the arc's depth is above 0.
 template <class Gap>
 HWY_INLINE WideRoot rootBetween(const Gap& gap, Wide low, Wide high, WideMask negativeAtLow,
                                 Wide guess, WideMask wanted) {
-  // Over less than it takes the arc to change its curvature.
+  // Steps are limited to a length over which the arc bends little.
   const Wide one = Wide::all(1);
   const Wide reach = select(gap.arc.depth > Wide::all(0), one / abs(gap.arc.rate), one);
   Wide t = guess, further = one, lost = one;
   for (int step = 0; step < kMostRootSteps; ++step) {
-    // The bracket shrinks to the side where the sign changes.
+    // The bracket shrinks from the side whose sign agrees.
     lost = gap.arc.lostAt(t);
     const Wide value = gap.valueAt(t, lost);
     const WideMask before = !((value < Wide::all(0)) ^ negativeAtLow);
     low = select(before, t, low);
     high = select(before, high, t);
-    // The next step, which has to stay inside.
+    // The next step must stay inside.
     const Wide enough = mulAdd(min(t, reach), Wide::all(kRootStep), Wide::all(1e-24));
     Wide next = gap.step(t, value, lost);
-    // A step that leaves by no more than it may be wrong by means that the root is at this end.
+    // A step that leaves by less than its own error means that the root is at this end.
     const WideMask inside = (next >= low - enough) & (next <= high + enough);
     next = select(inside, min(max(next, low), high), times(0.5, low + high));
     further = next - t;
     t = next;
     if (!any(wanted & (abs(further) > enough))) break;
   }
-  // The last step is short: two terms of the series of its exponential are all there is. But where
-  // the surface relaxes at once all is lost, however short the step was.
+  // The last step is short, so two terms of the series of its exponential suffice. But if the
+  // surface relaxes at once, all depth is lost, however short the step was.
   const Wide x = min(max(gap.arc.rate * further, -one), one);
   return {t, mulAdd(one - lost, negMulAdd(times(0.5, x), x, x), lost)};
 }

@@ -1,5 +1,5 @@
-// The body of runCubicPasses in kernels.h, compiled once per instruction set: which segment each
-// lane looks into next. What happens inside the segments is in segment_step-inl.h.
+// The body of runCubicPasses in kernels.h, compiled once per instruction set: it chooses the next
+// segment of each lane. segment_step-inl.h computes inside the segments.
 
 #if defined(ASPERITY_CUBIC_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_CUBIC_KERNEL_INL
@@ -29,13 +29,13 @@ class CubicKernel {
 
   void run() {
     constexpr int kStepsBetweenQuestions = 256;
-    // All lanes are idle, with harmless numbers.
+    // All lanes are idle and have harmless numbers.
     for (std::size_t lane = kLanes; lane-- > 0;) {
       begin(lane, 0, last_);
       lanes_.busy[lane] = 0;
       idle_[idleCount_++] = lane;
     }
-    // The first pass of every stream.
+    // Begin the first pass of every stream.
     for (std::size_t stream = 0; stream < kLanes; ++stream) {
       PassRequest request;
       if (queue_.begin(stream, request)) setPass(stream, request);
@@ -43,15 +43,15 @@ class CubicKernel {
     fillLanes();
     int untilQuestion = kStepsBetweenQuestions;
     for (; idleCount_ < kLanes; --untilQuestion) {
-      // Now and then asks whether to stop.
+      // Ask from time to time whether to stop.
       if (untilQuestion == 0) {
         if (queue_.isStopped()) return;
         untilQuestion = kStepsBetweenQuestions;
       }
-      // Every lane takes the next piece of its segment.
+      // Every lane computes the next piece of its segment.
       SegmentStep(lanes_).run();
-      // Lanes that have finished their segments go on: those in contact first, then those that are
-      // free, as the machine expects more of the same.
+      // Lanes that have finished their segments continue: first those in contact, then free ones,
+      // so that branches are predictable.
       const unsigned pressed = lanes_.finished & lanes_.pressed, free = lanes_.finished & ~pressed;
       for (unsigned left = pressed; left != 0; left &= left - 1) goOn<true>(lowestBit(left));
       for (unsigned left = free; left != 0; left &= left - 1) goOn<false>(lowestBit(left));
@@ -63,14 +63,15 @@ class CubicKernel {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   static constexpr std::size_t kWindow = BlockLevel::kPadding;  // blocks compared at once
 
-  /// A pass under way.
+  /// A pass that is running.
   struct Pass {
     PassRequest request;
     PassSums sums;
-    std::size_t parts = 0, running = 0;     // begun; of these, not finished
+    std::size_t parts = 0, running = 0;     // started; of these, unfinished
     std::size_t from = kNone, nextCut = 0;  // where the next part begins, and may end
     double inverse = 0;
-    double lost[kMostLevels][kWindow + 1];  // part of a depth, over 0, 1, ... blocks of each level
+    // lost part of a depth over 0, 1, ... blocks of each level
+    double lost[kMostLevels][kWindow + 1];
   };
   /// A part of a pass: segments up to `last`.
   struct Part {
@@ -88,8 +89,8 @@ class CubicKernel {
     pass.parts = pass.running = pass.nextCut = pass.from = 0;
   }
 
-  /// Gives idle lanes the parts that begin first, of any pass: so lanes stay near each other, and
-  /// what one of them has read of a long line the others find in the cache.
+  /// Gives idle lanes the earliest parts of any pass: so lanes stay near each other, and data of a
+  /// long line that one of them has read are in the cache for the others.
   void fillLanes() {
     for (std::size_t from = 0; idleCount_ > 0 && from != kNone;) {
       std::size_t first = 0;
@@ -105,14 +106,13 @@ class CubicKernel {
     const std::size_t lane = idle_[--idleCount_], from = pass.from;
     std::size_t last = last_;
     pass.from = kNone;
-    // The part ends before the next cut at which contact is certain, if the pass may be cut
-    // further.
+    // The part ends before the next cut with certain contact, if the pass may be cut further.
     const std::size_t wanted = static_cast<std::size_t>(pass.request.parts),
                       cuts = line_.cuts.size();
     ++pass.parts;
     ++pass.running;
     for (std::size_t k = pass.nextCut; k < cuts && pass.parts < wanted; ++k) {
-      // Those not taken are spread evenly.
+      // The skipped cuts are spread evenly.
       if (k * wanted < pass.parts * cuts || !touchesAt(line_.cuts[k], pass.request)) continue;
       pass.from = line_.cuts[k].segment;
       last = pass.from - 1;
@@ -124,7 +124,7 @@ class CubicKernel {
   }
 
   void setRelaxation(Pass& pass, double relaxationLength) {
-    // Without relaxation the free surface comes back at once.
+    // Without relaxation the free surface returns at once.
     pass.inverse = relaxationLength > 0 ? std::min(1 / relaxationLength, 1e300) : 1e300;
     double one = -std::expm1(-line_.spacing * pass.inverse);
     for (std::size_t level = 0; level < levels_; ++level) {
@@ -135,8 +135,9 @@ class CubicKernel {
     }
   }
 
-  /// Whether contact is certain at the cut: w e^(s/c) grows over the segment before it, what lies
-  /// further back within `clear` is not as deep, and anything from beyond has relaxed below it.
+  /// Returns whether contact is certain at the cut: w e^(s/c) grows over the segment before it, the
+  /// line further back within `clear` is not as deep, and anything from beyond has relaxed below
+  /// it.
   bool touchesAt(const PreparedProfile::Cut& cut, const PassRequest& request) const {
     const SegmentBounds before = line_.blocks[0][cut.segment - 2];
     const double height = line_.heightAboveMinimum[cut.segment], w = request.depth - height;
@@ -165,7 +166,7 @@ class CubicKernel {
     return static_cast<std::size_t>(std::countr_zero(bits));
   }
 
-  /// The lane has finished its segment: takes what follows by whole blocks, then the next segment.
+  /// Continues after a finished segment: takes whole blocks, then the next segment.
   template <bool kPressed>
   HWY_INLINE void goOn(std::size_t lane) {
     Part& part = parts_[lane];
@@ -200,15 +201,15 @@ class CubicKernel {
     fillLanes();
   }
 
-  /// Goes from segment i to the last at most, over as many blocks at once as are `simple`, up and
-  /// down the levels; returns where it stops. simple(level, block) compares kWindow of them,
-  /// take(level, block, count) takes those that are.
+  /// Goes from segment i at most to the last, over as many `simple` blocks at once as possible, up
+  /// and down the levels; returns where it stops. simple(level, block) compares kWindow blocks,
+  /// take(level, block, count) takes simple ones.
   template <class Simple, class Take>
   HWY_INLINE std::size_t skip(std::size_t i, std::size_t last, const Simple& simple,
                               const Take& take) const {
     for (std::size_t level = 0; i < last;) {
       const std::size_t block = (i - 1) >> (2 * level);
-      // Up to where the next level's blocks begin.
+      // The run ends where the next level's blocks begin.
       const std::size_t most = std::min(kWindow - (block & 3), (last - i) >> (2 * level));
       const std::size_t count = most > 0 ? std::min(simple(level, block), most) : 0;
       if (count > 0) take(level, block, count);
@@ -223,7 +224,7 @@ class CubicKernel {
     return i;
   }
 
-  /// The first of kWindow blocks at which `holds` does not, or kWindow.
+  /// Returns the first of kWindow blocks for which `holds` is false, or kWindow.
   template <class Holds>
   static HWY_INLINE std::size_t firstOther(const Holds& holds) {
     for (std::size_t k = 0; k < kWindow; k += One::kLanes) {
@@ -290,8 +291,8 @@ class CubicKernel {
     return hn::GetLane(hn::SumOfLanes(kTag, sum));
   }
 
-  /// Few stores, for the vectors read them at once. Segments are measured from their lower end, as
-  /// in the plain pass.
+  /// Loads a segment with few stores, because the vectors read them at once. Segments are measured
+  /// from their lower end, as in the plain pass.
   HWY_INLINE void load(std::size_t lane) {
     const std::size_t i = parts_[lane].segment;
     const bool isBack = line_.isMeasuredBack(i);

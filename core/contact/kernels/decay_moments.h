@@ -1,4 +1,4 @@
-// Integrals of exponentials with powers over [0, 1], as internal variables need them: exact for
+// Integrals of exponentials times powers over [0, 1], as internal variables need them: exact for
 // any decay, from none to a jump. Pure functions.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace asperity {
 
-/// For e' = D' - z e on u in [0, 1] with D'(u) = D_0 + D_1 u + D_2 u^2:
-/// e(1) = kept e(0) + sum D_k driven_k.
+/// The solution of e' = D' - z e on u in [0, 1] with D'(u) = D_0 + D_1 u + D_2 u^2: e(1) = kept
+/// e(0) + sum D_k driven_k.
 struct DrivenDecay {
   double kept;                   // exp(-z)
   std::array<double, 3> driven;  // integral of exp(-(1 - u) z) u^k
@@ -16,7 +16,7 @@ struct DrivenDecay {
 
 inline constexpr double kSeriesBelow = 1.5;
 
-/// sum over r of (-z)^r factor_0 ... factor_r.
+/// Returns the sum over r of (-z)^r factor_0 ... factor_r.
 template <class Ratio>
 double decaySeries(double z, double first, const Ratio& ratio) {
   double term = first, sum = first;
@@ -31,7 +31,7 @@ double decaySeries(double z, double first, const Ratio& ratio) {
 inline DrivenDecay drivenDecay(double z) {
   DrivenDecay decay{std::exp(-z), {}};
   if (z < kSeriesBelow) {
-    // k! (-z)^r / (k + r + 1)!; downwards from k = 2, where the recurrence is stable.
+    // The series is k! (-z)^r / (k + r + 1)!; from k = 2 downwards the recurrence is stable.
     decay.driven[2] = decaySeries(z, 1.0 / 3, [](int r) { return 1.0 / (r + 3); });
     decay.driven[1] = 0.5 * (1 - z * decay.driven[2]);
     decay.driven[0] = 1 - z * decay.driven[1];
@@ -43,7 +43,7 @@ inline DrivenDecay drivenDecay(double z) {
   return decay;
 }
 
-/// integral of exp(-z u) u^k, k = 0, 1, 2.
+/// Returns the integral of exp(-z u) u^k, k = 0, 1, 2.
 inline std::array<double, 3> decayMoments(double z) {
   if (z < kSeriesBelow) {
     std::array<double, 3> moments{};
@@ -56,7 +56,7 @@ inline std::array<double, 3> decayMoments(double z) {
   return {zeroth, first, (2 * first - kept) / z};
 }
 
-/// integral over u of u^k times what u^l has driven up to u: [k][l].
+/// Returns the integral over u of u^k times the part of the solution driven by u^l: [k][l].
 inline std::array<std::array<double, 3>, 3> drivenMoments(double z) {
   std::array<std::array<double, 3>, 3> moments{};
   const DrivenDecay decay = drivenDecay(z);
@@ -76,8 +76,8 @@ inline std::array<std::array<double, 3>, 3> drivenMoments(double z) {
   return moments;
 }
 
-/// z times the integral of e^2 over [0, 1], which is what a dashpot takes, as a form in e(0) and
-/// the D_k: ee e^2 + sum ed_k e D_k + sum over k <= l of dd_kl D_k D_l. Never less than 0.
+/// z times the integral of e^2 over [0, 1], which is the loss of a dashpot, as a quadratic form in
+/// e(0) and the D_k: ee e^2 + sum ed_k e D_k + sum over k <= l of dd_kl D_k D_l. Never less than 0.
 struct LossForm {
   double ee = 0;
   std::array<double, 3> ed{};
@@ -90,7 +90,8 @@ struct LossForm {
   }
 };
 
-/// By Gauss's points where e hardly decays: what is put in and what is stored nearly cancel there.
+/// Returns the form by Gauss's points where e hardly decays: input and stored energy nearly cancel
+/// there.
 inline LossForm lossOfSlow(double z) {
   constexpr std::array<double, 4> kPlace{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
                                          0.9602898564975363};
@@ -115,7 +116,7 @@ inline LossForm lossOfSlow(double z) {
 
 inline LossForm lossForm(double z) {
   if (z < kSeriesBelow) return lossOfSlow(z);
-  // What is put in less what is stored.
+  // The loss is the input minus the stored energy.
   const DrivenDecay decay = drivenDecay(z);
   const auto moments = decayMoments(z);
   const auto drivenBy = drivenMoments(z);

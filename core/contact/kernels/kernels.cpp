@@ -1,12 +1,12 @@
 #include "core/contact/kernels/kernels.h"
 
-// One lane runs everywhere; AVX2 and AVX-512 are the steps worth a kernel of their own.
+// One lane runs everywhere; AVX2 and AVX-512 are the instruction sets with a kernel of their own.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/contact/kernels/kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After it, as Highway wants.
+// This include comes after it, as Highway requires.
 #include "core/base/flush_denormals.h"
 #include "core/contact/kernels/cubic_kernel-inl.h"
 #include "core/contact/kernels/linear_kernel-inl.h"
@@ -50,7 +50,8 @@ void runLinearPasses(const PreparedProfile& line, PassQueue& queue) {
 
 namespace {
 
-/// The tables of functions are indexed by the chosen target, which is found at the first call.
+/// Initializes Highway's dispatch, whose function tables are indexed by the target found at the
+/// first call.
 void useTargets(std::int64_t mask) {
   hwy::SetSupportedTargetsForTest(mask);
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());

@@ -1,7 +1,6 @@
-// The passes that are compiled for several instruction sets; the best one that the machine has is
-// chosen at run time. Results agree with the readable resolved_pass.h to rounding, and differ in
-// the last digits from one instruction set to another. Functions of their arguments; any thread. No
-// allocation.
+// The passes that are compiled for several instruction sets; the best one of the machine is chosen
+// at run time. Results agree with the readable resolved_pass.h to rounding, and differ in the last
+// digits between instruction sets. Functions of their arguments; any thread. No allocation.
 #pragma once
 
 #include <array>
@@ -14,50 +13,52 @@ namespace asperity {
 
 // ---- Resolved lines
 
-/// Passes over a cubic line that are under way at once, at most.
+/// Maximum number of passes over a cubic line that run at once.
 inline constexpr std::size_t kMostStreams = 16;
 
-/// Runs passes over a line of cubic segments until no stream is given another. Each lane of the
-/// vectors goes along the line on its own pass. Whole blocks that need no look inside are taken in
-/// one step, lane by lane; contact edges, each in a segment of its lane, are found in all lanes
+/// Runs passes over a line of cubic segments until no stream gets another one. Each lane of the
+/// vectors follows the line on its own pass. Whole blocks without contact edges are taken in one
+/// step, lane by lane; contact edges, each in a segment of its lane, are computed in all lanes
 /// together. A lane that ends a pass begins the next at once, so that none waits for another. A
-/// pass may be cut where contact is certain, and its parts go in several lanes.
+/// pass may be cut where contact is certain, and its parts run in several lanes.
 void runCubicPasses(const PreparedProfile& line, PassQueue& queue);
 
 /// Runs the passes of the queue's stream 0 over a line of straight segments, one after another,
-/// until it is given no other. Such a line need not be gone along from edge to edge: where it is w
-/// deep in the elastomer, w exp(s/c) rises with s where the pressure p is above 0 and falls where
-/// it is below; a free surface keeps its own. So the line is in contact exactly where w exp(s/c) is
-/// higher than anywhere before. Its summits, where p falls through 0, are found many at a time, one
-/// look along them tells which overtop all before, and only those have edges of contact, which are
-/// then known to lie apart from each other and are found many at a time as well.
+/// until there is no other. Such a line need not be followed from edge to edge. Let w be the depth
+/// of the line in the elastomer: w exp(s/c) rises with s where the pressure p is above 0 and falls
+/// where it is below; for a free surface it is constant. So the line is in contact exactly where w
+/// exp(s/c) is higher than anywhere before. Its summits, where p falls through 0, are found many at
+/// a time. One scan finds those that exceed all earlier ones; only these have edges of contact,
+/// which are then separate from each other and are computed many at a time as well.
 void runLinearPasses(const PreparedProfile& line, PassQueue& queue);
 
 // ---- The paper's separate elements at the nodes, Eqs. (2) to (4)
 
-/// What a pass over separate elements found at an indentation. The contact set only grows with the
-/// indentation, so F_N(d) rises, but it jumps wherever an element enters.
+/// The result of a pass over separate elements at an indentation. The contact set only grows with
+/// the indentation, so F_N(d) rises, but it jumps wherever an element enters.
 struct NodalState {
-  double depth = 0;      // m, the indentation
-  double loaded = 0;     // number of elements that carry load
-  double threshold = 0;  // m, largest indentation below which a loaded element is not loaded
-  PassSums sums;         // stiffness is that of the loaded elements
+  double depth = 0;   // m, the indentation
+  double loaded = 0;  // number of elements that carry load
+  // m, largest indentation at which one of the loaded elements is not yet loaded
+  double threshold = 0;
+  PassSums sums;  // stiffness is that of the loaded elements
 };
 
-/// One pass in one lane. depth: indentation below the lowest node (m; below 0 nothing touches).
-/// relaxationLength: c = v tau (m, >= 0). shape: filled where it is given. The same bits on every
-/// instruction set.
+/// Runs one pass in one lane. depth: indentation below the lowest node (m; below 0 nothing
+/// touches). relaxationLength: c = v tau (m, >= 0). shape: filled if not null. The same bits on
+/// every instruction set.
 NodalState nodalPass(const PreparedProfile& line, double depth, double relaxationLength,
                      NodeShape* shape = nullptr);
 
 inline constexpr std::size_t kMostLanes = 8;
 using LaneValues = std::array<double, kMostLanes>;
 
-/// Velocities in one pass of nodalLanePass, at most kMostLanes.
+/// Returns the number of velocities in one pass of nodalLanePass, at most kMostLanes.
 std::size_t laneCount();
 
-/// The same pass for laneCount() velocities at once, one in each lane of a vector: depth (m, >= 0)
-/// and relaxationLength (m, >= 0) for each. Output::Force: `threshold` and most sums are missing.
+/// Runs the same pass for laneCount() velocities at once, one in each lane of a vector: depth (m,
+/// >= 0) and relaxationLength (m, >= 0) for each. Output::Force: `threshold` and most sums are
+/// missing.
 void nodalLanePass(const PreparedProfile& line, const LaneValues& depth,
                    const LaneValues& relaxationLength, Output output,
                    std::array<NodalState, kMostLanes>& states);
@@ -66,11 +67,11 @@ void nodalLanePass(const PreparedProfile& line, const LaneValues& depth,
 
 enum class InstructionSet { Best, Scalar, Avx2, Avx512 };
 
-/// Restricts the choice for the whole program, for tests and benchmarks; false: not on this
-/// machine.
+/// Restricts the choice for the whole program, for tests and benchmarks; returns false where this
+/// machine lacks it.
 bool chooseInstructionSet(InstructionSet wanted);
 
-/// The one in use, never Best.
+/// Returns the instruction set in use, never Best.
 InstructionSet instructionSet();
 const char* nameOf(InstructionSet set);
 

@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-/// c0 + c1 t.
+/// The polynomial c0 + c1 t.
 struct WideStraight {
   Wide c0, c1;
 
@@ -28,20 +28,20 @@ struct WideStraight {
   HWY_INLINE Wide halfCurvatureAt(Wide) const { return Wide::all(0); }
 };
 
-/// The segments of some patches of contact that are in contact only in part: the first, where
-/// contact begins after a free arc, and the last, if contact ends inside it. Lengths in m. A patch
-/// of zeros adds nothing; the first one of the line begins with it, after no arc.
+/// The partly covered segments of some patches of contact: the first, where contact begins after a
+/// free arc, and the last, if contact ends inside it. Lengths in m. A patch of zeros adds nothing;
+/// the first patch of the line begins with one, because no arc precedes it.
 struct alignas(64) Patches {
   static constexpr std::size_t kMost = Summits::kMost;
   using Values = double[kMost];
 
-  // The free arc: w and height where it began, and from there to the lower end of the first
+  // The free arc: w and height at its beginning, and its length to the lower end of the first
   // segment.
   Values arcDepth, arcHeight, arcLength;
-  // The first segment, by t from its lower end on: height there, and by how much it rises; 1 if
-  // that is its start, -1 if it is its end; t of its higher end, or of a summit inside.
+  // The first segment, with t from its lower end: the height there, and its rise; 1 if that is its
+  // start, -1 if it is its end; t of its higher end, or of a summit inside.
   Values low, climb, onwards, end;
-  // The last segment up to the summit, but where that is the first one too.
+  // The last segment up to the summit, unless it is also the first one.
   Values lastHeight, lastSlope, lastLength;
 };
 
@@ -52,7 +52,7 @@ class LinearKernel {
       : line_(line),
         depth_(request.depth),
         relaxationLength_(request.relaxationLength),
-        // Without relaxation the free surface comes back at once.
+        // Without relaxation the free surface returns at once.
         inverse_(request.relaxationLength > 0 ? std::min(1 / request.relaxationLength, 1e300)
                                               : 1e300),
         search_(line, depth_, relaxationLength_, inverse_) {
@@ -61,7 +61,7 @@ class LinearKernel {
     decayOverAll_ = std::exp(-line.spacing * static_cast<double>(One::kLanes) * inverse_);
   }
 
-  /// False where it was stopped.
+  /// Runs the pass; returns false where it was stopped.
   HWY_INLINE bool run(const PassQueue& queue, PassSums& sums) {
     const bool done = search_.run([&] {
       addPatches();
@@ -82,10 +82,10 @@ class LinearKernel {
   }
 
  private:
-  /// Those of the summits that overtop all before them end a patch of contact; as high is enough,
-  /// for the free surface has come up since.
+  /// Adds patches of contact. They end at the summits that exceed all earlier ones; equal height
+  /// suffices, because the free surface has risen since.
   HWY_INLINE void addPatches() {
-    // The summits that overtop all before them.
+    // Find the summits that exceed all earlier ones.
     const Summits& summits = search_.summits();
     std::size_t tops[Summits::kMost], count = 0;
     for (std::size_t k = 0; k < summits.count; ++k) {
@@ -93,19 +93,19 @@ class LinearKernel {
       count += summits.order[k] >= highest_ ? 1 : 0;
       highest_ = std::max(highest_, summits.order[k]);
     }
-    // Their patches of contact: the free arc before each, how deep the surface then is, and the
-    // segments in contact as a whole.
+    // Compute their patches of contact: the free arc before each, the depth of the surface at its
+    // end, and the segments that are completely in contact.
     for (std::size_t patch = 0; patch < count; ++patch) setArc(patch, tops[patch]);
     for (std::size_t k = 0; k < count; k += One::kLanes) relax(k);
     for (std::size_t patch = 0; patch < count; ++patch) setPatch(patch, tops[patch]);
-    // The segments in contact in part, many at a time.
+    // Compute the partly covered segments, many at a time.
     for (std::size_t k = 0; k < count; k += Wide::kLanes) {
       for (std::size_t patch = count; patch < k + Wide::kLanes; ++patch) clear(patch);
       addParts(k);
     }
   }
 
-  /// The free arc before the summit's patch, so far as to the node behind where p rises through 0.
+  /// Sets the free arc before the summit's patch, up to the node after p rises through 0.
   HWY_INLINE void setArc(std::size_t patch, std::size_t summit) {
     const Summits& summits = search_.summits();
     patches_.arcDepth[patch] = left_.depth;
@@ -143,8 +143,8 @@ class LinearKernel {
     patches_.lastLength[patch] = isOne ? 0 : along;
   }
 
-  /// The segment in which contact begins: that before the first node, from `node` on, that is
-  /// deeper than the free surface, which is `relaxed` deep at that node.
+  /// Returns the segment in which contact begins: the one before the first node, from `node` on,
+  /// that is deeper than the free surface, which has the depth `relaxed` at that node.
   HWY_INLINE std::size_t entryOf(std::size_t node, std::size_t last, bool inside,
                                  double relaxed) const {
     const One d = One::all(depth_);
@@ -158,7 +158,7 @@ class LinearKernel {
     return inside ? last : last - 1;
   }
 
-  /// next: the node to which arcLength has been counted.
+  /// next: the node up to which arcLength has been counted.
   HWY_INLINE void setEntry(std::size_t patch, std::size_t segment, std::size_t next, double end) {
     const bool isBack = line_.isMeasuredBack(segment);
     const std::size_t low = isBack ? segment + 1 : segment, high = isBack ? segment : segment + 1;
@@ -177,7 +177,7 @@ class LinearKernel {
       values[patch] = 0;
   }
 
-  /// Segments that are in contact all along.
+  /// Adds segments that are completely in contact.
   HWY_INLINE void addWhole(std::size_t from, std::size_t to) {
     whole_ += to - from;
     wholeClimb_ += line_.heightAboveMinimum[to] - line_.heightAboveMinimum[from];
@@ -204,10 +204,10 @@ class LinearKernel {
     const Wide rate = Wide::all(inverse_);
     const WideArc arc{depth, Wide::load(patches_.arcLength + k) * rate, onwards * h * rate};
     const WideGap<WideStraight> gap{{Wide::load(patches_.arcHeight + k) - low, -climb}, arc};
-    // Where the line meets the free surface.
+    // Find where the line meets the free surface.
     const WideRoot entry = entryIn(gap, end, isOnwards);
     addArc(depth, onlyIn(end > none, c * entry.lost), entry.lost);
-    // Contact in the first segment of the patch and in its last.
+    // Add contact in the first segment of the patch and in its last.
     const Wide from = onlyIn(isOnwards, entry.t),
                length = h * select(isOnwards, end - entry.t, entry.t);
     addPart(negMulAdd(climb, from, d - low), climb / h, length, onwards);
@@ -219,7 +219,7 @@ class LinearKernel {
                                      WideMask isOnwards) {
     const Wide none = Wide::all(0), to = onlyIn(isOnwards, end);
     const Wide lost = gap.arc.lostAt(to), value = gap.valueAt(to, lost);
-    // Where contact only touches, rounding may have moved it out.
+    // Where contact is a single point, rounding may have moved it out.
     const WideMask wanted = (end > none) & (value > none);
     Wide guess = gap.step(to, value, lost);
     guess = select((guess >= none) & (guess <= end), guess, times(0.5, end));
@@ -234,7 +234,7 @@ class LinearKernel {
     freeLoss_ = mulAdd(times(0.5, depth * depth), lost * (Wide::all(2) - lost), freeLoss_);
   }
 
-  /// Contact over a part of a segment, from its lower end on, where w is `depth`.
+  /// Adds contact over a part of a segment, from its lower end on, where w is `depth`.
   HWY_INLINE void addPart(Wide depth, Wide slope, Wide length, Wide onwards) {
     const Wide climb = slope * length;
     length_ = length_ + length;
@@ -252,7 +252,7 @@ class LinearKernel {
   }
 
   struct Left {
-    double position, along, height, depth;  // s of its segment and from there, z, w; m
+    double position, along, height, depth;  // s of its segment and from its start, z, w; m
   };
 
   const PreparedProfile& line_;
@@ -260,13 +260,14 @@ class LinearKernel {
   SummitSearch search_;
   double highest_ = -std::numeric_limits<double>::infinity();  // order of the last top
   bool hasLeft_ = false;
-  Left left_{};  // where the last patch ended
+  Left left_{};  // end of the last patch
   Patches patches_;
-  alignas(64) Patches::Values relaxed_;  // m, depth of the free surface to which arcs are counted
-  One decay_;                            // of a free surface over 0, 1, ... segments
-  double decayOverAll_;                  // over as many as a vector has lanes
-  std::size_t whole_ = 0;                // segments
-  double wholeClimb_ = 0;                // m
+  // m, depth of the free surface up to which arcs are counted
+  alignas(64) Patches::Values relaxed_;
+  One decay_;              // of a free surface over 0, 1, ... segments
+  double decayOverAll_;    // over as many segments as a vector has lanes
+  std::size_t whole_ = 0;  // number of segments
+  double wholeClimb_ = 0;  // m
   One wholeHeights_ = One::all(0), wholeSlopes_ = One::all(0);  // m: of both ends; 1
   Wide length_ = Wide::all(0), depths_ = length_, slopes_ = length_, climbs_ = length_;
   Wide freeDepths_ = length_, freeStiffness_ = length_, freeLoss_ = length_;

@@ -10,9 +10,9 @@ namespace {
 
 constexpr int kMostNodalPasses = 400;
 constexpr int kPassesBeforeZero = 12;
-constexpr double kRounding = 1e-14;  // relative; depths closer than this are one edge
+constexpr double kRounding = 1e-14;  // relative; closer depths are one edge
 
-/// The combination with this share of `upper` and the rest of `lower`.
+/// Returns the combination with this share of `upper` and the rest of `lower`.
 PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
   PassSums sums;
   for (double PassSums::*member :
@@ -22,7 +22,7 @@ PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
   return sums;
 }
 
-/// One pass for all searches that are not done; false where all are.
+/// Runs one pass for all unfinished searches; returns false where all are finished.
 bool passOnce(const PreparedProfile& line, const LaneValues& relaxationLength,
               std::span<NodalSearch> searches, LaneValues& depth,
               std::array<NodalState, kMostLanes>& states) {
@@ -73,7 +73,7 @@ void NodalSearch::start(const PreparedProfile& line, double load, double guess) 
   *this = {};
   load_ = load;
   spacing_ = line.spacing;
-  // Complete contact at rest: usually enough, else the bracket grows.
+  // Complete contact at rest is a usual upper bound; otherwise the bracket grows.
   upperBound_ = load / line.length + line.meanHeight;
   lower_.depth = -std::numeric_limits<double>::min();  // nothing touches
   ask(Stage::Bracket, guess > 0 && guess < upperBound_ ? guess : upperBound_);
@@ -122,10 +122,11 @@ void NodalSearch::takeNarrow(const NodalState& found) {
   chooseNext();
 }
 
-/// The secant's point, kept off the ends that do not move, inside what both straight pieces allow.
+/// Returns the secant's point, kept away from ends that do not move, inside the limits of both
+/// straight pieces.
 double NodalSearch::pointInside() const {
   double low = lower_.depth, high = upper_.depth;
-  // Going down from above elements are only lost, going up from below they only join.
+  // With decreasing depth elements only leave; with increasing depth they only join.
   if (upper_.loaded > 0) low = std::max(low, straightTo(upper_));
   if (lower_.loaded > 0) high = std::min(high, straightTo(lower_));
   const double lowerForce = lower_.sums.pressure, upperForce = upper_.sums.pressure;
@@ -139,11 +140,12 @@ double NodalSearch::pointInside() const {
 void NodalSearch::chooseNext() {
   const double differing = upper_.loaded - lower_.loaded;
   if (differing == 0 && passes_ < kMostNodalPasses) return ask(Stage::Answer, straightTo(upper_));
-  // Neighbouring numbers, but for rounding: what enters between them is on the edge.
+  // The ends are neighbouring numbers except for rounding: the element that enters between them is
+  // on the edge.
   const bool neighbours = upper_.depth - lower_.depth <= kRounding * upper_.depth;
   if (neighbours || upper_.depth <= 0 || passes_ >= kMostNodalPasses)
     return askAround(upper_.depth);
-  // Elements on the lowest level of the line are loaded at any depth: there is nothing to narrow.
+  // Elements on the lowest level of the line are loaded at any depth: the bracket cannot shrink.
   if (lower_.depth < 0 && passes_ >= kPassesBeforeZero) return ask(Stage::Narrow, 0);
   if (halving_) return ask(Stage::Narrow, 0.5 * (lower_.depth + upper_.depth));
   if (differing == 1) return ask(Stage::Threshold, upper_.depth);
@@ -162,17 +164,17 @@ void NodalSearch::takeThreshold(const NodalState& found) {
   ask(Stage::Answer, straightTo(lower_));
 }
 
-/// Where elements hardly relax from one to the next, a threshold loses its digits: from now on the
-/// bracket is halved down to neighbouring numbers.
+/// Switches to bisection down to neighbouring numbers: where elements hardly relax from one to the
+/// next, a threshold loses its digits.
 void NodalSearch::halve() {
   halving_ = true;
   chooseNext();
 }
 
-/// Whether an element touches at its very threshold is a matter of rounding, and in lanes even of
-/// its neighbours: one pass lies a little above and one a little below. Where these do not differ
-/// the threshold was wrong; between neighbouring numbers there is nothing better, and the two move
-/// apart.
+/// Requests passes around a threshold. Whether an element touches exactly there depends on
+/// rounding, and in lanes its neighbours are uncertain too: one pass is a little above and one a
+/// little below. If these do not differ, the threshold was wrong; between neighbouring numbers
+/// nothing better exists, and the two move apart.
 void NodalSearch::askAround(double edge) {
   edge_ = edge;
   reach_ = kRounding;
@@ -187,7 +189,7 @@ void NodalSearch::takeAbove(const NodalState& found) {
       return halve();
     }
     reach_ *= 8;
-    // At an edge of 0, of an element that touches without any depth, all its multiples are 0.
+    // An edge of 0 belongs to an element that touches without any depth; all its multiples are 0.
     return ask(Stage::Above, edge_ > 0 ? edge_ * (1 + reach_) : reach_ * upperBound_);
   }
   if (edge_ <= 0) return finishBetween({}, above_);
@@ -207,8 +209,8 @@ void NodalSearch::takeBelow(const NodalState& found) {
 void NodalSearch::takeAnswer(const NodalState& found) {
   const double residual = std::abs(found.sums.pressure - load_) / load_;
   if (residual > kAcceptedResidual && passes_ < kMostNodalPasses) {
-    // On the straight piece it was looked for on, neighbouring depths are too far apart for this
-    // load: the answer lies between two of them.
+    // On the straight piece on which the solution was searched, neighbouring depths are too far
+    // apart for this load: the solution lies between two of them.
     if (found.loaded == upper_.loaded || found.loaded == lower_.loaded)
       return askAround(found.depth);
     (isEnough(found) ? upper_ : lower_) = found;
@@ -224,7 +226,7 @@ void NodalSearch::finishBetween(const NodalState& less, const NodalState& more) 
   const double lessForce = less.sums.pressure, moreForce = more.sums.pressure;
   const bool rises = moreForce > lessForce;
   const double share = rises ? (load_ - lessForce) / (moreForce - lessForce) : 1;
-  const bool inside = rises && share >= 0 && share <= 1;  // not so only where passes ran out
+  const bool inside = rises && share >= 0 && share <= 1;  // false only where passes ran out
   answer_.sums = blend(less.sums, more.sums, share);
   answer_.balance = {edge_, passes_,
                      inside ? std::abs(answer_.sums.pressure - load_) / load_

@@ -22,8 +22,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// D: the vectors' tag. kShape: the first lane's shape is noted. Heights are above the lowest node;
-/// y is the depth of an element.
+/// D: the vectors' tag. kShape: the first lane's shape is recorded. Heights are above the lowest
+/// node; y is the depth of an element.
 template <class D, Output kOutput, bool kShape = false>
 class NodalKernel {
   using V = hn::Vec<D>;
@@ -31,7 +31,7 @@ class NodalKernel {
   static constexpr bool kEverything = kOutput == Output::Everything;
 
  public:
-  /// depth, relaxationLength: one for each lane (m).
+  /// depth, relaxationLength: one value for each lane (m).
   HWY_INLINE NodalKernel(const PreparedProfile& line, const double* depth,
                          const double* relaxationLength, NodeShape* shape = nullptr)
       : line_(line),
@@ -39,11 +39,11 @@ class NodalKernel {
         shape_(shape),
         depth_(hn::LoadU(d_, depth)),
         relaxationLength_(hn::LoadU(d_, relaxationLength)) {
-    // Part of a depth that a free surface loses from one node to the next, and over each block.
+    // The part of a depth that a free surface loses from one node to the next, and over each block.
     const V exponent = hn::Div(set(-line.spacing), hn::Max(relaxationLength_, set(1e-300)));
     lost_[0] = hn::Neg(hn::Expm1(d_, hn::Max(exponent, set(-350))));
     for (std::size_t k = 1; k < line.blocks.size(); ++k) lost_[k] = twice(twice(lost_[k - 1]));
-    // The lowest node comes first: nothing reaches deeper.
+    // The lowest node comes first, where the elastomer is deepest.
     surface_ = depth_;
   }
 
@@ -51,7 +51,7 @@ class NodalKernel {
     node(0);
     int level = 0;
     for (std::size_t i = 1; i < count_;) level = advance(i, level);
-    // The lowest node of the next period takes over.
+    // The arc ends at the lowest node of the next period.
     closeArcs(hn::Eq(depth_, depth_), depth_);
     store(states);
   }
@@ -62,9 +62,9 @@ class NodalKernel {
 
   HWY_INLINE V set(double value) const { return hn::Set(d_, value); }
   HWY_INLINE V zero() const { return hn::Zero(d_); }
-  /// What is lost over two stretches, of what is lost over one: l (2 - l).
+  /// Returns the loss over two stretches from that over one: l (2 - l).
   HWY_INLINE V twice(V lost) const { return hn::Mul(lost, hn::Sub(set(2), lost)); }
-  /// Where a surface is after a stretch, from a height.
+  /// Returns the height of a surface after a stretch.
   HWY_INLINE V after(V height, V lost) const {
     return hn::MulAdd(hn::Sub(depth_, height), lost, height);
   }
@@ -90,10 +90,10 @@ class NodalKernel {
     return ((i - 1) & 3U) == 0 && top > 0 && !kShape ? 1 : 0;
   }
 
-  /// Every lane relaxes over a block: y here is the first free value, decayed node by node.
+  /// Every lane relaxes over a block: y is the first free value, which decays node by node.
   HWY_INLINE void skip(V far, int level) {
     if (kEverything) {
-      // Geometric sum of the depths; without any decay all values are alike.
+      // The depths are summed as a geometric series; without any decay all values are equal.
       const V alike = set(static_cast<double>(std::size_t{1} << (2 * level)));
       const V some = hn::Div(lost_[level], lost_[0]);
       const V sum = hn::IfThenElse(hn::Gt(lost_[0], zero()), some, alike);
@@ -103,14 +103,14 @@ class NodalKernel {
     surface_ = far;
   }
 
-  /// Adds a stretch to what has been lost since an element last touched.
+  /// Adds a stretch to the loss since an element last touched.
   HWY_INLINE void forget(V lost) {
     lostSinceTouch_ = hn::MulAdd(hn::Sub(set(1), lostSinceTouch_), lost, lostSinceTouch_);
   }
 
   HWY_INLINE void node(std::size_t i) {
     const V height = set(line_.heightAboveMinimum[i]), slope = set(line_.slopeIn[i]);
-    // As heights, element and surface are told apart however far the indentation is above them.
+    // Heights distinguish element and surface even if the indentation is far larger.
     const M touching = hn::Le(height, surface_);
     if (hn::AllFalse(d_, touching)) {
       if (kEverything) {
@@ -137,7 +137,7 @@ class NodalKernel {
 
   HWY_INLINE void addEverything(std::size_t i, V height, V slope, V pressure, M touching,
                                 M loaded) {
-    // The arcs of the lanes that touch end here.
+    // The arcs of the touching lanes end here.
     closeArcs(touching, hn::Sub(depth_, surface_));
     // Eq. (4), with w' = -dz/ds.
     work_ = hn::Sub(work_, hn::IfThenElse(loaded, hn::Mul(pressure, slope), zero()));
@@ -145,8 +145,8 @@ class NodalKernel {
     slopeSquared_ = hn::Add(slopeSquared_, hn::IfThenElse(loaded, squared, zero()));
     const V here = hn::Sub(depth_, hn::IfThenElse(touching, height, surface_));
     depthSum_ = hn::Add(depthSum_, here);
-    // The indentation at which this element is pressed, and at which the line reaches it after
-    // the element that touched last.
+    // The indentation at which this element is pressed, and at which the line reaches it after the
+    // last touching element.
     const V pressed = hn::MulAdd(relaxationLength_, slope, height);
     V threshold = hn::Max(pressed, zero());
     if (i > 0) {
@@ -162,27 +162,27 @@ class NodalKernel {
     arcStart_ = hn::IfThenElse(touching, here, arcStart_);
   }
 
-  /// Energy given off since the last element that touched, from arcStart_ down to `end`.
+  /// Adds the energy released since the last touching element, from arcStart_ down to `end`.
   HWY_INLINE void closeArcs(M lanes, V end) {
     const V lost = hn::Mul(set(0.5), hn::MulSub(arcStart_, arcStart_, hn::Mul(end, end)));
     freeLoss_ = hn::Add(freeLoss_, hn::IfThenElse(lanes, hn::Max(lost, zero()), zero()));
   }
 
-  /// Notes the first lane's element: `height` of its surface, and its pressure.
+  /// Records the first lane's element: `height` of its surface, and its pressure.
   HWY_INLINE void record(V height, V pressure) const {
     if (!kShape) return;
     shape_->depth.push_back(std::max(hn::GetLane(hn::Sub(depth_, height)), 0.0));
     shape_->pressure.push_back(hn::GetLane(pressure));
   }
 
-  /// Hands over one quantity of every lane.
+  /// Writes one quantity of every lane.
   template <class Member>
   HWY_INLINE void give(V value, NodalState* states, const Member& member) const {
     for (std::size_t lane = 0; lane < hn::Lanes(d_); ++lane)
       member(states[lane]) = hn::ExtractLane(value, lane);
   }
 
-  /// depth and the lengths in contact are left to finish() in nodal_kernel.cpp.
+  /// Writes the results; finish() in nodal_kernel.cpp adds depth and the lengths in contact.
   HWY_INLINE void store(NodalState* states) const {
     const V dx = set(line_.spacing);
     give(loaded_, states, [](NodalState& s) -> double& { return s.loaded; });
@@ -198,11 +198,11 @@ class NodalKernel {
   }
 
   const PreparedProfile& line_;
-  std::size_t count_;  // of nodes
+  std::size_t count_;  // number of nodes
   NodeShape* shape_;
   V depth_, relaxationLength_;
-  V lost_[kMostLevels];       // part of a depth, over a block of each level
-  V surface_ = hn::Zero(d_);  // height of what reaches the next node without contact
+  V lost_[kMostLevels];       // lost part of a depth over a block of each level
+  V surface_ = hn::Zero(d_);  // height of the free surface at the next node
   V lastHeight_ = hn::Zero(d_), lostSinceTouch_ = hn::Zero(d_), arcStart_ = hn::Zero(d_);
   V pressure_ = hn::Zero(d_), loaded_ = hn::Zero(d_), depthSum_ = hn::Zero(d_);
   V work_ = hn::Zero(d_), slopeSquared_ = hn::Zero(d_), freeLoss_ = hn::Zero(d_);

@@ -1,12 +1,12 @@
 #include "core/contact/kernels/kernels.h"
 
-// As in kernels.cpp: one lane, AVX2, AVX-512.
+// The instruction sets are those of kernels.cpp: one lane, AVX2, AVX-512.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/contact/kernels/nodal_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After it, as Highway wants.
+// This include comes after it, as Highway requires.
 #include "core/base/flush_denormals.h"
 #include "core/contact/kernels/nodal_kernel-inl.h"
 
@@ -50,7 +50,7 @@ HWY_EXPORT(lanes);
 
 namespace {
 
-/// Completes what a nodal kernel has found at a depth.
+/// Completes the result of a nodal kernel at a depth.
 void finish(NodalState& state, double depth, double spacing) {
   state.depth = depth;
   state.sums.stiffness = state.sums.contactLength = state.loaded * spacing;

@@ -1,7 +1,7 @@
-// One steady pass over a prepared profile at one indentation: how it is asked for and what it
-// finds. All sums are divided by 4G, so that they are lengths and areas only: multiply them by 4G
-// (Pa) to get forces (N). Plain values and an interface; a queue belongs to one run of passes and
-// to its thread.
+// One steady pass over a prepared profile at one indentation: its request and its result. All sums
+// are divided by 4G, so that they are lengths and areas only: multiply them by 4G (Pa) to get
+// forces (N). Plain values and an interface; a queue belongs to one run of passes and to its
+// thread.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace asperity {
 
-/// What a pass gathers. Force: only what a force balance needs.
+/// What a pass computes. Force: only what a force balance needs.
 enum class Output { Force, Everything };
 
 /// Integrals over one period. The two ways to either force are summed independently, so that they
-/// can be compared. With Output::Force only `depth` and `stiffness` are gathered (nodal: only
-/// `pressure` and `stiffness`).
+/// can be compared. Output::Force computes only `depth` and `stiffness` (nodal: only `pressure` and
+/// `stiffness`).
 struct PassSums {
   double depth = 0;          // m^2, integral of y = -u over all elements: F_N / 4G
   double stiffness = 0;      // m, derivative of `depth` with respect to the indentation
@@ -24,14 +24,14 @@ struct PassSums {
   double dissipation = 0;    // m^2, c integral of y'^2 over all elements: F_x / 4G again
   double contactLength = 0;  // m
   double slopeSquared = 0;   // m, integral of z'^2 over the contact
-  double segmentsInspected =
-      0;  // segments in which edges were looked for: the cost of cubic passes
+  // segments in which edges were computed: the cost of cubic passes
+  double segmentsInspected = 0;
 };
 
-/// Stands for a sum that a pass does not gather.
+/// The value of a sum that a pass does not compute.
 inline constexpr double kNotGathered = std::numeric_limits<double>::quiet_NaN();
 
-/// Shape of the elastomer at the nodes of a PreparedProfile, in travel order.
+/// Shape of the elastomer at the nodes of a PreparedProfile, in order of travel.
 struct NodeShape {
   std::vector<double> depth;     // m, y = -u
   std::vector<double> pressure;  // m, p / 4G, 0 where there is no contact
@@ -40,18 +40,20 @@ struct NodeShape {
 struct PassRequest {
   double depth = 0;             // m, indentation, > 0
   double relaxationLength = 0;  // m, c = v tau, >= 0
-  int parts = 1;                // into which the pass may be cut, to run in several lanes
+  // number of parts into which the pass may be cut, to run in several lanes
+  int parts = 1;
 };
 
-/// Where passes come from and where their sums go.
+/// The source of passes and the receiver of their sums.
 class PassQueue {
  public:
   virtual ~PassQueue() = default;
-  /// Gives the first pass of a stream, counted from 0; false: nothing is left to do.
+  /// Gives the first pass of a stream, counted from 0; returns false where none is left.
   virtual bool begin(std::size_t stream, PassRequest& request) = 0;
-  /// Takes what the stream's pass found and gives its next one; false as above.
+  /// Takes the result of the stream's pass and gives its next one; returns false where none is
+  /// left.
   virtual bool next(std::size_t stream, const PassSums& sums, PassRequest& request) = 0;
-  /// Is asked often, inside passes too; true ends them all at once.
+  /// Is called often, also inside passes; true ends them all at once.
   virtual bool isStopped() const = 0;
 };
 

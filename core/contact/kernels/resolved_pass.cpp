@@ -7,34 +7,34 @@
 namespace asperity {
 namespace {
 
-/// A free arc of the elastomer: it left the line `depth` deep at `position`, where the line has
-/// this height above its lowest point.
+/// A free arc of the elastomer: it left the line at depth `depth` and `position`, where the line
+/// has this height above its lowest point.
 struct FreeArc {
   double height, depth, position;
 };
 
-/// Sums up stretches of contact and free arcs. The two ways to either force share nothing.
+/// Adds up stretches of contact and free arcs. The two ways to either force share nothing.
 template <Output kOutput>
 class Gatherer {
  public:
   Gatherer(double relaxationLength, double inverse)
       : relaxationLength_(relaxationLength), inverse_(inverse) {}
 
-  /// A segment that is in contact from end to end.
+  /// Adds a segment that is in contact from end to end.
   void wholeSegment(const SegmentBounds& bounds, const Cubic& height, double depth, double length) {
     sums.depth += depth * length - bounds.heightIntegral;
     sums.stiffness += length;
     if constexpr (kOutput == Output::Everything) addContact(height, 1, depth, length);
   }
-  /// Contact over t in [0, extent] of `height`; `along` is the way in s for t from 0 to 1, negative
-  /// where t runs back.
+  /// Adds contact over t in [0, extent] of `height`; `along` is the distance in s for t from 0 to
+  /// 1, negative where t runs backwards.
   void contact(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
     sums.depth += length * (depth * extent - height.integral(extent));
     sums.stiffness += length * extent;
     if constexpr (kOutput == Output::Everything) addContact(height, extent, depth, along);
   }
-  /// A free arc that ends at `to`.
+  /// Adds a free arc that ends at `to`.
   void arc(const FreeArc& from, double to) {
     const double way = to - from.position;
     const double forgotten = -relaxationLength_ * std::expm1(-way * inverse_);
@@ -55,8 +55,8 @@ class Gatherer {
     sums.contactLength += length * extent;
     sums.slopeSquared += slopeSquared;
   }
-  /// p and p w' from the pressure itself, by Gauss's three points: exact for these polynomials, and
-  /// sharing nothing with the sums of depth and of dissipation.
+  /// Adds p and p w' from the pressure itself, by Gauss's three points: exact for these
+  /// polynomials, and independent of the sums of depth and of dissipation.
   void addPressure(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
     constexpr double kPlace = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
@@ -80,7 +80,7 @@ class Pass {
       : line_(line),
         depth_(depth),
         relaxationLength_(relaxationLength),
-        // Without relaxation the free surface comes back at once: exp(-s * large) is 0 for s > 0.
+        // Without relaxation the free surface returns at once: exp(-s * large) is 0 for s > 0.
         inverse_(relaxationLength > 0 ? std::min(1 / relaxationLength, 1e300) : 1e300),
         lost_(-std::expm1(-line.spacing * inverse_)),
         shape_(shape),
@@ -91,7 +91,7 @@ class Pass {
       record(i);
       segment(i);
     }
-    // The lowest point of the next period takes over, always in contact.
+    // The arc ends at the lowest point of the next period, which is always in contact.
     if (!touching_) gatherer_.arc(arc_, line_.length);
     return gatherer_.sums;
   }
@@ -114,21 +114,21 @@ class Pass {
     lookInside(i);
   }
 
-  /// Part of its depth that the free surface loses over a segment.
+  /// Returns the part of its depth that the free surface loses over a segment.
   double lostOver(std::size_t i) const {
     const bool whole = i > 0 && i + 1 < line_.segments();
     return whole || !line_.startsInsideSegment ? lost_
                                                : -std::expm1(-line_.segmentLength(i) * inverse_);
   }
 
-  /// Height of the free surface above the line's lowest point, y = depth - height: as a height it
-  /// is told from the line to the last digit even where the depth is far larger than all heights,
-  /// or hardly relaxes over a period.
+  /// Returns the height of the free surface above the line's lowest point, y = depth - height. A
+  /// height distinguishes it from the line to the last digit even where the depth is far larger
+  /// than all heights, or hardly relaxes over a period.
   double freeHeight(double position) const {
     return arc_.height - arc_.depth * std::expm1(-(position - arc_.position) * inverse_);
   }
 
-  /// A segment to look inside: its height over t in [0, 1], s = start + t along.
+  /// A segment to examine: its height over t in [0, 1], s = start + t along.
   struct Inside {
     Cubic height;
     double start, along;
@@ -174,7 +174,7 @@ class Pass {
     double entry = from;
     if (!touching_) {
       const auto isReached = [&](double t) { return inside.height(t) < freeHeight(inside.at(t)); };
-      // Without relaxation the line is back at the surface when p vanishes, to rounding.
+      // Without relaxation the line is at the surface again when p vanishes, to rounding.
       const double middle = 0.5 * (from + to);
       if (isReached(to))
         entry = entryBetween(inside, from, to);
@@ -189,7 +189,7 @@ class Pass {
     gatherer_.contact(inside.height.about(low), std::abs(to - entry), depth_, inside.along);
   }
 
-  /// Where the line catches up with the relaxing surface.
+  /// Returns where the line reaches the relaxing surface.
   double entryBetween(const Inside& inside, double from, double to) const {
     const auto gap = [&](double t, double& derivative) {
       const double free = freeHeight(inside.at(t));
@@ -206,7 +206,8 @@ class Pass {
   void record(std::size_t i) {
     if (!shape_) return;
     const double height = touching_ ? line_.heightAboveMinimum[i] : surface_;
-    shape_->depth.push_back(std::max(depth_ - height, 0.0));  // rounding may come out above
+    // rounding may place the surface above the level
+    shape_->depth.push_back(std::max(depth_ - height, 0.0));
     const double p = touching_ ? depth_ - height - relaxationLength_ * line_.slopeIn[i] : 0;
     shape_->pressure.push_back(std::max(p, 0.0));
   }

@@ -1,5 +1,5 @@
-// One step of the cubic kernel: in every lane the next piece of a segment of its own, on which the
-// pressure p is monotone. See resolved_pass.cpp for the same events in plain form; names follow it.
+// One step of the cubic kernel: every lane computes the next piece of its own segment on which the
+// pressure p is monotone. resolved_pass.cpp has the same events in plain form, with the same names.
 // Compiled once per instruction set.
 
 #if defined(ASPERITY_SEGMENT_STEP_INL) == defined(HWY_TARGET_TOGGLE)
@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-/// What the lanes know. Lengths in m, t runs over a segment: s = start + t along, and `along` is
+/// The state of the lanes. Lengths in m; t runs over a segment: s = start + t along, and `along` is
 /// negative where a segment is measured back from its end.
 struct alignas(64) Lanes {
   using Values = double[Wide::kLanes];
@@ -23,17 +23,17 @@ struct alignas(64) Lanes {
   Values depth, relaxationLength, inverse;  // d, c, 1 / c
   Values height0, height1, slope0, slope1;  // z and dz/d|s| at t = 0 and t = 1
   Values start, along;
-  Values from, limit;                               // t reached; t of the segment's end, or nearer
-  Values arcHeight, arcPosition;                    // where the elastomer left the line
+  Values from, limit;                               // t reached; t of the segment's end, or less
+  Values arcHeight, arcPosition;                    // place where the elastomer left the line
   Values surface;                                   // height of free lanes at the segment's end
   Values sumDepth, freeStiffness, freeLoss;         // m^2, m, m^2
   Values contactLength, slopeSquared, sumPressure;  // m, m, m^2
-  // Yes or no, as 1 or 0:
+  // Flags, 1 or 0:
   Values busy, touching;
   Values closes;            // a free arc ends with this segment at the latest
   Values isPressedAtLimit;  // p vanishes there, from above
   // The same as bits, set by a step:
-  unsigned finished, pressed;  // have come to the end of their segment; in contact
+  unsigned finished, pressed;  // reached the end of their segment; are in contact
 };
 
 HWY_INLINE WideMask isSet(const Lanes::Values& values) {
@@ -43,11 +43,11 @@ HWY_INLINE void setFlags(WideMask mask, Lanes::Values& values) {
   onlyIn(mask, Wide::all(1)).store(values);
 }
 
-/// c0 + c1 t + c2 t^2 + c3 t^3.
+/// The polynomial c0 + c1 t + c2 t^2 + c3 t^3.
 struct WideCubic {
   Wide c0, c1, c2, c3;
 
-  /// As hermiteCubic in polynomial.h; `step`: from the first value to the second.
+  /// Returns hermiteCubic of polynomial.h; `step`: difference of the two values.
   static HWY_INLINE WideCubic hermite(Wide value0, Wide step, Wide slope0, Wide slope1) {
     return {value0, slope0, mulSub(Wide::all(3), step, slope0 + slope0 + slope1),
             negMulAdd(Wide::all(2), step, slope0 + slope1)};
@@ -69,13 +69,13 @@ class SegmentStep {
 
   HWY_INLINE void run() {
     readSegment();
-    // The next piece of the segment on which p is monotone.
+    // Find the next piece of the segment on which p is monotone.
     findPiece();
     // Lanes in contact leave at once where p is not above 0 at the start of the piece.
     leave(touching_ & !upFrom_, from_);
-    // The edge of contact inside the piece, if there is one.
+    // Find the edge of contact inside the piece, if there is one.
     findEvents();
-    // What free arcs and contact add to the sums.
+    // Add free arcs and contact to the sums.
     close();
     addContact();
     leave(exits_, edge_);
@@ -109,9 +109,9 @@ class SegmentStep {
     pressure_.c3 = inside_.c3;
   }
 
-  /// From where the lane is to where p turns next, or to the segment's end.
+  /// Finds the piece from the lane's place to where p turns next, or to the segment's end.
   HWY_INLINE void findPiece() {
-    // Lanes come to every segment from 0 to 1; one measured back is gone through from 1 to 0.
+    // Lanes enter every segment from 0 to 1; one measured back runs from 1 to 0.
     const Wide from = Wide::load(lanes_.from), limit = Wide::load(lanes_.limit);
     const WideMask turns = (from < limit) & !onwards_;
     from_ = select(turns, limit, from);
@@ -135,7 +135,7 @@ class SegmentStep {
 
   HWY_INLINE Wide placeOf(Wide t) const { return mulAdd(t, along_, start_); }
 
-  /// How far the line is below `height` as a polynomial.
+  /// Returns the depth of the line below `height` as a polynomial.
   HWY_INLINE WideCubic below(Wide height) const {
     return {height - low_, inside_.c1, inside_.c2, inside_.c3};
   }
@@ -146,17 +146,17 @@ class SegmentStep {
     touching_ = touching_ & !lanes;
   }
 
-  /// At most one edge of contact is looked for in each lane: where p vanishes under contact, where
-  /// the line catches up with the free surface, or, for a free lane, where p vanishes after a
-  /// pressed stretch, which is where the line comes nearest to the free surface.
+  /// Computes at most one edge of contact in each lane: where p vanishes in contact, where the line
+  /// reaches the free surface, or, for a free lane, where p vanishes after a pressed stretch, which
+  /// is where the line comes nearest to the free surface.
   HWY_INLINE void findEvents() {
     arc_ = {depth_ - arcHeight_, (start_ - arcPosition_) * inverse_, along_ * inverse_};
     const WideGap<WideCubic> rising{below(arcHeight_), arc_};
     const WideMask free = busy_ & !touching_;
     exits_ = touching_ & !upTo_;
     const WideMask bumps = free & upFrom_ & !upTo_, rises = free & upTo_;
-    // Where p vanishes, that the line reaches the free surface has been found already. Without
-    // relaxation it is back there to rounding, so only further inside one can tell.
+    // Where p vanishes, it is already known whether the line reaches the free surface. Without
+    // relaxation the two meet there to rounding, so that only points further inside can decide.
     const WideMask reached =
         rises & isSet(lanes_.isPressedAtLimit) & (to_ == Wide::load(lanes_.limit));
     enters_ = WideMask::none();
@@ -176,7 +176,7 @@ class SegmentStep {
     const Wide secant = mulAdd(to_ - from_, pressureFrom_ / (pressureFrom_ - pressureTo_), from_);
     Wide guess = select(enters_, gap.step(to_, gapTo, lostTo), secant);
     guess = select((guess >= low) & (guess <= high) & !reached, guess, times(0.5, low + high));
-    // Free surface above the line at the piece's start; pressure there positive.
+    // The free surface is above the line at the piece's start, and the pressure there is positive.
     const WideRoot root = rootBetween(gap, low, high, !(enters_ ^ onwards_), guess, wanted);
     edge_ = select(wanted, root.t, to_);
     lost_ = root.lost;
@@ -188,7 +188,7 @@ class SegmentStep {
     }
   }
 
-  /// Free arcs of the lanes that enter end at their edges.
+  /// Ends the free arcs of entering lanes at their edges.
   HWY_INLINE void close() {
     sumDepth_ = Wide::load(lanes_.sumDepth);
     freeStiffness_ = Wide::load(lanes_.freeStiffness);
@@ -205,7 +205,7 @@ class SegmentStep {
     freeLoss_ = freeLoss_ + onlyIn(lanes, energy);
   }
 
-  /// Sums between two places of this segment, by the polynomial about the lower one.
+  /// Adds the sums between two places of this segment, by the polynomial about the lower one.
   HWY_INLINE void addContact() {
     const WideMask lanes = touching_ | enters_;
     const Wide begin = select(enters_, edge_, from_), end = select(exits_, edge_, to_);
@@ -213,9 +213,9 @@ class SegmentStep {
     const Wide span = abs(along_);
     const Wide w = inside_.at(from), c1 = inside_.slopeAt(from);
     const Wide c2 = inside_.halfCurvatureAt(from), c3 = inside_.c3;
-    // Integral of w's change: x^2 (c1 / 2 + x (c2 / 3 + x c3 / 4)).
+    // The integral of w's change is x^2 (c1 / 2 + x (c2 / 3 + x c3 / 4)).
     const Wide change = mulAdd(x, mulAdd(x, times(0.25, c3), times(1.0 / 3, c2)), times(0.5, c1));
-    // Integral of (c1 + b t + c t^2)^2.
+    // This is the integral of (c1 + b t + c t^2)^2.
     const Wide b = c2 + c2, c = times(3, c3);
     const Wide t4 = mulAdd(x, times(0.2, c * c), times(0.5, b * c));
     const Wide t3 = mulAdd(x, t4, times(1.0 / 3, mulAdd(b, b, (c1 + c1) * c)));
@@ -237,7 +237,7 @@ class SegmentStep {
       const Wide over = (placeOf(end_) - arcPosition_) * inverse_;
       const Wide lost = lostAfter(max(over, Wide::all(0)));
       mulAdd(depth_ - arcHeight_, lost, arcHeight_).store(lanes_.surface);
-      // A point takes over that is always in contact.
+      // The arc ends at a point that is always in contact.
       const WideMask last = free & isSet(lanes_.closes);
       if (any(last)) closeArcs(last, lost);
     }
@@ -247,7 +247,7 @@ class SegmentStep {
     arcHeight_.store(lanes_.arcHeight);
     arcPosition_.store(lanes_.arcPosition);
     setFlags(touching_, lanes_.touching);
-    // Ready for the next segment where this one is finished.
+    // Prepare the next segment where this one is finished.
     const Wide next = onlyIn(!finished, select(hits_, from_, to_));
     next.store(lanes_.from);
     select(hits_, edge_, select(finished, Wide::all(1), end_)).store(lanes_.limit);

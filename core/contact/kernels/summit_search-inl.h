@@ -22,26 +22,26 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-/// Some summits in the order of travel; lengths in m.
+/// A batch of summits in order of travel; lengths in m.
 struct alignas(64) Summits {
   static constexpr std::size_t kMost = 128;
   using Values = double[kMost];
 
   std::size_t count = 0;
-  std::size_t segment[kMost];  // which it ends; where it is at a corner, the one that begins there
+  std::size_t segment[kMost];  // the segment that it ends; at a corner, the one that begins there
   std::size_t start[kMost];    // segment in which, or at whose start, p rose through 0 before
-  // Of the segment's start: s, height, and the slope dz/ds from there.
+  // At the segment's start: s, height, and the slope dz/ds after it.
   Values position, nodeHeight, slope;
   Values inside;  // 1: inside the segment; 0: at its start
-  // What SummitSearch::measure() adds:
+  // Added by SummitSearch::measure():
   Values along;   // from the segment's start
   Values height;  // z
   Values depth;   // w
-  Values order;   // ln w + s / c, by which one overtops another
+  Values order;   // ln w + s / c, by which one exceeds another
 };
 
-/// Goes along a line at one depth and relaxation length and gathers its summits, some at a time. A
-/// summit above the depth is none.
+/// Follows a line at one depth and relaxation length and collects its summits in batches. Summits
+/// above the depth do not count.
 class SummitSearch {
  public:
   SummitSearch(const PreparedProfile& line, double depth, double relaxationLength, double inverse)
@@ -49,12 +49,12 @@ class SummitSearch {
 
   const Summits& summits() const { return summits_; }
 
-  /// All of the line's summits and its end, which counts as one. take() is called where more might
-  /// not fit: they are forgotten then. Ends where it returns false.
+  /// Collects all of the line's summits and its end, which counts as one. take() is called before
+  /// the batch is full; it is emptied afterwards. Ends where take() returns false.
   template <class Take>
   HWY_INLINE bool run(const Take& take) {
     const std::size_t segments = line_.segments();
-    addSegments(0, 1);  // stands outside the blocks
+    addSegments(0, 1);  // it is outside of the blocks
     std::size_t done = 1;
     if (line_.blocks.size() > kWordLevel) {
       if (!goOverWords(take)) return false;
@@ -69,7 +69,8 @@ class SummitSearch {
  private:
   static constexpr std::size_t kWord = 64, kWordLevel = 3;  // segments compared together
 
-  /// Words that lie above the depth have no summits, nor have those under pressure all along.
+  /// Skips words above the depth, which have no summits, and words that are completely under
+  /// pressure.
   template <class Take>
   HWY_INLINE bool goOverWords(const Take& take) {
     const BlockLevel& words = line_.blocks[kWordLevel];
@@ -112,7 +113,7 @@ class SummitSearch {
   }
 
   HWY_INLINE void addSegments(std::size_t first, std::size_t count) {
-    // A bit a segment: p > 0 at its start, at its end; start below the depth.
+    // One bit per segment: p > 0 at its start, at its end; start below the depth.
     std::uint64_t begins = 0, ends = 0, below = 0;
     const One d = One::all(depth_), c = One::all(relaxationLength_), none = One::all(0);
     const auto compare = [&](std::size_t k, One begin, One end, One slope) {
@@ -147,7 +148,7 @@ class SummitSearch {
     for (; falls != 0; falls &= falls - 1) {
       const std::uint64_t bit = falls & (~falls + 1);
       const bool inside = (begins & bit) != 0;
-      // At a corner p may rise again inside the segment behind it.
+      // At a corner p may rise again inside the next segment.
       const std::uint64_t before = rises & (inside ? bit | (bit - 1) : bit - 1);
       const std::size_t start =
           before != 0 ? first + 63 - static_cast<std::size_t>(std::countl_zero(before)) : start_;
@@ -187,9 +188,10 @@ class SummitSearch {
 
   const PreparedProfile& line_;
   double depth_, relaxationLength_, inverse_;
-  std::size_t start_ = 0;  // of the stretch under pressure that is or was last
+  std::size_t start_ = 0;  // of the last or present stretch under pressure
   std::size_t next_ = 0;   // the first segment not compared yet
-  bool isRising_ = true;   // p > 0 before it; the lowest point, where travel starts, is in contact
+  // p > 0 before it; travel starts at the lowest point, which is in contact
+  bool isRising_ = true;
   Summits summits_;
 };
 

@@ -1,5 +1,6 @@
 // Numbers for many lanes at once: one vector of the machine, or several side by side, so that the
-// long chains of one of them do not leave the machine waiting. Compiled once per instruction set.
+// machine need not wait for the long dependency chains of one vector. Compiled once per instruction
+// set.
 
 #if defined(ASPERITY_WIDE_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_WIDE_INL
@@ -38,7 +39,7 @@ struct One {
 
   static HWY_INLINE One all(double value) { return {hn::Set(kTag, value)}; }
   static HWY_INLINE One load(const double* from) { return {hn::LoadU(kTag, from)}; }
-  /// The first `count` only, 0 behind them; nothing else is read.
+  /// Loads only the first `count` numbers, and 0 after them; nothing else is read.
   static HWY_INLINE One loadFirst(const double* from, std::size_t count) {
     return {hn::MaskedLoad(hn::FirstN(kTag, count), kTag, from)};
   }
@@ -52,7 +53,7 @@ struct PairMask {
   static HWY_INLINE PairMask none() { return {T::none(), T::none()}; }
 };
 
-/// Twice as many lanes.
+/// A pair with twice as many lanes.
 template <class T>
 struct Pair {
   using Mask = PairMask<typename T::Mask>;
@@ -96,17 +97,18 @@ HWY_INLINE bool any(OneMask x) { return !hn::AllFalse(kTag, x.m); }
 HWY_INLINE unsigned bitsOf(OneMask x) { std::uint8_t bits[8] = {}; hn::StoreMaskBits(kTag, x.m, bits); return bits[0]; }
 // clang-format on
 
-/// 1 - exp(-x) to two units in the last place; beyond -350 to 350 x counts as that. Half as long as
-/// the library's, whose steps wait for each other, as edges of contact wait for this.
+/// Returns 1 - exp(-x) to two units in the last place; x is limited to -350 to 350. It takes half
+/// the time of the library's function, whose steps depend on each other; edges of contact wait for
+/// this result.
 HWY_INLINE One lostAfter(One x) {
-  constexpr double kWhole = 6755399441055744.0;  // added to it, numbers lose their fractions
+  constexpr double kWhole = 6755399441055744.0;  // adding it removes the fraction of a number
   x = max(min(x, One::all(350)), One::all(-350));
   // -x = n ln 2 + r
   const One moved = negMulAdd(x, One::all(1.4426950408889634), One::all(kWhole));
   const One n = moved - One::all(kWhole);
   const One r = negMulAdd(n, One::all(2.3190468138462996e-17),
                           negMulAdd(n, One::all(0.6931471805599453), -x));
-  // exp(r) - 1 by its series, in Estrin's order.
+  // This is the series of exp(r) - 1 in Estrin's order.
   const auto pair = [r](double a, double b) { return mulAdd(r, One::all(1 / b), One::all(1 / a)); };
   const One r2 = r * r, r4 = r2 * r2;
   const One low = mulAdd(r2, pair(24, 120), pair(2, 6));
@@ -152,7 +154,7 @@ ASPERITY_PAIR unsigned bitsOf(PairMask<T> x) { return bitsOf(x.a) | bitsOf(x.b) 
 #undef ASPERITY_PAIR
 // clang-format on
 
-// Two vectors in flight are 1.2 to 1.5 times as fast as one where lanes are full; single numbers
+// Two interleaved vectors are 1.2 to 1.5 times as fast as one if lanes are full; single numbers
 // gain nothing.
 #if HWY_TARGET == HWY_SCALAR
 using Wide = One;

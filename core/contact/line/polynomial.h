@@ -1,4 +1,4 @@
-// Cubic polynomials on [0, 1], Hermite's among them, and the bracketed roots that the contact
+// Cubic polynomials on [0, 1], including Hermite's, and the bracketed roots that the contact
 // kernels need. Pure functions.
 #pragma once
 
@@ -8,20 +8,20 @@
 
 namespace asperity {
 
-/// c0 + c1 t + c2 t^2 + c3 t^3.
+/// The polynomial c0 + c1 t + c2 t^2 + c3 t^3.
 struct Cubic {
   double c0 = 0, c1 = 0, c2 = 0, c3 = 0;
 
   double operator()(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
   double derivative(double t) const { return c1 + t * (2 * c2 + t * 3 * c3); }
 
-  /// The same polynomial in t - origin: differences over short pieces do not cancel.
+  /// Returns the same polynomial in t - origin: differences over short pieces then do not cancel.
   Cubic about(double origin) const {
     return {(*this)(origin), derivative(origin), c2 + 3 * c3 * origin, c3};
   }
-  /// Integral from 0 to t.
+  /// Returns the integral from 0 to t.
   double integral(double t) const { return t * (c0 + t * (c1 / 2 + t * (c2 / 3 + t * c3 / 4))); }
-  /// Integral of the derivative squared from 0 to t.
+  /// Returns the integral of the derivative squared from 0 to t.
   double integralOfSlopeSquared(double t) const {
     const double b = 2 * c2, c = 3 * c3;
     return t * (c1 * c1 + t * (c1 * b + t * ((b * b + 2 * c1 * c) * (1.0 / 3) +
@@ -29,14 +29,14 @@ struct Cubic {
   }
 };
 
-/// Hermite's cubic over t in [0, 1]: from value0 to value1 with these end slopes d/dt.
+/// Returns Hermite's cubic over t in [0, 1]: from value0 to value1 with these end slopes d/dt.
 inline Cubic hermiteCubic(double value0, double value1, double slope0, double slope1) {
   const double step = value1 - value0;
   return {value0, slope0, 3 * step - 2 * slope0 - slope1, slope0 + slope1 - 2 * step};
 }
 
-/// How far Hermite's cubic has come at t from its first value, on its way by `step` over an
-/// interval, with end slopes per unit of the interval.
+/// Returns the rise of Hermite's cubic at t above its first value; `step` is its rise over the
+/// whole interval, and the end slopes are per unit of the interval.
 inline double hermiteRise(double t, double step, double interval, double slope0, double slope1) {
   return t * t * (3 - 2 * t) * step + interval * t * (1 - t) * ((1 - t) * slope0 - t * slope1);
 }
@@ -57,7 +57,7 @@ inline HermiteSlopeWeights hermiteSlopeWeights(double t) {
   return {6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)};
 }
 
-/// A few ascending numbers.
+/// A few numbers in ascending order.
 template <int Capacity>
 struct Few {
   std::array<double, Capacity> values{};
@@ -67,7 +67,7 @@ struct Few {
   const double* end() const { return values.data() + count; }
 };
 
-/// Zeros of the derivative of `cubic` inside (0, 1), ascending.
+/// Returns the zeros of the derivative of `cubic` inside (0, 1), ascending.
 inline Few<2> stationaryPoints(const Cubic& cubic) {
   const double a = 3 * cubic.c3, b = cubic.c2, c = cubic.c1;  // a t^2 + 2 b t + c
   Few<2> points;
@@ -76,7 +76,7 @@ inline Few<2> stationaryPoints(const Cubic& cubic) {
   };
   const double discriminant = b * b - a * c;
   if (discriminant < 0) return points;
-  // The sum without cancellation gives one zero by division by a, the other from their product.
+  // The sum without cancellation gives one zero by division by a; their product gives the other.
   const double q = -(b + std::copysign(std::sqrt(discriminant), b));
   const double first = a != 0 ? q / a : 2.0, second = q != 0 ? c / q : 2.0;
   addInside(std::min(first, second));
@@ -84,8 +84,9 @@ inline Few<2> stationaryPoints(const Cubic& cubic) {
   return points;
 }
 
-/// The zero of a function between `low` and `high`, where its values have different signs: Newton
-/// where that stays inside and shrinks fast enough, bisection where not. `value(t, &derivative)`.
+/// Returns the zero of a function between `low` and `high`, where its values have different signs:
+/// by Newton's method where that stays inside and converges fast enough, else by bisection.
+/// `value(t, &derivative)`.
 template <class Function>
 double zeroBetween(double low, double high, double valueLow, const Function& value) {
   const bool rising = valueLow < 0;
@@ -105,7 +106,7 @@ double zeroBetween(double low, double high, double valueLow, const Function& val
   return t;
 }
 
-/// Zeros of `cubic` inside (0, 1), ascending; a zero it only touches may be left out.
+/// Returns the zeros of `cubic` inside (0, 1), ascending; a double zero may be left out.
 inline Few<3> zerosInside(const Cubic& cubic) {
   Few<3> zeros;
   double from = 0, valueFrom = cubic.c0;

@@ -7,8 +7,8 @@
 namespace asperity {
 namespace {
 
-/// Nodes and slopes of a line as material meets them, for either direction. Sliding towards +x,
-/// the line's right end comes first: s runs against x.
+/// Nodes and slopes of a line in the order in which material meets them, for either direction. In
+/// sliding towards +x the line's right end comes first: s runs against x.
 class TravelOrder {
  public:
   TravelOrder(const Line& line, Direction direction)
@@ -18,12 +18,13 @@ class TravelOrder {
     if (forward_) return node == 0 ? count_ - 1 : node - 1;
     return node + 1 == count_ ? 0 : node + 1;
   }
-  /// Segments from this node to the end of the Line in the direction of travel.
+  /// Returns the number of segments from this node to the end of the Line in the direction of
+  /// travel.
   std::size_t nodesAhead(std::size_t node) const { return forward_ ? node : count_ - 1 - node; }
   std::size_t moved(std::size_t node, std::size_t by) const {
     return forward_ ? node - by : node + by;
   }
-  /// take(k, node k, node k + 1) for a run of segments that does not leave the Line.
+  /// Calls take(k, node k, node k + 1) for a run of segments inside the Line.
   template <class Take>
   void forRun(std::size_t node, std::size_t run, const Take& take) const {
     if (forward_)
@@ -37,7 +38,7 @@ class TravelOrder {
   double slopeBefore(std::size_t node) const {
     return forward_ ? -line_.slopeAfter[node] : line_.slopeLeftOf(node);
   }
-  /// The cubic over the segment after a node, heights above `level`.
+  /// Returns the cubic over the segment after a node, with heights above `level`.
   Cubic cubicAfter(std::size_t node, double level) const {
     const std::size_t to = next(node);
     const double h = line_.spacing;
@@ -53,8 +54,8 @@ class TravelOrder {
 
 struct Lowest {
   double height;
-  std::size_t node;     // at or before it, in travel order
-  double fraction = 0;  // of the segment after that node
+  std::size_t node;     // at or before the point, in order of travel
+  double fraction = 0;  // part of the segment after that node
 };
 
 Lowest findLowest(const Line& line, const TravelOrder& order, Scheme scheme) {
@@ -82,8 +83,8 @@ void setSegment(PreparedProfile& profile, std::size_t i, double height, double s
   profile.slopeOut[i] = slopeOut;
 }
 
-/// Heights and slopes of `count` whole segments from `node` on, as segments `first` and on; returns
-/// the node behind them. Between the ends of the Line nodes follow each other without a look.
+/// Sets heights and slopes of `count` whole segments from `node` on, as segments `first` and on;
+/// returns the node after them. Between the ends of the Line the nodes are consecutive.
 std::size_t setWholeSegments(PreparedProfile& profile, const Line& line, const TravelOrder& order,
                              std::size_t node, std::size_t first, std::size_t count) {
   const double perSpacing = 1 / line.spacing, level = profile.lowestHeight;
@@ -102,7 +103,7 @@ std::size_t setWholeSegments(PreparedProfile& profile, const Line& line, const T
     i += run;
     if (i == end) return order.moved(node, run);
     node = order.moved(node, run);
-    const std::size_t to = order.next(node);  // over the end of the Line
+    const std::size_t to = order.next(node);  // across the end of the Line
     take(0, node, to);
     node = to;
     ++i;
@@ -110,7 +111,7 @@ std::size_t setWholeSegments(PreparedProfile& profile, const Line& line, const T
   return node;
 }
 
-/// Blocks of four times as many segments each over those of a level, as far as whole ones go.
+/// Adds a level of blocks with four times as many segments as the last one, for whole blocks.
 bool addBlocksOver(PreparedProfile& profile, std::size_t level, const std::stop_token& stop) {
   while (profile.blocks[level].size() >= 4) {
     if (stop.stop_requested()) return false;
@@ -122,8 +123,8 @@ bool addBlocksOver(PreparedProfile& profile, std::size_t level, const std::stop_
   return true;
 }
 
-/// Finds a cut in each of equal parts of the line but the first, at its lowest node. Parts of long
-/// lines are no longer than what the cache of a core holds of them.
+/// Finds a cut in each of equal parts of the line except for the first, at its lowest node. Parts
+/// of long lines fit the cache of a core.
 void addCuts(PreparedProfile& profile) {
   constexpr std::size_t kFewestSegments = 16, kMostSegments = 8192, kFewestParts = 16;
   profile.cuts.clear();
@@ -134,7 +135,7 @@ void addCuts(PreparedProfile& profile) {
     const std::size_t segment =
         k * size + placeOfLowest({&profile.heightAboveMinimum[k * size], size});
     const double lowest = profile.heightAboveMinimum[segment];
-    std::size_t back = segment - 2;  // blocks[0][back - 1] is of segment `back`
+    std::size_t back = segment - 2;  // blocks[0][back - 1] belongs to segment `back`
     while (back > 0 && segment - back < size && profile.blocks[0].lowest[back - 1] >= lowest)
       --back;
     profile.cuts.push_back({segment, profile.position(segment) - profile.position(back + 1)});
@@ -164,7 +165,8 @@ bool addCubicBlocks(PreparedProfile& profile, const std::stop_token& stop) {
   return addBlocksOver(profile, 0, stop);
 }
 
-/// The lowest level of straight segments would be as large as all the rest and say nothing new.
+/// Adds the blocks of a straight line; its lowest level would be as large as all others and contain
+/// nothing new.
 bool addStraightBlocks(PreparedProfile& profile, const std::stop_token& stop) {
   const std::size_t inner = profile.segments() - 2;
   profile.blocks[0].clear();
@@ -175,7 +177,7 @@ bool addStraightBlocks(PreparedProfile& profile, const std::stop_token& stop) {
   return addBlocksOver(profile, 1, stop);
 }
 
-/// Integral of the height, by fours as far as they go.
+/// Returns the integral of the height, in steps of the largest whole blocks.
 double integralOf(const PreparedProfile& profile) {
   double integral = profile.bounds(0).heightIntegral;
   const std::size_t fours = profile.blocks.size() > 1 ? profile.blocks[1].size() : 0;
@@ -211,8 +213,9 @@ bool addResolvedSegments(PreparedProfile& profile, const Line& line, const Trave
   if (split > 0) node = order.next(node);
   node = setWholeSegments(profile, line, order, node, split, count - split);
   if (split > 0) {
-    // The segment of the lowest point: its two parts, level at that point. About it, because the
-    // difference of two heights would lose what rises next to it.
+    // The segment of the lowest point is split into two parts, level at that point. They are
+    // expanded about it, because the difference of two heights would lose the small rise next to
+    // it.
     const Cubic whole = order.cubicAfter(node, lowest.height).about(t);
     const Cubic level{0, 0, whole.c2, whole.c3};
     setSegment(profile, 0, 0, 0, level.derivative(1 - t) / h);
@@ -265,7 +268,8 @@ Cubic PreparedProfile::segmentBackwards(std::size_t i) const {
 
 std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
                                 Direction direction) {
-  const std::size_t skipped = profile.startsInsideSegment ? 1 : 0;  // the lowest point is no node
+  // the lowest point is not a node
+  const std::size_t skipped = profile.startsInsideSegment ? 1 : 0;
   const std::size_t count = values.size() - skipped;
   std::vector<double> ordered(count);
   for (std::size_t k = skipped; k < values.size(); ++k) {

@@ -1,10 +1,10 @@
-// A line made ready for contact: its segments in the order in which material meets them, starting
-// at the lowest point, where contact is certain and the period therefore closes in one pass.
-// Made once per line, scheme and direction; then read by any number of threads.
+// A line prepared for contact: its segments in the order in which material meets them, starting at
+// the lowest point, where contact is certain, so that one pass closes the period. Made once per
+// line, scheme and direction; then read by any number of threads.
 //
 // s is the distance that the material has travelled under the line (m). Heights are measured from
-// the lowest point, z >= 0, so at indentation d a point of the line presses the material w = d - z
-// deep.
+// the lowest point, z >= 0, so at indentation d a point of the line presses the material to the
+// depth w = d - z.
 #pragma once
 
 #include <algorithm>
@@ -23,45 +23,50 @@ enum class Direction { Forward, Backward };  // sliding towards +x or -x
 
 struct PreparedProfile {
   Scheme scheme = Scheme::Cubic;
-  double length = 0;                       // m, period
-  double spacing = 0;                      // m, of all segments but perhaps the first and the last
+  double length = 0;  // m, period
+  // m, of all segments except perhaps the first and the last
+  double spacing = 0;
   double firstLength = 0, lastLength = 0;  // m, of those two
   std::vector<double> heightAboveMinimum;  // m, at nodes, n + 1; 0 at both ends
   std::vector<double> slopeIn;   // dz/ds at the start of each segment, n (nodal: at the nodes)
   std::vector<double> slopeOut;  // at its end, n; cubic only
   double lowestHeight = 0;       // m, of the lowest point in the coordinates of the Line
   SegmentBounds firstBounds{}, lastBounds{};  // of the first and the last segment; cubic only
-  /// blocks[k][b] bounds and sums up the 4^k whole segments from segment 1 + b 4^k on; the first
-  /// and the last segment, which may be parts, stand outside. For nodal, likewise of nodes.
-  /// blocks[0] is empty for linear: block() says what one straight segment does.
+  /// blocks[k][b] bounds and integrates the 4^k whole segments from segment 1 + b 4^k on; the first
+  /// and the last segment, which may be parts, are not included. For nodal, the same for nodes.
+  /// blocks[0] is empty for linear: block() computes one straight segment.
   std::vector<BlockLevel> blocks;
   /// Starts of segments near low points, ascending, where a pass may be cut if they are in contact;
   /// cubic only.
   struct Cut {
     std::size_t segment;
-    double clear;  // m: so far back of it nothing is lower, but for the segment before it
+    // m: over this distance before it nothing is lower, except for the previous segment
+    double clear;
   };
   std::vector<Cut> cuts;
-  double meanHeight = 0;               // m, mean of z as the scheme sees the line
+  double meanHeight = 0;               // m, mean of z in the scheme's line
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
-  std::size_t firstNode = 0;         // node of the Line at or just before s = 0, in travel order
-  bool startsInsideSegment = false;  // the lowest point is not a node: first and last are parts
-  double startFraction = 0;          // of that segment, 0 where it is one
+  std::size_t firstNode = 0;  // node of the Line at or just before s = 0, in order of travel
+  // the lowest point is not a node: the first and last segments are parts
+  bool startsInsideSegment = false;
+  double startFraction = 0;  // position in that segment, 0 at a node
 
   std::size_t segments() const { return slopeIn.size(); }
-  /// s of node i, m; i <= segments().
+  /// Returns s of node i, m; i <= segments().
   double position(std::size_t i) const {
     if (i == 0) return 0;
     return i == segments() ? length : (static_cast<double>(i) - startFraction) * spacing;
   }
-  /// Not the difference of two positions, which has lost digits where segments are many.
+  /// Returns the length of segment i. It is not the difference of two positions, which loses digits
+  /// in a line of many segments.
   double segmentLength(std::size_t i) const {
     if (i == 0) return firstLength;
     return i + 1 == segments() ? lastLength : spacing;
   }
-  /// Whether its end is the lower one. Contact there may be far shorter than the segment and far
-  /// lower than its start; measured from that, both would have lost their digits.
+  /// Returns whether the end of the segment is its lower end. Contact there may be far shorter than
+  /// the segment and far lower than its start; measured from the start, both would lose their
+  /// digits.
   bool isMeasuredBack(std::size_t i) const {
     return heightAboveMinimum[i + 1] < heightAboveMinimum[i] || i + 1 == segments();
   }
@@ -71,16 +76,16 @@ struct PreparedProfile {
     if (i == 0) return firstBounds;
     return i + 1 == segments() ? lastBounds : blocks[0][i - 1];
   }
-  /// Of a resolved line's blocks, single segments too.
+  /// Returns the number of a resolved line's blocks, including single segments.
   std::size_t blockCount(std::size_t level) const {
     return level == 0 ? segments() - 2 : blocks[level].size();
   }
   SegmentBounds block(std::size_t level, std::size_t i) const {
     return level == 0 ? bounds(i + 1) : blocks[level][i];
   }
-  /// The height over segment i as a function of t = (s - s_i) / segmentLength(i).
+  /// Returns the height over segment i as a function of t = (s - s_i) / segmentLength(i).
   Cubic segment(std::size_t i) const;
-  /// The same measured back from the segment's end: t = (s_{i+1} - s) / segmentLength(i).
+  /// Returns the same measured back from the segment's end: t = (s_{i+1} - s) / segmentLength(i).
   Cubic segmentBackwards(std::size_t i) const;
 
  private:
@@ -92,15 +97,15 @@ struct PreparedProfile {
   }
 };
 
-/// Values at the segments' starts (NodeShape) as values at the Line's nodes, in the order of x.
+/// Returns values at the segments' starts (NodeShape) as values at the Line's nodes, in order of x.
 std::vector<double> inLineOrder(const PreparedProfile& profile, const std::vector<double>& values,
                                 Direction direction = Direction::Forward);
 
 PreparedProfile prepareProfile(const Line& line, Scheme scheme,
                                Direction direction = Direction::Forward);
 
-/// The same into one whose memory is used again. Returns false where `stop` was requested, which is
-/// looked at between steps of about ten numbers a node; it is then not whole.
+/// Prepares a profile in memory that is used again. Returns false where `stop` was requested, which
+/// is checked between steps of about ten numbers per node; the profile is then incomplete.
 bool prepareProfileInto(PreparedProfile& profile, const Line& line, Scheme scheme,
                         Direction direction = Direction::Forward, const std::stop_token& stop = {});
 

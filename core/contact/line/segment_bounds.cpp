@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-// As for the contact kernels: one lane, AVX2, AVX-512.
+// The instruction sets are those of the contact kernels: one lane, AVX2, AVX-512.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/contact/line/segment_bounds.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-// After it, as Highway wants.
+// This include comes after it, as Highway requires.
 #include "core/contact/kernels/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,19 +20,20 @@ struct Bounded {
   double *lowest, *highest, *steepest, *heightIntegral, *slopeSquared;
 };
 
-// Bounds one vector of segments. No fused operations: they would round otherwise where there are
-// none.
+// Bounds one vector of segments. It has no fused operations, because machines without them would
+// round differently.
 HWY_INLINE void bound(const double* height, const double* slopeIn, const double* slopeOut,
                       double length, std::size_t k, const Bounded& to) {
   const auto all = [](double value) { return One::all(value); };
   const One begin = One::load(height + k), end = One::load(height + k + 1);
   const One in = One::load(slopeIn + k), out = One::load(slopeOut + k);
-  // The two inner control points of the height, and the one of its slope.
+  // The two inner control points of the height, and the inner one of its slope.
   const One span = all(length), third = all(length * (1.0 / 3)), perLength = all(1 / length);
   const One first = begin + in * third, second = end - out * third;
   const One middle = all(3) * (second - first) * perLength;
   const One step = end - begin, m0 = in * span, m1 = out * span;
-  // Integral of the slope squared, (m0 + b t + c t^2)^2, by the coefficients of Hermite's cubic.
+  // This is the integral of the slope squared, (m0 + b t + c t^2)^2, by the coefficients of
+  // Hermite's cubic.
   const One b = all(2) * (all(3) * step - all(2) * m0 - m1), c = all(3) * (m0 + m1 - all(2) * step);
   const One high = b * c * all(0.5) + c * c * all(0.2);
   const One squares = m0 * m0 + (m0 * b + ((b * b + all(2) * m0 * c) * all(1.0 / 3) + high));
@@ -52,7 +53,7 @@ void boundAll(const double* height, const double* slopeIn, const double* slopeOu
   std::size_t k = 0;
   for (; k + kLanes <= count; k += kLanes) bound(height, slopeIn, slopeOut, length, k, to);
   if (k == count) return;
-  // Those left over, padded.
+  // The remaining ones are padded.
   double heights[kLanes + 1] = {}, in[kLanes] = {}, out[kLanes] = {};
   std::copy(height + k, height + count + 1, heights);
   std::copy(slopeIn + k, slopeIn + count, in);
@@ -61,7 +62,7 @@ void boundAll(const double* height, const double* slopeIn, const double* slopeOu
         {lowest + k, highest + k, steepest + k, heightIntegral + k, slopeSquared + k});
 }
 
-/// Numbers 4 k + i of a row as vectors of neighbouring k, one for each i.
+/// Numbers 4 k + i of a row as vectors of consecutive k, one vector for each i.
 struct Fours {
   One a, b, c, d;
 
@@ -80,8 +81,8 @@ constexpr auto kLeast = [](One x, One y) { return min(x, y); };
 constexpr auto kMost = [](One x, One y) { return max(x, y); };
 constexpr auto kSum = [](One x, One y) { return x + y; };
 
-/// take(k, row) for every vector of fours of a row of `count` of them, `more` numbers behind each
-/// four being read too; those left over are padded, in the row and where `take` stores them.
+/// Calls take(k, row) for every vector of fours of a row of `count` fours; `more` numbers after
+/// each four are read, too. The remaining ones are padded, in the row and where `take` stores them.
 template <std::size_t kMore, class Take>
 HWY_INLINE void forFours(const double* row, std::size_t count, const Take& take) {
   std::size_t k = 0;

@@ -10,7 +10,7 @@
 
 namespace asperity {
 
-/// What a pass needs to know of a whole segment to decide without looking inside.
+/// The properties of a whole segment with which a pass can treat it without examining its inside.
 struct SegmentBounds {
   double lowest, highest;  // m, bounds of the height
   double steepest;         // upper bound of dz/ds: pressure is lowest there
@@ -18,18 +18,18 @@ struct SegmentBounds {
   double slopeSquared;     // m, integral of (dz/ds)^2
 };
 
-/// Blocks of one size along the line, one array for each quantity, so that neighbouring blocks are
-/// compared in one vector. Each array has kPadding numbers more than there are blocks, which may be
+/// Blocks of one size along the line, with one array for each quantity, so that adjacent blocks are
+/// compared in one vector. Each array has kPadding more numbers than there are blocks, which may be
 /// read but not used.
 class BlockLevel {
  public:
   static constexpr std::size_t kPadding = 8;
 
-  std::vector<double> lowest;                                           // all there is for nodal
+  std::vector<double> lowest;                                           // the only array for nodal
   std::vector<double> highest, steepest, heightIntegral, slopeSquared;  // as in SegmentBounds
 
   std::size_t size() const { return lowest.empty() ? 0 : lowest.size() - kPadding; }
-  /// Returns false where `stop` was requested: fresh memory of long lines takes milliseconds.
+  /// Returns false where `stop` was requested: new memory for long lines takes milliseconds.
   bool resize(std::size_t blocks, const std::stop_token& stop = {}) {
     for (std::vector<double>* values : all()) {
       if (stop.stop_requested()) return false;
@@ -54,24 +54,25 @@ class BlockLevel {
   }
 };
 
-/// Segment k has the heights height[k] and height[k + 1] (m) at its ends and the slopes slopeIn[k]
-/// and slopeOut[k] there; it becomes block k of `blocks`, which has as many. length: m, of each.
-/// Bounds by control points (a cubic lies within theirs), integrals exactly.
+/// Bounds segments. Segment k has the heights height[k] and height[k + 1] (m) at its ends and the
+/// slopes slopeIn[k] and slopeOut[k] there; it becomes block k of `blocks`, which has the same
+/// number. length: m, of each. Bounds come from control points (a cubic lies within theirs),
+/// integrals are exact.
 void boundSegments(const double* height, const double* slopeIn, const double* slopeOut,
                    std::size_t count, double length, BlockLevel& blocks);
 
-/// The same of one segment; height: at its two ends.
+/// Bounds one segment; height: at its two ends.
 SegmentBounds boundSegment(const double* height, double slopeIn, double slopeOut, double length);
 
-/// Blocks of four straight segments each, as far as whole ones go: of the heights at all ends and
+/// Bounds blocks of four straight segments each, for whole blocks: from the heights at all ends and
 /// the slope of each.
 void boundStraightFours(const double* height, const double* slope, std::size_t count, double length,
                         BlockLevel& blocks);
 
-/// Blocks of four of a finer level's each, as far as whole ones go.
+/// Merges four blocks of a finer level into one, for whole groups.
 void mergeFours(const BlockLevel& finer, BlockLevel& blocks);
 
-/// The place of the first of the lowest of some values, of which there is at least one.
+/// Returns the index of the first of the lowest of some values; there is at least one.
 std::size_t placeOfLowest(std::span<const double> values);
 
 }  // namespace asperity

@@ -11,14 +11,14 @@
 namespace asperity {
 namespace {
 
-// Nodes in a step. A shorter way leaves only rounding of the differences of heights; over it no
-// slope changes.
+// Minimum distance in nodes that counts as a movement in a step. Over a shorter one the differences
+// of heights are rounding errors, and no slope changes.
 constexpr double kLeastMove = 1e-6;
 
-/// Of the terms of a balance: what is less beside them is rounding.
+/// Relative to the terms of a balance: smaller values are rounding errors.
 constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Pa, of p/4: what is less than this beside pressures p (N/m) is rounding of their balance.
+/// Returns the rounding error of p/4 in Pa beside pressures p (N/m) in their balance.
 double pressureRounding(std::span<const double> pressure) {
   return pressure.empty() ? 0 : 0.25 * kRounding * std::ranges::max(pressure);
 }
@@ -41,7 +41,8 @@ TimeMarch::TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw
   placeLine();
 }
 
-/// Of the compliance at rest, or without a rest of the amplitude that flows, each has its part.
+/// Sets the state. Each amplitude gets its part of the compliance at rest or, without a rest state,
+/// of the amplitude that flows.
 void TimeMarch::setState(std::span<const double> depth, double indentation) {
   std::copy(depth.begin(), depth.end(), depth_.begin());
   indentation_ = indentation;
@@ -100,7 +101,8 @@ void TimeMarch::setDistance(double distance) {
   placeLine();
 }
 
-/// The line's place is held in nodes and a part of one: sums of steps do not drift off the nodes.
+/// Moves the line. Its place is stored as a node and a fraction, so that sums of steps do not drift
+/// off the nodes.
 void TimeMarch::moveLine(double distance) {
   distance_ += distance;
   const double moved = std::fmod(distance, line_->length) / line_->spacing - ahead_;
@@ -114,11 +116,11 @@ void TimeMarch::setPressure(std::span<const double> pressure) {
   std::copy(pressure.begin(), pressure.end(), pressure_.begin());
 }
 
-/// The line over the elements: on nodes exactly, between them by its cubics.
+/// Puts the line over the elements: on nodes exactly, between them by its cubics.
 void TimeMarch::placeLine() {
   const std::size_t count = line_->nodes();
   const double h = line_->spacing;
-  const double t = ahead_;  // of the segment after node i - passedNodes_
+  const double t = ahead_;  // in the segment after node i - passedNodes_
   const auto size = static_cast<std::ptrdiff_t>(count);
   std::size_t from = static_cast<std::size_t>((size - passedNodes_) % size);
   const HermiteWeights weights = hermiteWeights(t, h);
@@ -134,11 +136,11 @@ void TimeMarch::placeLine() {
   }
 }
 
-/// The climb to the first threshold and further with sum max(0, further - threshold_i) = load (m);
-/// thresholds are counted from the first one on, for a load may press by far less than the line has
-/// to climb. Newton's method on a convex, piecewise linear function: from the first step on it
-/// comes from the right and only falls, until the set of touched elements repeats; a step that does
-/// not fall any more is rounding.
+/// Returns the climb to the first threshold and further with sum max(0, further - threshold_i) =
+/// load (m). Thresholds are counted from the first one on, because a load may press by far less
+/// than the climb. Newton's method on a convex, piecewise linear function: after the first step it
+/// approaches from the right and only falls, until the set of touched elements repeats; a step that
+/// does not fall is rounding.
 TimeMarch::Climb TimeMarch::balance(double load) {
   const double lowest = *std::min_element(threshold_.begin(), threshold_.end());
   for (double& threshold : threshold_) threshold -= lowest;
@@ -172,7 +174,7 @@ void TimeMarch::prepareSteps(double dt) {
     creep.before = hasDashpot ? 0 : flow * (decay.driven[0] - decay.driven[1]);
     creep.after = flow * (hasDashpot ? decay.driven[0] : decay.driven[1]);
     creep.stiffness = modes_.rate[j] / modes_.fluidity[j];
-    const double whole = z > 0 ? -0.5 * std::expm1(-2 * z) / z : 1;  // of a p that stays
+    const double whole = z > 0 ? -0.5 * std::expm1(-2 * z) / z : 1;  // for a constant p
     const LossForm form = hasDashpot ? LossForm{} : lossForm(z);
     creep.loss = {flow * whole, 0, 0};
     if (!hasDashpot) creep.loss[1] = flow * (z > 0 ? form.ed[0] / z : 1);
@@ -181,10 +183,9 @@ void TimeMarch::prepareSteps(double dt) {
   }
 }
 
-/// Depths at the end of the step where nothing touches, and how far the line has to climb from
-/// where it is to reach them. With a dashpot a short step presses elements by far less than they
-/// are deep, so all is counted from the step's begin: a touched element has no gap, to the last
-/// bit.
+/// Computes the depths at the end of the step if nothing touches, and the climb of the line to
+/// reach them. With a dashpot a short step presses elements by far less than their depth, so
+/// everything is counted from the step's beginning: a touched element has exactly no gap.
 void TimeMarch::creepFreely() {
   const std::size_t count = depth_.size();
   const bool hasDashpot = modes_.glassyCompliance == 0;
@@ -209,12 +210,12 @@ void TimeMarch::creepFreely() {
   }
 }
 
-/// Presses the touched elements to the new indentation and sums up.
+/// Presses the touched elements to the new indentation and computes the sums.
 template <bool HasDashpot>
 MarchStep TimeMarch::finishStep(const Climb& climb) {
   const std::size_t count = depth_.size();
   const double before = before_;
-  const double h = 4 * line_->spacing;  // p is 4 times what the amplitudes are driven by
+  const double h = 4 * line_->spacing;  // p is 4 times the load of the amplitudes
   double load = 0, work = 0, stored = 0, dissipated = 0, advance = 0, closing = 0;
   std::size_t touching = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -229,7 +230,7 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
     if (!HasDashpot) stored += 0.5 * modes_.glassyCompliance * (now - last) * (now + last);
     touching += pushed > 0 ? 1 : 0;
     depth_[i] = end;
-    threshold_[i] = last;  // from here on: the pressure before
+    threshold_[i] = last;  // from here on it is the previous pressure
     pressure_[i] = 4 * now;
   }
   for (std::size_t j = 0; j < creep_.size(); ++j) {
@@ -241,7 +242,7 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
       double driven = creep.after * now;
       if constexpr (!HasDashpot) driven += creep.before * threshold_[i];
       const double change = driven - creep.forgotten * start;
-      // What has settled stays, to the last bit, and what is forgotten leaves no rounding.
+      // A settled amplitude stays exactly the same, and a forgotten one leaves no rounding error.
       const double end = isSlow ? start + change : creep.kept * start + driven;
       if constexpr (HasDashpot) work += now * change;
       stored += 0.5 * creep.stiffness * change * (end + start);
@@ -257,8 +258,8 @@ MarchStep TimeMarch::finishStep(const Climb& climb) {
   MarchStep result;
   result.indentation = indentation_;
   result.normalForce = h * load;
-  // Under a p that is linear in time the depths between begin and end are known by their
-  // amplitudes alone: what these store and dissipate is the work, to the last digit.
+  // Under a p that is linear in time the amplitudes determine the depths between beginning and end:
+  // their stored and dissipated energy is exactly the work.
   result.work = h * (HasDashpot ? work : stored + dissipated);
   result.stored = h * stored;
   result.dissipated = h * dissipated;
@@ -275,7 +276,7 @@ void TimeMarch::countContacts(MarchStep& step) const {
     step.contacts += pressure > 0 && !last ? 1 : 0;
     last = pressure > 0;
   }
-  if (step.contacts == 0 && last) step.contacts = 1;  // all around
+  if (step.contacts == 0 && last) step.contacts = 1;  // contact all around
 }
 
 double TimeMarch::slopeForce() const {
@@ -306,7 +307,7 @@ MarchStep TimeMarch::step(const MarchLoad& load, double dt, double distance) {
   return result;
 }
 
-// ---- What a march notes of its elements where a picture asks for it
+// ---- Records of the elements for pictures that need them
 
 void TimeMarch::record(MarchRecords wanted) {
   const std::size_t count = depth_.size();
@@ -360,7 +361,7 @@ void TimeMarch::recordStep(double dt) {
   if (records_.power) recordPower(dt);
 }
 
-/// Element by element what finishStep sums up as MarchStep::dissipated and gapWork.
+/// Computes for each element what finishStep sums as MarchStep::dissipated and gapWork.
 void TimeMarch::recordPower(double dt) {
   const std::size_t count = depth_.size();
   const bool hasDashpot = modes_.glassyCompliance == 0;

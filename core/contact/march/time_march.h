@@ -1,16 +1,17 @@
-// The march in time: elements of any linear rheology at equal distances under a line that moves as
-// it likes, also through rest, the rate of the indentation included, the force balance solved
+// The march in time: elements of any linear rheology at equal distances under a line with any
+// motion, also through rest, including the rate of the indentation, with the force balance solved
 // exactly in every step.
 //
-// An element is held by its creeping amplitudes (core/contact/arms/retardation.h), which know
-// nothing of each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements with a
-// dashpot of their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step; their p
-// jumps where the line meets them. Elements without one are loaded by a p that is linear in time.
-// Either way y_new = max(y_free, d_new - z), p >= 0 by construction, and F_N(d_new) is piecewise
-// linear and is solved exactly. With dt = dx / v friction converges at second order in dx; v dt
-// beyond about twice the way slid in a relaxation time cannot resolve it.
+// The state of an element is its creep amplitudes (core/contact/arms/retardation.h), which are
+// independent of each other: y = J p/4 + sum a_j, a_j' = -rate_j a_j + fluidity_j p/4. Elements
+// with a dashpot of their own (Kelvin: one amplitude, J = 0) are loaded by a constant p in a step;
+// their p jumps where the line meets them. Elements without one are loaded by a p that is linear in
+// time. Either way y_new = max(y_free, d_new - z), p >= 0 by construction, and F_N(d_new) is
+// piecewise linear and is solved exactly. With dt = dx / v friction converges at second order in
+// dx; steps v dt longer than about twice the sliding distance in a relaxation time cannot resolve
+// it.
 //
-// Ownership: holds its line, its law and its state. Threading: one thread at a time.
+// Ownership: owns its line, its law and its state. Threading: one thread at a time.
 #pragma once
 
 #include <array>
@@ -26,104 +27,106 @@
 
 namespace asperity {
 
-/// What is held constant in a step.
+/// The quantity that is constant in a step.
 struct MarchLoad {
   LoadKind kind = LoadKind::Force;
   double normalForce = 0;  // N, for LoadKind::Force
   double depth = 0;        // m, for LoadKind::Indentation
 };
 
-/// What happened in one step, over one period.
+/// The result of one step, over one period.
 struct MarchStep {
   double indentation = 0;    // m, at its end, from the lowest point of the line
   double normalForce = 0;    // N; constant in the step, or at its end without a dashpot
   double work = 0;           // J, done on the elements: integral of p du
-  double dissipated = 0;     // J, in the dashpots, each by itself: never below 0
-  double stored = 0;         // J, gained by the springs
-  double slidingWork = 0;    // J, work less what the normal force did by sinking; in steady sliding
+  double dissipated = 0;     // J, in the dashpots, each computed separately: never below 0
+  double stored = 0;         // J, increase in the springs
+  double slidingWork = 0;    // J, work minus that of the normal force by sinking; in steady sliding
                              // all of it is dissipated, at any resolution
   double lineWork = 0;       // J, pressure times the line's own advance: F_x times distance. Second
                              // order in dx everywhere; slidingWork is first order where elements
                              // enter, because p acts on them before the line has reached them
-  double gapWork = 0;        // J, that difference: pressure times the gap it closed in the step
+  double gapWork = 0;        // J, their difference: pressure times the gap closed in the step
   double slopeForce = 0;     // N, integral of p dz/dx, which is -F_x: the slopes are means over the
-                             // way of the step (lineWork over distance), at rest those of the place
+                             // distance of the step (lineWork over distance), at rest local slopes
   double contactLength = 0;  // m
   std::size_t contacts = 0;  // stretches in contact
 };
 
-/// What a march notes of each element besides, at a cost of its own.
+/// Optional records of each element, which cost extra time.
 struct MarchRecords {
   bool sinceContact = false, power = false;
 };
 
 class TimeMarch {
  public:
-  /// One element at each node of the line; lowest: height of its lowest point (m).
+  /// Makes one element at each node of the line; lowest: height of its lowest point (m).
   TimeMarch(std::shared_ptr<const Line> line, double lowest, ElementLaw law);
 
-  /// Depths y = -u >= 0 (m) of all elements, and the indentation they belong to. What they
-  /// remember is as if they had crept there under a constant pressure.
+  /// Sets depths y = -u >= 0 (m) of all elements, and the indentation. Their amplitudes are those
+  /// after creep to this depth under a constant pressure.
   void setState(std::span<const double> depth, double indentation);
 
-  /// The same with the pressures p (N/m) and, of elements with arms, the amplitudes a_j (m),
+  /// Sets also the pressures p (N/m) and, for elements with arms, the amplitudes a_j (m),
   /// [node][mode].
   void setState(std::span<const double> depth, std::span<const double> pressure,
                 std::span<const double> amplitudes, double indentation);
 
-  /// Goes on from another's state: its amplitudes where there are as many.
+  /// Continues from another march's state, with its amplitudes where their number agrees.
   void goOnFrom(const TimeMarch& other);
 
-  /// Pressed by the load at rest, everything relaxed: F_N = 4 G dx sum y.
+  /// Sets the state under the load at rest with everything relaxed: F_N = 4 G dx sum y.
   void settleAtRest(const MarchLoad& load);
 
-  /// The line's place (m slid so far), and pressures (N/m) to show before the first step.
+  /// Sets the line's place (m slid so far), and pressures (N/m) to show before the first step.
   void setDistance(double distance);
   void setPressure(std::span<const double> pressure);
 
   /// Moves the line by `distance` (m, either sign) in the time dt (s, > 0).
   MarchStep step(const MarchLoad& load, double dt, double distance);
 
-  /// Notes these from now on. Elements that are free now count as never in contact.
+  /// Starts these records. Elements that are free now count as never in contact.
   void record(MarchRecords wanted);
-  /// What is known of the time before.
+  /// Sets the times since contact from a known earlier motion.
   void setSinceContact(std::span<const double> seconds);
-  /// s since each element was in contact, 0 in contact, infinite where it never was; empty where
-  /// not recorded.
+  /// Returns the time since each element was in contact, s: 0 in contact, infinite where it never
+  /// was; empty where not recorded.
   const std::vector<double>& sinceContact() const { return sinceContact_; }
-  /// W/m, dissipated in each element: mean over the last step, of which the sum is
-  /// (MarchStep::dissipated + gapWork) / dt, or before the first one what its state says
-  /// (dissipatedPower); 0 where what is left to creep is rounding. An element that the line meets
-  /// within the step takes the work done on its way over the gap, too: so the sum balances lineWork
-  /// and is of second order in dx as well. Empty where not recorded.
+  /// Returns the power dissipated in each element, W/m: the mean over the last step, with the sum
+  /// (MarchStep::dissipated + gapWork) / dt, or before the first step that of its state
+  /// (dissipatedPower); 0 where the remaining creep is a rounding error. An element that the line
+  /// meets within the step also gets the work done over the gap: so the sum balances lineWork and
+  /// is of second order in dx as well. Empty where not recorded.
   const std::vector<double>& power() const { return power_; }
-  /// dz/dx of the line over each element, from its cubics; under a corner the mean of both sides.
+  /// Returns dz/dx of the line over each element, from its cubics; at a corner the mean of both
+  /// sides.
   std::vector<double> lineSlope() const;
-  /// N, integral of p dz/dx with the slopes of the line where it is: -F_x, at rest too.
+  /// Returns the integral of p dz/dx with the slopes of the line at its present place, N: -F_x,
+  /// also at rest.
   double slopeForce() const;
 
   double distance() const { return distance_; }                      // m, slid so far
   double indentation() const { return indentation_; }                // m
   const std::vector<double>& depth() const { return depth_; }        // m, y at x_i = i spacing
   const std::vector<double>& pressure() const { return pressure_; }  // N/m
-  /// m, of the line over each element, above its lowest point.
+  /// Returns the height of the line over each element above its lowest point, m.
   const std::vector<double>& heightAboveMinimum() const { return height_; }
-  /// m, a_j, [mode][element]
+  /// Returns the amplitudes a_j, m, [mode][element].
   const std::vector<double>& amplitudes() const { return amplitude_; }
   const Line& line() const { return *line_; }
   const ElementLaw& law() const { return law_; }
   const RetardationModes& modes() const { return modes_; }
 
  private:
-  /// What a step of dt does to an amplitude.
+  /// The effect of a step dt on an amplitude.
   struct Creep {
-    double kept;       // of the amplitude
+    double kept;       // factor of the amplitude
     double forgotten;  // 1 - kept
-    double before;     // m / Pa, of p/4 at the step's begin
-    double after;      // m / Pa, of p/4 at its end, or throughout
+    double before;     // m / Pa, effect of p/4 at the step's beginning
+    double after;      // m / Pa, effect of p/4 at its end, or throughout
     double stiffness;  // Pa, of its spring; 0 for one that only flows
-    /// m / Pa: its dashpot takes x (loss[0] x + loss[1] more) + loss[2] more^2 under a p/4 that is
-    /// by x above what its spring holds (Pa) and grows by `more` in the step.
+    /// m / Pa: its dashpot dissipates x (loss[0] x + loss[1] more) + loss[2] more^2 under a p/4
+    /// that is x above what its spring holds (Pa) and grows by `more` in the step.
     std::array<double, 3> loss;
 
     double taken(double x, double more) const {
@@ -131,7 +134,7 @@ class TimeMarch {
     }
   };
 
-  /// m, of the line in a step.
+  /// Movement of the line in a step, m.
   struct Climb {
     double toTouch, further;
     double whole() const { return toTouch + further; }
@@ -154,34 +157,35 @@ class TimeMarch {
   ElementLaw law_;
   RetardationModes modes_;
   double distance_ = 0, indentation_ = 0;
-  double before_ = 0;               // m, indentation at the step's begin
-  std::ptrdiff_t passedNodes_ = 0;  // by which the line has moved, of one period
-  double ahead_ = 0;                // less this part of a node
+  double before_ = 0;  // m, indentation at the step's beginning
+  // number of nodes by which the line has moved, within one period
+  std::ptrdiff_t passedNodes_ = 0;
+  double ahead_ = 0;  // minus this part of a node
   std::vector<double> depth_, pressure_, height_;
   std::vector<double> amplitude_;   // m, [mode][element]
   std::vector<double> lastHeight_;  // m, before the step
   std::vector<double> free_;        // m, depths at the end of the step if nothing touches
-  std::vector<double> threshold_;   // m, climb of the line at which each element is touched
+  std::vector<double> threshold_;   // m, climb of the line at which it touches each element
   std::vector<Creep> creep_;
   MarchRecords records_;
   std::vector<double> sinceContact_, power_;
   std::vector<double> beginDepth_, beginPressure_, beginAmplitude_;  // of the step, for power
   double preparedFor_ = -1;                                          // s, dt of creep_
-  double compliance_ = 0;  // m / Pa, y over p/4 pressed on at the end of the step
+  double compliance_ = 0;  // m / Pa, y over a p/4 added at the end of the step
 };
 
-// ---- Where the power goes: what the dashpots of each element turn into heat. Pure; any thread.
+// ---- Power: the heat of the dashpots of each element. Pure; any thread.
 
-/// W/m, now, of elements under pressures p (N/m) with creeping amplitudes a_j (m), [mode][element]
-/// as TimeMarch holds them. Each amplitude is a spring and a dashpot side by side that follow
-/// a_j' = -rate_j a_j + fluidity_j p/4, so that the dashpots take 4 sum a_j'^2 / fluidity_j; of
+/// Returns the present power, W/m, of elements under pressures p (N/m) with creep amplitudes a_j
+/// (m), [mode][element] as in TimeMarch. Each amplitude is a spring and a dashpot in parallel with
+/// a_j' = -rate_j a_j + fluidity_j p/4, so that the dashpots take 4 sum a_j'^2 / fluidity_j; for
 /// Kelvin elements 4 eta u'^2, in contact or free. Its integral over a period of steady sliding is
-/// F_x v. Zeros for elastic elements, and where what is left to creep is rounding: at rest.
+/// F_x v. Zeros for elastic elements, and where the remaining creep is a rounding error: at rest.
 std::vector<double> dissipatedPower(const RetardationModes& modes, std::span<const double> pressure,
                                     std::span<const double> amplitudes);
 
-/// Adds to the power (W/m) of each element what local friction turns into heat where p (N/m) is
-/// above 0, at this velocity (m/s, either sign).
+/// Adds the heat of local friction to the power (W/m) of each element where p (N/m) is above 0, at
+/// this velocity (m/s, either sign).
 void addLocalFriction(std::span<double> power, std::span<const double> pressure,
                       const Interface& interface, double velocity);
 

@@ -1,4 +1,5 @@
 // What is said of a word that is not known.
+#include "core/base/message.h"
 #include "core/base/text.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ TEST(KnownWords, NamesTheNearestAndListsAll) {
   EXPECT_EQ(nearestOf("", {}), "");
   EXPECT_EQ(nearestOf("", kThemes), "");
   EXPECT_EQ(nearestOf("foo", kThemes), "");
-  EXPECT_EQ(notOneOf("pink", kThemes), "pink is not one of light, dark, print");
+  EXPECT_EQ(notOneOf("pink", kThemes).english(), "pink is not one of light, dark, print");
 }
 
 TEST(KnownWords, ALongWordIsCutBetweenLetters) {

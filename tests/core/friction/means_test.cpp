@@ -91,11 +91,11 @@ TEST(CompleteContact, IsReachedWithoutAJump) {
     Scene scene = sceneOfSize(1000, 1, 1);
     scene.surface.hurst = hurst;
     const Line line = LineSource(scene, 2).make(0);
-    const PreparedProfile travel = prepareProfile(line, Scheme::Cubic);
-    const double above = completeAbove(travel, 1e-6);
+    const PreparedProfile profile = prepareProfile(line, Scheme::Cubic);
+    const double above = completeAbove(profile, 1e-6);
     const SlidingConditions conditions{1e7, 1e-3, 1e-3};
-    const double open = slideAtDepth(travel, conditions, above * (1 - 1e-7)).tangentialForce;
-    const double closed = slideAtDepth(travel, conditions, above * (1 + 1e-7)).tangentialForce;
+    const double open = slideAtDepth(profile, conditions, above * (1 - 1e-7)).tangentialForce;
+    const double closed = slideAtDepth(profile, conditions, above * (1 + 1e-7)).tangentialForce;
     const double spectral = 4 * 1e7 * 1e-3 * 1e-3 * line.length * line.rmsSlope * line.rmsSlope;
     EXPECT_NEAR(closed / open, 1, 1e-6);
     EXPECT_GT(std::abs(spectral / open - 1), 1e-3);

@@ -125,7 +125,7 @@ TEST(Power, OfAMarchAddsUpToWhatItsStepsDissipate) {
     const RigidLine rigid(scene);
     const SteadySolver sliding(scene);
     TimeMarch march =
-        steadyMarch(rigid, sliding, scene.sliding.velocity, sliding.at(rigid.travel, 0.2));
+        steadyMarch(rigid, sliding, scene.sliding.velocity, sliding.at(rigid.prepared, 0.2));
     march.record({false, true});
     const double spacing = rigid.line->spacing;
     for (int i = 0; i < 50; ++i) {

@@ -241,7 +241,7 @@ TEST(Transient, StaysInTheSteadyStateOfEveryRheology) {
       scene.sliding.duration = 2 * scene.surface.length / scene.sliding.velocity;
       const SteadySolver sliding(scene);
       const RigidLine rigid(scene);
-      const SteadyResult steady = sliding.at(rigid.travel, 0.5).result;
+      const SteadyResult steady = sliding.at(rigid.prepared, 0.5).result;
       // The second period.
       Transient transient(scene, std::make_shared<RigidLine>(scene), 1);
       transient.marchTo(0.5 * scene.sliding.duration);
@@ -278,7 +278,7 @@ TEST(Transient, BeginsInStaticEquilibriumAndReachesTheSteadyState) {
     transient.marchTo(0.2);
     const double mu = transient.marchTo(0.3).mu;
     const double steady =
-        SteadySolver(scene).at(RigidLine(scene).travel, scene.sliding.velocity).result.mu;
+        SteadySolver(scene).at(RigidLine(scene).prepared, scene.sliding.velocity).result.mu;
     EXPECT_NEAR(mu, steady, 0.03 * steady + 1e-6) << name;
   }
 }

@@ -155,8 +155,8 @@ TEST_F(MaterialScene, EveryShippedMaterialMakesAScene) {
 TEST_F(MaterialScene, ProvenanceNamesTheContent) {
   const auto root = provenance("curve", read(kNamed));
   ASSERT_EQ(root["files"].size(), 1U);
-  EXPECT_EQ(root["files"][0]["key"], "elastomer.material");
-  EXPECT_EQ(root["files"][0]["sha256"], sha256(kMaterial));
+  EXPECT_EQ(root["files"]["elastomer.material"]["name"], "rubber.json");
+  EXPECT_EQ(root["files"]["elastomer.material"]["sha256"], sha256(kMaterial));
   EXPECT_FALSE(provenance("curve", read("{}")).contains("files"));
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "core/base/input_error.h"
-#include "core/scene/parameter_table.h"
+#include "core/scene/parameter_help.h"
 
 namespace asperity {
 namespace {

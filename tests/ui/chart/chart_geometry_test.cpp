@@ -80,7 +80,7 @@ TEST(ChartGeometryTest, TheWheelZoomsTheAxesItIsOver) {
 
 TEST(ChartGeometryTest, ZoomKeepsThePlaceUnderThePointer) {
   const QPointF place = at(0.3, 2e-3);
-  const ChartWindow window = zoomed(kMap, place, 0.5, {true, true});
+  const VisibleRange window = zoomed(kMap, place, 0.5, {true, true});
   const ChartGeometry next{kMap.area, window.x, window.y};
   EXPECT_NEAR(next.xOf(0.3), place.x(), 1e-9);
   EXPECT_NEAR(next.yOf(2e-3), place.y(), 1e-9);
@@ -90,18 +90,18 @@ TEST(ChartGeometryTest, ZoomKeepsThePlaceUnderThePointer) {
 }
 
 TEST(ChartGeometryTest, PanningMovesWithThePointer) {
-  const ChartWindow window = panned(kMap, {100, 100});
+  const VisibleRange window = panned(kMap, {100, 100});
   const ChartGeometry next{kMap.area, window.x, window.y};
   EXPECT_NEAR(next.xOf(1), kMap.xOf(1) + 100, 1e-9);
   EXPECT_NEAR(next.yOf(1e-2), kMap.yOf(1e-2) + 100, 1e-9);
 }
 
 TEST(ChartGeometryTest, AWindowIsHeldWhereThereIsSomethingToShow) {
-  const ChartWindow whole{{-3, 3}, {-4, -1}};
+  const VisibleRange whole{{-3, 3}, {-4, -1}};
   EXPECT_EQ(heldWithin(whole, whole), whole);
-  const ChartWindow inside{{-1, 1}, {-3, -2}};
+  const VisibleRange inside{{-1, 1}, {-3, -2}};
   EXPECT_EQ(heldWithin(inside, whole), inside);
-  const ChartWindow far = heldWithin({{100, 102}, {-200, -190}}, whole);
+  const VisibleRange far = heldWithin({{100, 102}, {-200, -190}}, whole);
   EXPECT_NEAR(far.x.from, 2, 1e-12) << "half of it beyond the end";
   EXPECT_NEAR(far.x.size(), 2, 1e-12);
   EXPECT_NEAR(far.y.to, -1, 1e-12) << "wider than all: all of it is seen";

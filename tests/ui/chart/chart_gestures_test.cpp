@@ -126,9 +126,9 @@ TEST_F(ChartGestures, TheAxisStandsStillWhileTheMarkerIsDragged) {
   Diagram& diagram = sheet.diagrams[0];
   diagram.x.to = 10;
   view_->setSheet(sheet);
-  EXPECT_EQ(view_->window().x, (AxisRange{-3, 3}));
+  EXPECT_EQ(view_->visibleRange().x, (AxisRange{-3, 3}));
   QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, from - QPoint(60, 0));
-  EXPECT_EQ(view_->window().x, (AxisRange{-3, 1}));
+  EXPECT_EQ(view_->visibleRange().x, (AxisRange{-3, 1}));
 }
 
 TEST_F(ChartGestures, AMotionsMarkerIsNotDragged) {
@@ -261,36 +261,36 @@ TEST_F(ChartGestures, PanningNeverEndsInEmptiness) {
       view_->fit();
       if (factor != 1)
         view_->setZoom(
-            ChartWindow{{-3 * factor, 3 * factor}, {-2.7 - 2 * factor, -2.7 + 2 * factor}});
+            VisibleRange{{-3 * factor, 3 * factor}, {-2.7 - 2 * factor, -2.7 + 2 * factor}});
       for (int i = 0; i < 6; ++i) {
         const QPoint from = view_->rect().center() + QPoint(60, 20);
         drag(from, from + way);
       }
-      EXPECT_TRUE(showsCurves(view_->window(), view_->sheet().diagrams[0]))
+      EXPECT_TRUE(showsCurves(view_->visibleRange(), view_->sheet().diagrams[0]))
           << factor << ' ' << way.x() << ' ' << way.y();
     }
 }
 
 TEST_F(ChartGestures, AZoomedViewGoesWithTheRangesOfAnotherCurve) {
-  view_->setZoom(ChartWindow{{-3, -2}, {-4, -3}});
+  view_->setZoom(VisibleRange{{-3, -2}, {-4, -3}});
   DiagramSheet sheet = sampleSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.x.from = 1e5;
   diagram.x.to = 1e9;
   view_->setSheet(sheet);
-  EXPECT_NEAR(view_->window().x.from, 4.5, 1e-9);
+  EXPECT_NEAR(view_->visibleRange().x.from, 4.5, 1e-9);
 }
 
 TEST_F(ChartGestures, AZoomedViewStaysWhileTheCurveIsRefined) {
   view_->zoom(0.5);
-  const ChartWindow window = view_->window();
+  const VisibleRange window = view_->visibleRange();
   DiagramSheet sheet = sampleSheet();
   Diagram& diagram = sheet.diagrams[0];
   diagram.y.from = 1e-5;
   view_->setSheet(sheet);
-  EXPECT_EQ(view_->window(), window);
+  EXPECT_EQ(view_->visibleRange(), window);
   QTest::keyClick(view_.get(), Qt::Key_Home);
-  EXPECT_EQ(view_->window().y, (AxisRange{-5, 0}));
+  EXPECT_EQ(view_->visibleRange().y, (AxisRange{-5, 0}));
 }
 
 TEST_F(ChartGestures, ClickingItsEntryUnpinsACurve) {

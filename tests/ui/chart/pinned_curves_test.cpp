@@ -6,7 +6,7 @@
 
 #include "core/friction/ensemble.h"
 #include "tests/core/small_scene.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 
 namespace asperity {
 namespace {
@@ -45,7 +45,7 @@ class PinnedCurves : public testing::Test {
     return scene;
   }
 
-  FrictionChart diagram_;
+  FrictionChartModel diagram_;
 };
 
 TEST_F(PinnedCurves, StayWhileTheSceneChanges) {
@@ -229,7 +229,7 @@ TEST_F(PinnedCurves, WhatIsShownCanBeWritten) {
   show(smallScene());
   diagram_.pin();
   show(stiff());
-  const CurveSet set = *diagram_.shown(ChartWindow{{-3, 2}, {-5, -1}});
+  const CurveSet set = *diagram_.shown(VisibleRange{{-3, 2}, {-5, -1}});
   EXPECT_EQ(set.present.scene, stiff());
   ASSERT_EQ(set.pinned.size(), 1U);
   EXPECT_EQ(set.pinned[0].name.english(), "G = 10 MPa");

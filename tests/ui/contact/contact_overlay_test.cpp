@@ -30,13 +30,13 @@ TEST(Overlay, MapsAreOrderedByLightness) {
 
 TEST(Overlay, ScalesAreLinearButForPower) {
   const ColourScale pressure{ContactOverlay::Pressure, 200}, power{ContactOverlay::Power, 5};
-  EXPECT_FLOAT_EQ(pressure.share(50), 0.25F);
-  EXPECT_FLOAT_EQ(pressure.share(1000), 1);
-  EXPECT_FLOAT_EQ(power.share(5), 1);
-  EXPECT_FLOAT_EQ(power.share(5e-3), 0);
-  EXPECT_NEAR(power.share(0.05), 1.0 / 3, 1e-6);
-  EXPECT_EQ(power.share(0), 0);
-  EXPECT_EQ(pressure.share(NAN), 0);
+  EXPECT_FLOAT_EQ(pressure.position(50), 0.25F);
+  EXPECT_FLOAT_EQ(pressure.position(1000), 1);
+  EXPECT_FLOAT_EQ(power.position(5), 1);
+  EXPECT_FLOAT_EQ(power.position(5e-3), 0);
+  EXPECT_NEAR(power.position(0.05), 1.0 / 3, 1e-6);
+  EXPECT_EQ(power.position(0), 0);
+  EXPECT_EQ(pressure.position(NAN), 0);
 }
 
 /// Each tick stands where its value's colour is.
@@ -44,11 +44,12 @@ TEST(Overlay, LegendSpansTheBar) {
   for (const ContactOverlay overlay :
        {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
     const ColourScale scale{overlay, 4e-3};
-    const std::vector<LegendTick> ticks = scale.ticks(6);
+    const std::vector<ColourTick> ticks = scale.ticks(6);
     ASSERT_GE(ticks.size(), 3U);
-    EXPECT_EQ(ticks.front().share, 0);
-    EXPECT_EQ(ticks.back().share, 1);
-    for (std::size_t i = 1; i < ticks.size(); ++i) EXPECT_GT(ticks[i].share, ticks[i - 1].share);
+    EXPECT_EQ(ticks.front().position, 0);
+    EXPECT_EQ(ticks.back().position, 1);
+    for (std::size_t i = 1; i < ticks.size(); ++i)
+      EXPECT_GT(ticks[i].position, ticks[i - 1].position);
   }
   EXPECT_EQ((ColourScale{ContactOverlay::Relaxation, 4e-3}).ticks(6).back().label, "4 ms");
 }
@@ -57,7 +58,7 @@ TEST(Overlay, LegendSpansTheBar) {
 TEST(Overlay, DecadesOfPowerAreLabelledInOneUnit) {
   const auto labels = [](double end) {
     std::string all;
-    for (const LegendTick& tick : (ColourScale{ContactOverlay::Power, end}).ticks(6))
+    for (const ColourTick& tick : (ColourScale{ContactOverlay::Power, end}).ticks(6))
       all += tick.label + "|";
     return all;
   };
@@ -116,26 +117,26 @@ TEST(Overlay, SaysWhyNothingIsColoured) {
 TEST(Overlay, ScaleFitsTheFrameAndKeepsStill) {
   Frame frame = *sampleFrame({});
   frame.power.assign(frame.pressure.size(), 0.7);
-  const double end = scaleEnd(frame, ContactOverlay::Power, 0);
+  const double end = scaleMaximum(frame, ContactOverlay::Power, 0);
   EXPECT_GE(end, 0.7);
   EXPECT_LE(end, 1.5);
   frame.power.assign(frame.pressure.size(), 0.6);
-  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Power, end), end);
+  EXPECT_EQ(scaleMaximum(frame, ContactOverlay::Power, end), end);
   frame.power.assign(frame.pressure.size(), 70);
-  EXPECT_GE(scaleEnd(frame, ContactOverlay::Power, end), 70);
+  EXPECT_GE(scaleMaximum(frame, ContactOverlay::Power, end), 70);
   frame.power.clear();
-  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Power, 0), 0);
+  EXPECT_EQ(scaleMaximum(frame, ContactOverlay::Power, 0), 0);
 }
 
 /// After a few relaxation times nothing is to be seen; infinite ages have no say.
 TEST(Overlay, AgesEndWithTheRelaxation) {
   Frame frame = *sampleFrame({});
   frame.sinceContact.assign(frame.pressure.size(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(scaleEnd(frame, ContactOverlay::Relaxation, 0), 0);
+  EXPECT_EQ(scaleMaximum(frame, ContactOverlay::Relaxation, 0), 0);
   frame.sinceContact[3] = 2e-3;
-  EXPECT_NEAR(scaleEnd(frame, ContactOverlay::Relaxation, 0), 2e-3, 1e-12);
+  EXPECT_NEAR(scaleMaximum(frame, ContactOverlay::Relaxation, 0), 2e-3, 1e-12);
   frame.sinceContact[4] = 1;
-  EXPECT_NEAR(scaleEnd(frame, ContactOverlay::Relaxation, 0),
+  EXPECT_NEAR(scaleMaximum(frame, ContactOverlay::Relaxation, 0),
               4 * frame.scene->elastomer.relaxationTime, 1e-12);
 }
 
@@ -147,7 +148,7 @@ TEST(Overlay, ThePressureScaleIsThatOfTheSteadyState) {
     for (const double drawn : {1e-3, 1.0, 100.0}) {
       Frame moving = frame;
       for (double& pressure : moving.pressure) pressure *= drawn;
-      EXPECT_EQ(scaleEnd(moving, ContactOverlay::Pressure, last), 200);
+      EXPECT_EQ(scaleMaximum(moving, ContactOverlay::Pressure, last), 200);
     }
 }
 
@@ -158,15 +159,15 @@ TEST(Overlay, NumbersOfTheBarAreShortAtAnySize) {
     for (int power = -40; power <= 40; ++power)
       for (const double digit : {1.0, 1.5, 2.5, 5.0}) {
         const double end = digit * std::pow(10.0, power);
-        const std::vector<LegendTick> ticks = (ColourScale{overlay, end}).ticks(6);
+        const std::vector<ColourTick> ticks = (ColourScale{overlay, end}).ticks(6);
         ASSERT_GE(ticks.size(), 2U) << end;
-        for (const LegendTick& tick : ticks)
+        for (const ColourTick& tick : ticks)
           EXPECT_LT(textWidth(tick.label, 12), 110) << tick.label;
         for (std::size_t i = 0; i + 1 < ticks.size(); ++i)
           EXPECT_LE(ticks[i].label.size(), 8U) << ticks[i].label << " of " << end;
       }
   std::string labels;
-  for (const LegendTick& tick : (ColourScale{ContactOverlay::Pressure, 5e-29}).ticks(6))
+  for (const ColourTick& tick : (ColourScale{ContactOverlay::Pressure, 5e-29}).ticks(6))
     labels += tick.label + "|";
   EXPECT_EQ(labels, "0|1|2|3|4|5\u00D710\u207B\u00B2\u2079 N/m|");
 }

@@ -10,7 +10,7 @@
 #include "core/run/simulation.h"
 #include "tests/ui/contact/sample_frame.h"
 #include "tests/ui/contact/tidy_texts.h"
-#include "ui/contact/contact_insets.h"
+#include "ui/contact/contact_parts.h"
 #include "ui/contact/contact_picture.h"
 
 namespace asperity {

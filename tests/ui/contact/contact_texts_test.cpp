@@ -455,15 +455,15 @@ TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
       options.scale = size.scale;
       const Clip plot = contactPlotArea(frame, options);
       const DrawList list = composeContact(frame, options);
-      int up = 0, along = 0, units = 0;
+      int onY = 0, onX = 0, units = 0;
       for (const DrawText& text : list.texts) {
         const bool isBeside = text.x < plot.x && text.anchor == TextAnchor::Right;
-        up += isBeside ? 1 : 0;
+        onY += isBeside ? 1 : 0;
         const float below = text.y - plot.y - plot.height;
-        along += text.anchor == TextAnchor::Centre && below > 0 && below < 2 * text.size &&
-                         text.angle == 0 && text.utf8.find('(') == std::string::npos
-                     ? 1
-                     : 0;
+        onX += text.anchor == TextAnchor::Centre && below > 0 && below < 2 * text.size &&
+                       text.angle == 0 && text.utf8.find('(') == std::string::npos
+                   ? 1
+                   : 0;
         for (const char* unit : {"(mm)", "(\u00B5m)", "(nm)", " mm", " \u00B5m", " nm"})
           units += text.utf8.ends_with(unit) && (text.x < plot.x + 1 || below > 0) ? 1 : 0;
       }
@@ -471,9 +471,9 @@ TEST(ContactTexts, BothAxesHaveTwoNumbersAndAUnit) {
                                 " depth " + std::to_string(1e6 * depth);
       // A frame that is lower than two numbers cannot have them.
       if (plot.height > 3 * list.texts.back().size) {
-        EXPECT_GE(up, 2) << where;
+        EXPECT_GE(onY, 2) << where;
       }
-      EXPECT_GE(along, 2) << where;
+      EXPECT_GE(onX, 2) << where;
       EXPECT_GE(units, 2) << where;
       expectTidy(list, where);
     }

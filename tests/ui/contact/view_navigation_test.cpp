@@ -17,11 +17,11 @@ ContactView viewOf(const ViewNavigation& navigation, double distance = 0) {
 }
 
 double positionAt(const ContactView& view, const ViewPlace& place) {
-  return view.left + place.along * view.width;
+  return view.left + place.x * view.width;
 }
 
 double heightAt(const ContactView& view, const ViewPlace& place) {
-  return view.bottom + place.up * (view.top - view.bottom);
+  return view.bottom + place.y * (view.top - view.bottom);
 }
 
 /// The difference of two positions on the periodic line.
@@ -77,7 +77,7 @@ TEST(ViewNavigation, ExaggerationAloneLeavesTheViewAlongAsItIs) {
   EXPECT_EQ(viewOf(steeper).left, viewOf(zoomed).left);
   EXPECT_EQ(viewOf(steeper).width, viewOf(zoomed).width);
   EXPECT_NEAR(viewOf(steeper).top - viewOf(steeper).bottom, 0.5e-6, 1e-12);
-  EXPECT_TRUE(steeper.withFittedHeights().isFittedUp());
+  EXPECT_TRUE(steeper.withFittedHeights().hasFittedHeights());
   EXPECT_EQ(viewOf(steeper.withFittedHeights()).left, viewOf(zoomed).left);
 }
 

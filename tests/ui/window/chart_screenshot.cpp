@@ -95,7 +95,7 @@ void walk(Walk& walk) {
   walk.save("2_reading");
   const auto& span = walk.plot().sheet().diagrams[0].spans;
   if (!span.empty()) {
-    const double top = walk.plot().window().y.to;
+    const double top = walk.plot().visibleRange().y.to;
     walk.pointer(walk.plot().positionOf(1.5 * span.back().from, std::pow(10, top)) - QPointF(0, 8));
     walk.save("3_region");
   }

@@ -42,9 +42,9 @@ class ContactCanvasTest : public testing::Test {
 
   ContactView view() const { return canvas_.viewer().options().view; }
 
-  QPointF place(double along, double up) const {
+  QPointF place(double x, double y) const {
     const QRectF plot = canvas_.plotArea();
-    return {plot.left() + along * plot.width(), plot.bottom() - up * plot.height()};
+    return {plot.left() + x * plot.width(), plot.bottom() - y * plot.height()};
   }
 
   void turnWheel(QPointF at, int steps, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -232,9 +232,9 @@ TEST_F(ContactCanvasTest, CommandsSwitchAndShowWhatIsOn) {
   canvas_.magnify(false);
   EXPECT_FALSE(action("magnify").isChecked());
   action("steeper").trigger();
-  EXPECT_FALSE(canvas_.viewer().navigation().isFittedUp());
+  EXPECT_FALSE(canvas_.viewer().navigation().hasFittedHeights());
   action("fitHeights").trigger();
-  EXPECT_TRUE(canvas_.viewer().navigation().isFittedUp());
+  EXPECT_TRUE(canvas_.viewer().navigation().hasFittedHeights());
 }
 
 TEST_F(ContactCanvasTest, ColoursAskForTheirFields) {

@@ -90,7 +90,7 @@ TEST_F(CopyTest, AShippedSceneIsSaidByItsNameAndWhatDiffers) {
 TEST_F(CopyTest, AFileIsSaidByItsPathHoweverItIsCalled) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("it's mine.json");
-  ASSERT_TRUE(window_.documents().saveTo(file));
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
   type("sliding.velocity", "0.125 m/s");
   action("copyCurveCommand").trigger();
   const QStringList words = wordsOf(clipboardText());

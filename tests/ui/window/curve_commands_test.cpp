@@ -41,7 +41,9 @@ class CurveCommandsTest : public MainWindowTest {
   ChartView& plot() { return window_.plotView(); }
   double velocity() { return session().scene().sliding.velocity; }
   QPoint at(double x, double y) { return plot().positionOf(x, y).toPoint(); }
-  double middle() { return std::pow(10, 0.5 * (plot().window().y.from + plot().window().y.to)); }
+  double middle() {
+    return std::pow(10, 0.5 * (plot().visibleRange().y.from + plot().visibleRange().y.to));
+  }
   void drag(QPoint from, QPoint to) {
     QTest::mousePress(&plot(), Qt::LeftButton, {}, from);
     for (int i = 1; i <= 6; ++i) QTest::mouseMove(&plot(), from + (to - from) * i / 6);

@@ -216,7 +216,7 @@ TEST_F(DocumentTest, AnUnchangedSceneIsLeftWithoutAQuestion) {
 TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  ASSERT_TRUE(window_.documents().saveTo(file));
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
   press("load.normal_force");
   QString text, detail;
   QStringList buttons;
@@ -263,7 +263,7 @@ TEST_F(DocumentTest, DiscardLosesTheChangesAndTheHistory) {
 TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  ASSERT_TRUE(window_.documents().saveTo(file));
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
   type("load.normal_force", "0.75 N");
   answer(QMessageBox::Save);
   EXPECT_TRUE(window_.close());
@@ -273,7 +273,7 @@ TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
 
 TEST_F(DocumentTest, SaveThatFailsStays) {
   QTemporaryDir folder;
-  ASSERT_TRUE(window_.documents().saveTo(folder.filePath("mine.json")));
+  ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("mine.json")));
   folder.remove();
   press("load.normal_force");
   const Scene changed = session().scene();
@@ -309,7 +309,8 @@ TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
   const QTemporaryDir folder;
   auto& menu = control<QMenu>("recentMenu");
   for (int i = 0; i < kMostRecentFiles + 2; ++i)
-    ASSERT_TRUE(window_.documents().saveTo(folder.filePath(QStringLiteral("%1.json").arg(i))));
+    ASSERT_TRUE(
+        window_.documentCommands().saveTo(folder.filePath(QStringLiteral("%1.json").arg(i))));
   EXPECT_EQ(recentFiles().size(), kMostRecentFiles);
   EXPECT_EQ(menu.actions().first()->text(), "9.json");
   ASSERT_TRUE(QFile::remove(folder.filePath("9.json")));
@@ -327,7 +328,7 @@ TEST_F(DocumentTest, AnOpenedFileIsSavedWhereItCameFrom) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
-  ASSERT_TRUE(window_.documents().saveTo(file));
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
   window_.document().open(Scene{});
   EXPECT_TRUE(window_.document().file().isEmpty());
   ASSERT_TRUE(open(file));

@@ -96,7 +96,7 @@ TEST(LanguageSwitch, KeepsWhatIsInSight) {
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QAction*>("dimensionlessAxes")->trigger();
   window->plotView().zoom(0.5);
-  const ChartWindow zoomed = window->plotView().window();
+  const VisibleRange zoomed = window->plotView().visibleRange();
   window->canvas().zoom(3);
   for (const char* name : {"followLine", "magnify"}) window->findChild<QAction*>(name)->trigger();
   const ViewNavigation view = window->canvas().viewer().navigation();
@@ -104,7 +104,7 @@ TEST(LanguageSwitch, KeepsWhatIsInSight) {
   for (const char* code : {"de", "en"}) {
     window->setLanguage(code);
     EXPECT_TRUE(window->plotView().isZoomed());
-    EXPECT_EQ(window->plotView().window(), zoomed);
+    EXPECT_EQ(window->plotView().visibleRange(), zoomed);
     EXPECT_TRUE(window->findChild<QAction*>("curveFit")->isEnabled());
     EXPECT_EQ(window->canvas().viewer().navigation(), view);
     for (const char* name : {"dimensionlessAxes", "followLine", "magnify"})

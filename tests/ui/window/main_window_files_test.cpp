@@ -50,7 +50,7 @@ TEST_F(MainWindowTest, AProfileWithoutAFileIsNeitherRunNorSaved) {
   EXPECT_EQ(session().sceneNumber(), before);
   EXPECT_FALSE(window_.messages().isVisible());
   const QTemporaryDir folder;
-  EXPECT_FALSE(window_.documents().saveTo(folder.filePath("scene.json")));
+  EXPECT_FALSE(window_.documentCommands().saveTo(folder.filePath("scene.json")));
   EXPECT_TRUE(window_.messages().text().contains("choose a profile file"));
 }
 
@@ -68,10 +68,10 @@ TEST_F(MainWindowTest, AFailureIsOverOnceItGoesWell) {
   const QString nowhere = folder.filePath("no_such_folder/picture.png");
   save(nowhere, false);
   EXPECT_TRUE(window_.messages().isVisible());
-  EXPECT_FALSE(window_.documents().saveTo(folder.filePath("no_such_folder/scene.json")));
+  EXPECT_FALSE(window_.documentCommands().saveTo(folder.filePath("no_such_folder/scene.json")));
   save(folder.filePath("picture.png"), true);
   EXPECT_TRUE(window_.messages().isVisible()) << "of the scene that was not saved";
-  EXPECT_TRUE(window_.documents().saveTo(folder.filePath("scene.json")));
+  EXPECT_TRUE(window_.documentCommands().saveTo(folder.filePath("scene.json")));
   EXPECT_FALSE(window_.messages().isVisible());
 
   Scene broken = smallScene();
@@ -93,7 +93,7 @@ TEST_F(MainWindowTest, ScenesAreSavedAndOpened) {
   const QString file = folder.filePath("scene.json");
   QTest::keyClick(&control<ValueSlider>("slider:load.normal_force"), Qt::Key_Right);
   const Scene changed = window_.panel().scene();
-  ASSERT_TRUE(window_.documents().saveTo(file));
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
   window_.document().open(Scene{});
   ASSERT_TRUE(open(file));
   EXPECT_EQ(writeScene(window_.panel().scene()), writeScene(changed));
@@ -108,7 +108,7 @@ TEST_F(MainWindowTest, APictureDroppedOnItOpensItsScene) {
   scene.title = "from a picture";
   writeSvg(file.toStdString(), DrawList{}, {"a title", pictureOrigin("render", scene)});
 
-  QSignalSpy reads(&window_.documents(), &DocumentCommands::sceneRead);
+  QSignalSpy reads(&window_.documentCommands(), &DocumentCommands::sceneRead);
   drop(file);
   ASSERT_TRUE(waitFor([&] { return reads.count() == 1; }));
   EXPECT_EQ(session().scene().title, "from a picture");
@@ -147,10 +147,10 @@ TEST_F(MainWindowTest, TheNewestOpeningWins) {
     scene.title = name;
     std::ofstream(folder.filePath(name).toStdString()) << writeScene(scene);
   }
-  window_.documents().openFile(folder.filePath("a"));
+  window_.documentCommands().openFile(folder.filePath("a"));
   EXPECT_TRUE(open(folder.filePath("b")));
   EXPECT_EQ(session().scene().title, "b");
-  window_.documents().openFile(folder.filePath("a"));
+  window_.documentCommands().openFile(folder.filePath("a"));
   Scene chosen = smallScene();
   chosen.title = "chosen meanwhile";
   window_.document().open(chosen);
@@ -215,7 +215,7 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   ASSERT_TRUE(waitForFrame());
   EXPECT_EQ(control<ValueEntry>("entry:surface.length").placeholderText(), "0.0064");
   EXPECT_EQ(control<ValueEntry>("entry:surface.elements").placeholderText(), "64");
-  ASSERT_TRUE(window_.documents().saveTo(folder.filePath("a/b/scene.json")));
+  ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("a/b/scene.json")));
   ASSERT_TRUE(open(folder.filePath("a/b/scene.json")));
   EXPECT_EQ(window_.panel().scene().surface.file, "../../line.csv");
   ASSERT_TRUE(waitForFrame());
@@ -257,7 +257,7 @@ TEST_F(MainWindowTest, FilesThatDoNotReadOrWriteAreExplained) {
   EXPECT_FALSE(open(folder.filePath("missing.json")));
   EXPECT_TRUE(window_.messages().isVisible());
   EXPECT_TRUE(window_.messages().text().contains("missing.json"));
-  EXPECT_FALSE(window_.documents().saveTo(folder.filePath("no/such/folder.json")));
+  EXPECT_FALSE(window_.documentCommands().saveTo(folder.filePath("no/such/folder.json")));
   EXPECT_EQ(window_.panel().scene(), before);
 }
 

@@ -42,8 +42,8 @@ inline Scene smallScene() {
 
 /// Opens a file in a window; whether its scene is shown, once it was read.
 inline bool openIn(MainWindow& window, const QString& file) {
-  QSignalSpy reads(&window.documents(), &DocumentCommands::sceneRead);
-  window.documents().openFile(file);
+  QSignalSpy reads(&window.documentCommands(), &DocumentCommands::sceneRead);
+  window.documentCommands().openFile(file);
   return QTest::qWaitFor([&] { return !reads.isEmpty(); }, kWindowPatience) &&
          reads.takeFirst().at(1).toBool();
 }

@@ -12,7 +12,7 @@
 
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/run/motion_accuracy.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
@@ -77,7 +77,7 @@ QString comparingText() {
   return AccuracyPanel::tr("measuring every method on this scene's lines …");
 }
 
-/// The diagram of this scene in the place of one of the paper's figures.
+/// Returns a maker of this scene's diagram, which is shown where a figure of the paper would be.
 FigureMaker comparisonOf(const Scene& scene) {
   return [scene](FigureName, const FigureOptions& options) {
     WorkPrecisionOptions wanted;
@@ -146,7 +146,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   showTexts();
 }
 
-/// All that does not depend on the scene.
+/// Sets all texts that do not depend on the scene.
 void AccuracyPanel::showTexts() {
   quick_->setText(tr("quick"));
   exact_->setText(tr("exact"));
@@ -222,7 +222,8 @@ void AccuracyPanel::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
 }
 
-/// A target leaves the oversampling to the program and needs the scheme that can be refined.
+/// Sets a target. The program then chooses the oversampling, and the scheme is the one that can be
+/// refined.
 void AccuracyPanel::setTarget(double target) {
   Scene next = scene_;
   next.accuracy.targetRelativeError = target;
@@ -264,7 +265,7 @@ void AccuracyPanel::showPrediction(const Prediction& prediction) {
                                percent(prediction.error.standardError)));
 }
 
-/// Another scene has another diagram; how the curve is computed does not matter to it.
+/// Drops the diagram of another scene. A different way to compute the curve does not matter to it.
 void AccuracyPanel::dropOldPicture() {
   if (!pictured_ || isComparing_) return;
   Scene same = *pictured_;

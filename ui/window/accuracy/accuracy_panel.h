@@ -1,8 +1,8 @@
-// What accuracy costs: a slider from quick to exact, which sets the target of the friction curve's
-// error, with predicted time and error as it moves and the measured ones beside them; the
+// The cost of accuracy: a slider from quick to exact, which sets the target for the error of the
+// friction curve, with the predicted time and error, and the measured ones beside them; the
 // work-precision diagram of the present scene on demand; and the setting with which the curve is
-// compared. Predicts in the background, and only while it is visible. GUI thread; belongs to its
-// parent. Failure: said in a line of the panel.
+// compared. It predicts in the background, and only while it is visible. GUI thread; belongs to its
+// parent. Failure: a line of the panel gives the reason.
 #pragma once
 
 #include <QWidget>
@@ -25,17 +25,17 @@ namespace asperity {
 class ComparisonBox;
 class RegionPictures;
 
-/// The target at a place of the slider, 0 (quick, 20 %) to kAccuracySteps (exact, 0.2 %).
+/// The slider's positions: target 20 % at 0 (quick), 0.2 % at kAccuracySteps (exact).
 inline constexpr int kAccuracySteps = 20;
 double targetAt(int place);
-/// The place nearest to a target (> 0).
+/// Returns the slider position nearest to a target (> 0).
 int placeOf(double target);
 
-/// Error against time of every method on the lines of a scene.
+/// The error versus run time of every method on the lines of a scene.
 struct ComparedMethods {
   Scene scene;
   std::shared_ptr<const MadeFigure> figure;
-  int diagram = 0;  // in sight
+  int diagram = 0;  // index of the visible diagram
 };
 
 class AccuracyPanel : public QWidget {
@@ -46,20 +46,21 @@ class AccuracyPanel : public QWidget {
 
   void showScene(const Scene& scene);
   /// Shows time and error of the finished curve of this scene; errors are relative, root mean
-  /// square. interval: half of it, said where there is no standard error, as of a single line to a
-  /// target.
+  /// square. interval: half of the confidence interval, shown where there is no standard error, for
+  /// example for a single line with a target.
   void showMeasured(double seconds, double standardError, double interval = kNotApplicable);
   void setTheme(const Theme& theme);
 
-  /// The setting that the curve is to be compared with; none: no comparison.
+  /// Returns the setting with which the curve is compared; none: no comparison.
   std::optional<CurveSetting> comparison() const;
 
-  /// The result that is shown, if there is one; and shows such a result if it is of this scene.
+  /// Returns the result that is shown, if there is one; the other function shows such a result if
+  /// it belongs to this scene.
   std::optional<ComparedMethods> comparedMethods() const;
   void showComparedMethods(const ComparedMethods& compared);
 
  signals:
-  /// The scene shown with another target.
+  /// Emitted with the scene that has another target.
   void sceneEdited(const asperity::Scene& scene);
   void comparisonChanged();
 
@@ -79,27 +80,27 @@ class AccuracyPanel : public QWidget {
   void showInvitation();
   void endComparison();
 
-  /// Time and error of a finished curve, to be said again in another language.
+  /// Time and error of a finished curve, kept to show them again in another language.
   struct Measured {
     double seconds, standardError, interval;
   };
 
   Scene scene_;
   QSlider* slider_;
-  QLabel *quick_, *exact_;  // at its ends
+  QLabel *quick_, *exact_;  // labels at the slider's ends
   QLabel* target_;
   QLabel* predicted_;
   QLabel* measured_;
   ComparisonBox* comparisonBox_;
   QPushButton* free_;     // no target
-  QPushButton* compare_;  // starts and cancels
+  QPushButton* compare_;  // starts and cancels the comparison
   QWidget* scrolled_;     // the controls
   RegionPictures* picture_;
   bool isComparing_ = false;
-  std::optional<Scene> pictured_;  // whose methods are compared on the picture
+  std::optional<Scene> pictured_;  // scene of the comparison in the picture
   std::optional<Measured> measuredCurve_;
   BackgroundWork comparison_,
-      prediction_;  // last: their threads end before anything else here goes
+      prediction_;  // last: their threads end before other members are destroyed
 };
 
 }  // namespace asperity

@@ -37,7 +37,7 @@ void PlanList::fill() {
       auto* item = new QTreeWidgetItem(
           {translatedText(stage.name), stage.runs ? tr("yes") : tr("no"), reason});
       item->setToolTip(2, reason);
-      item->setDisabled(!stage.runs);  // pale, in either theme
+      item->setDisabled(!stage.runs);  // drawn pale, in either theme
       addTopLevelItem(item);
     }
   } catch (const InputError& error) {
@@ -56,7 +56,7 @@ void PlanList::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fitColumns();
 }
 
-/// Names and answers are shown whole; the reasons take the rest of the width.
+/// Shows names and answers in full; the reasons take the rest of the width.
 void PlanList::fitColumns() {
   resizeColumnToContents(0);
   resizeColumnToContents(1);

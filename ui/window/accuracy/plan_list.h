@@ -1,5 +1,5 @@
-// The plan of a scene as a list to read: each stage in order, whether it runs, and why. GUI thread;
-// belongs to its parent. Effects that exclude each other are said in the list's only line.
+// The plan of a scene as a list: each stage in order, whether it runs, and why. Effects that
+// exclude each other are reported in a single line. GUI thread; belongs to its parent.
 #pragma once
 
 #include <QTreeWidget>

@@ -82,7 +82,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
 
  private:
   void fail(const QString& reason) {
-    // Not from inside initializeGL: the owner will replace this widget.
+    // The failure is reported after initializeGL, because the owner will replace this widget.
     QTimer::singleShot(0, this, [this, reason] {
       if (events_.failed) events_.failed(reason);
     });
@@ -93,7 +93,7 @@ class GlCanvas : public QOpenGLWidget, public CanvasBackend {
   PictureRequest request_;
 };
 
-/// Shows the images that are made in the background.
+/// Shows the images that are drawn in the background.
 class SoftwareCanvas : public QWidget, public CanvasBackend {
  public:
   SoftwareCanvas(CanvasEvents events, QWidget* parent)
@@ -159,7 +159,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   QImage image_;
   bool isNew_ = false;  // not painted yet
   bool hasFailed_ = false;
-  // Last: its thread ends before anything else here goes.
+  // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
 };
 

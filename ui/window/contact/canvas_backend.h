@@ -1,7 +1,7 @@
-// Two ways to bring contact pictures to the screen, and what they are asked to show. By OpenGL in a
-// QOpenGLWidget, whose context is current only inside its overridden functions and its destructor,
-// on the GUI thread; or by images that OSMesa makes in the background, where no context of Qt is
-// current. GUI thread; the widgets belong to their parent.
+// Two ways to draw contact pictures on the screen, and the request for a picture. One uses OpenGL
+// in a QOpenGLWidget, whose context is current only inside its overridden functions and its
+// destructor, on the GUI thread. The other shows images that OSMesa makes in the background, where
+// no context of Qt is current. GUI thread; the widgets belong to their parent.
 #pragma once
 
 #include <QSize>
@@ -19,18 +19,19 @@ namespace asperity {
 /// What a canvas shows. Plain values; any thread.
 struct PictureRequest {
   std::shared_ptr<const Frame> frame;  // never null
-  ContactPictureOptions options;       // but for size and scale, which the canvas knows
+  ContactPictureOptions options;       // without size and scale, which the canvas knows
   QSize size;                          // device pixels
-  double scale = 1;                    // device pixels for one of the window system's
-  double textScale = 1;                // of fonts and line widths, beside that
+  double scale = 1;                    // device pixels per logical pixel
+  double textScale = 1;                // extra factor of fonts and line widths
 };
 
-/// The options with size and scale.
+/// Returns the options with size and scale.
 ContactPictureOptions sizedOptions(const PictureRequest& request);
 
 struct CanvasEvents {
-  std::function<void()> painted;               // another picture is on the screen
-  std::function<void(const QString&)> failed;  // and nothing more will come; one sentence
+  std::function<void()> painted;  // called when another picture is on the screen
+  std::function<void(const QString&)>
+      failed;  // called with one sentence when no more pictures will come
 };
 
 class CanvasBackend {
@@ -38,11 +39,11 @@ class CanvasBackend {
   virtual ~CanvasBackend() = default;
   virtual QWidget* widget() = 0;
   virtual QString name() const = 0;
-  /// Size and scale of the request are the widget's own.
+  /// Shows a picture; size and scale of the request are those of the widget.
   virtual void show(const PictureRequest& request) = 0;
 };
 
-/// Whether a window here can have an OpenGL 3.3 core context, and what stands behind it.
+/// Returns whether a window can have an OpenGL 3.3 core context here, and what implements it.
 enum class OpenGlSupport { None, Software, Hardware };
 OpenGlSupport openGlSupport();
 

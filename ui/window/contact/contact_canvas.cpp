@@ -21,9 +21,9 @@ namespace asperity {
 
 namespace {
 
-constexpr double kWheelStep = 120;     // of angleDelta
-constexpr double kKeyPan = 0.1;        // of the plot
-constexpr double kZoomPerStep = 1.25;  // as the viewer's
+constexpr double kWheelStep = 120;     // of angleDelta per step of a usual wheel
+constexpr double kKeyPan = 0.1;        // part of the plot per key press
+constexpr double kZoomPerStep = 1.25;  // the same as the viewer's
 constexpr int kManyElements = 10;
 
 double stepsOf(double factor) {
@@ -60,7 +60,7 @@ ContactCanvas::ContactCanvas(QWidget* parent)
     useSoftware();
   keepTranslated(*this, [this] {
     setAccessibleName(tr("contact view"));
-    refresh();  // the picture has words in it
+    refresh();  // the picture contains texts
   });
 }
 
@@ -127,7 +127,7 @@ void ContactCanvas::place(CanvasBackend* backend) {
     backend_->widget()->deleteLater();
   }
   backend_ = backend;
-  backend_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);  // they are this widget's
+  backend_->widget()->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles them
   layout_->addWidget(backend_->widget());
   veil_->raise();
   refresh();
@@ -187,12 +187,12 @@ ViewPlace ContactCanvas::focusPlace() const {
   const auto reading = viewer_.reading();
   if (!reading) return {};
   const ContactView view = viewer_.options().view;
-  const double along = (*viewer_.pointer() - view.left) / view.width;
-  const double up = (reading->surface - view.bottom) / (view.top - view.bottom);
-  return {std::clamp(along, 0.0, 1.0), std::clamp(up, 0.0, 1.0)};
+  const double x = (*viewer_.pointer() - view.left) / view.width;
+  const double y = (reading->surface - view.bottom) / (view.top - view.bottom);
+  return {std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)};
 }
 
-/// Has to be called after every change of the view.
+/// Draws again and informs others. It must be called after every change of the view.
 void ContactCanvas::changed() {
   if (const FrameFields fields = viewer_.fields(); fields != wanted_) {
     wanted_ = fields;
@@ -242,7 +242,7 @@ void ContactCanvas::showCrosshair(const QPointF& position) {
   changed();
 }
 
-/// The reading is spoken, too, because the picture itself is no text.
+/// Moves the crosshair. A screen reader speaks the reading, because the picture itself has no text.
 void ContactCanvas::movePointer(int elements) {
   viewer_.movePointer(elements);
   QStringList words;
@@ -276,7 +276,7 @@ void ContactCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void ContactCanvas::mouseMoveEvent(QMouseEvent* event) {
-  if (isPinching_) return;  // the first finger, as a cursor
+  if (isPinching_) return;  // Qt sends the first finger as a cursor, too
   if (dragged_) {
     const QRectF plot = plotArea();
     const QPointF moved = event->position() - *dragged_;
@@ -301,19 +301,19 @@ void ContactCanvas::leaveEvent(QEvent* event) {
 }
 
 void ContactCanvas::keyPressEvent(QKeyEvent* event) {
-  const bool along = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
-  const bool up = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+  const bool isInX = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+  const bool isInY = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
   const int sign = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up ? 1 : -1;
   const bool control = event->modifiers() & Qt::ControlModifier;
   const bool shift = event->modifiers() & Qt::ShiftModifier;
   if (event->key() == Qt::Key_Escape && viewer_.pointer()) {
     showCrosshair({-1, -1});
-  } else if (along && control) {
+  } else if (isInX && control) {
     movePointer(sign * (shift ? kManyElements : 1));
-  } else if (up && shift) {
+  } else if (isInY && shift) {
     exaggerate(sign);
-  } else if (along || up) {
-    viewer_.pan(along ? -kKeyPan * sign : 0, up ? -kKeyPan * sign : 0);
+  } else if (isInX || isInY) {
+    viewer_.pan(isInX ? -kKeyPan * sign : 0, isInY ? -kKeyPan * sign : 0);
     changed();
   } else {
     QWidget::keyPressEvent(event);
@@ -341,7 +341,8 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), wrappedTip(tipAt(help->pos())), this);  // none: hides
+    QToolTip::showText(help->globalPos(), wrappedTip(tipAt(help->pos())),
+                       this);  // an empty text hides it
     return true;
   }
   if (event->type() == QEvent::NativeGesture) {

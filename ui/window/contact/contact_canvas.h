@@ -1,13 +1,14 @@
-// The contact view: shows frames by OpenGL where a window can have it from its graphics hardware,
-// else by images from OSMesa: OpenGL in software draws the same pictures, but on the GUI thread
-// and, with the window's own composition, at half the rate. Changes over at run time if OpenGL
-// turns out not to work. The environment variable ASPERITY_CANVAS ("opengl", "software") decides
-// otherwise.
-// Wheel and pinch zoom at the cursor, with Ctrl they change the vertical exaggeration, with Shift
-// they move along; dragging moves; the cursor is a crosshair with a readout. Keys while it has the
-// focus: arrows move, with Ctrl they move the crosshair by an element (with Shift by ten), with
-// Shift up and down change the exaggeration; the others are contact_view_actions.h.
-// GUI thread; owned by its parent. Failure: where nothing draws, it says so and stays empty.
+// The contact view. It draws frames with OpenGL where the graphics hardware supports it in a
+// window, else with images from OSMesa: OpenGL in software draws the same pictures, but on the GUI
+// thread and, with the window's own composition, at half the rate. It switches at run time if
+// OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl", "software") overrides
+// this choice.
+// Wheel and pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift
+// they move the view in x. Dragging moves the view. The cursor is a crosshair with a readout. Keys
+// while it has the focus: arrows move the view, with Ctrl they move the crosshair by an element
+// (with Shift by ten), with Shift the up and down arrows change the exaggeration;
+// contact_view_actions.h has the other keys. GUI thread; owned by its parent. Failure: where
+// nothing can draw, it shows a message and stays empty.
 #pragma once
 
 #include <QElapsedTimer>
@@ -35,25 +36,25 @@ class ContactCanvas : public QWidget {
   void setFrame(std::shared_ptr<const Frame> frame);
   void setTheme(const Theme& theme);
 
-  /// Larger texts and lines, for an audience.
+  /// Sets a factor for texts and lines, for an audience.
   void setTextScale(double scale);
   double textScale() const { return textScale_; }
 
-  /// Veils the picture and says why; empty: it is seen as it is.
+  /// Covers the picture with a translucent veil that shows the reason; empty: no veil.
   void setVeil(const QString& reason);
 
-  /// "OpenGL" or "software (OSMesa)"; empty where neither works.
+  /// Returns "OpenGL" or "software (OSMesa)"; empty where neither works.
   QString backendName() const;
 
-  /// Pictures shown during the last second.
+  /// Returns the number of pictures shown during the last second.
   int framesPerSecond() const;
 
-  /// The frame that was last asked to be shown; null before the first.
+  /// Returns the frame of the last request; null before the first.
   const Frame* frame() const { return viewer_.frame().get(); }
 
   const ContactViewer& viewer() const { return viewer_; }
 
-  /// Steps of zoom or exaggeration, at the crosshair or in the middle.
+  /// Zooms, or changes the exaggeration, by steps, at the crosshair or in the middle.
   void zoom(double steps);
   void exaggerate(double steps);
   void fit();
@@ -62,10 +63,10 @@ class ContactCanvas : public QWidget {
   void magnify(bool magnifies);
   void setOverlay(ContactOverlay overlay);
 
-  /// The fields that frames have to hold for what is shown.
+  /// Returns the optional values that frames need for the present view.
   FrameFields fields() const { return viewer_.fields(); }
 
-  /// The plot in the widget's pixels; empty before the first frame.
+  /// Returns the plot's area in the widget's pixels; empty before the first frame.
   QRectF plotArea() const;
 
  signals:
@@ -105,15 +106,15 @@ class ContactCanvas : public QWidget {
 
   QVBoxLayout* layout_;
   CanvasBackend* backend_ = nullptr;  // a child widget
-  QLabel* veil_;                      // over it
+  QLabel* veil_;                      // covers it
   ContactViewer viewer_;
   FrameFields wanted_;
   Theme theme_ = lightTheme();
   double textScale_ = 1;
-  std::optional<QPointF> dragged_;  // the cursor's last place while a button is down
+  std::optional<QPointF> dragged_;  // last position of the cursor while a button is down
   bool isPinching_ = false;
   QElapsedTimer clock_;
-  mutable std::deque<qint64> pictures_;  // when they were shown, ms
+  mutable std::deque<qint64> pictures_;  // the times when they were shown, ms
 };
 
 }  // namespace asperity

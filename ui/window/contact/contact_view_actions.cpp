@@ -19,7 +19,7 @@ struct ViewActionText {
 };
 
 struct ViewAction {
-  const char* name;  // of the object
+  const char* name;  // object name of the action
   const char *text, *tip;
   QList<QKeySequence> keys;
 };

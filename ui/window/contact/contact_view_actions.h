@@ -1,6 +1,6 @@
 // The contact view's commands, for a menu, its context menu and their keys: zoom, exaggeration,
-// following the line, the magnifier, what is coloured. They belong to the canvas and follow it.
-// GUI thread.
+// following the line, the magnifier, the quantity shown by colours. They belong to the canvas and
+// show its state. GUI thread.
 #pragma once
 
 #include <QList>
@@ -12,7 +12,7 @@ namespace asperity {
 
 class ContactCanvas;
 
-/// Adds them to the canvas and to the menu; called once.
+/// Adds the commands to the canvas and to the menu; call it once.
 void addContactViewActions(ContactCanvas& canvas, QMenu& menu);
 
 }  // namespace asperity

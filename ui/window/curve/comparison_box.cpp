@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kHeight = 24;  // pixels of its entries
+constexpr int kHeight = 24;  // height in pixels of its entries
 constexpr int kMostOversampling = 64, kMostLines = 10000;
 
 QSpinBox* spin(const char* name, int value, int most) {
@@ -23,7 +23,7 @@ QSpinBox* spin(const char* name, int value, int most) {
   box->setObjectName(name);
   box->setRange(1, most);
   box->setValue(value);
-  box->setKeyboardTracking(false);  // one change for one number
+  box->setKeyboardTracking(false);  // typing a number gives one change
   return box;
 }
 

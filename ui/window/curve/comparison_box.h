@@ -1,5 +1,5 @@
-// With what the friction curve is compared: another scheme, oversampling and number of lines. GUI
-// thread; belongs to its parent. Cannot fail.
+// The setting with which the friction curve is compared: another scheme, oversampling and number of
+// lines. GUI thread; belongs to its parent. Cannot fail.
 #pragma once
 
 #include <QWidget>
@@ -19,12 +19,12 @@ class ComparisonBox : public QWidget {
  public:
   explicit ComparisonBox(QWidget* parent = nullptr);
 
-  /// Nothing where the box is not ticked.
+  /// Returns the setting, or nothing where the box is not ticked.
   std::optional<CurveSetting> setting() const;
-  /// A target accuracy leaves nothing to compare at one resolution.
+  /// Enables the box. With a target accuracy there is no single resolution to compare with.
   void allow(bool allowed);
-  /// As many lines as the scene has, unless somebody chose another number: fewer would add their
-  /// own scatter to the difference.
+  /// Proposes as many lines as the scene has, unless the user chose another number: fewer lines
+  /// would add their own scatter to the difference.
   void suggestLines(std::int64_t lines);
 
  signals:
@@ -38,7 +38,7 @@ class ComparisonBox : public QWidget {
   QComboBox* scheme_;
   QSpinBox* oversampling_;
   QSpinBox* lines_;
-  int suggested_ = 0;  // number of lines that nobody chose
+  int suggested_ = 0;  // number of lines that was proposed, not chosen
 };
 
 }  // namespace asperity

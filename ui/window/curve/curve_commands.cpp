@@ -23,10 +23,12 @@ constexpr double kZoom = 1.5;
 
 CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)
     : QObject(parent), session_(session), view_(view), run_(std::move(run)) {
-  pin_ = add("pinCurve", [this] { session_.editCurve([](FrictionChart& plot) { plot.pin(); }); });
+  pin_ =
+      add("pinCurve", [this] { session_.editCurve([](FrictionChartModel& plot) { plot.pin(); }); });
   pin_->setShortcut(Qt::Key_P);
-  unpinAll_ =
-      add("unpinAll", [this] { session_.editCurve([](FrictionChart& plot) { plot.unpinAll(); }); });
+  unpinAll_ = add("unpinAll", [this] {
+    session_.editCurve([](FrictionChartModel& plot) { plot.unpinAll(); });
+  });
   unpinAll_->setShortcut(Qt::SHIFT | Qt::Key_P);
   dimensionless_ = add("dimensionlessAxes", [] {});
   dimensionless_->setCheckable(true);
@@ -81,12 +83,12 @@ void CurveCommands::fill(QMenu& menu) {
   showState();
 }
 
-/// One entry for each pinned curve, named as in the legend.
+/// Adds one entry for each pinned curve, with its name in the legend.
 void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
     QAction* action = unpin_->addAction(session_.friction().nameOf(pinned), this, [this, pinned] {
-      session_.editCurve([&](FrictionChart& plot) { plot.unpin(pinned.id); });
+      session_.editCurve([&](FrictionChartModel& plot) { plot.unpin(pinned.id); });
     });
     action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
   }
@@ -103,16 +105,17 @@ void CurveCommands::showState() {
   copy_->setEnabled(hasCurve);
 }
 
-/// Ranges that were zoomed to belong to the other axes.
+/// Changes the axes. Zoomed ranges belong to the former axes.
 void CurveCommands::setAxes(bool dimensionless) {
   view_.fit();
-  session_.editCurve([dimensionless](FrictionChart& plot) {
+  session_.editCurve([dimensionless](FrictionChartModel& plot) {
     plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
   });
 }
 
 std::optional<CurveSet> CurveCommands::shown() const {
-  return session_.friction().shown(view_.isZoomed() ? std::optional(view_.window()) : std::nullopt);
+  return session_.friction().shown(view_.isZoomed() ? std::optional(view_.visibleRange())
+                                                    : std::nullopt);
 }
 
 void CurveCommands::askSave() {
@@ -128,7 +131,7 @@ void CurveCommands::save(const QString& file) {
        [this, file] { emit exported(file); });
 }
 
-/// As large as on the screen, in its colours.
+/// Copies the diagram in the size and colours of the screen.
 void CurveCommands::copyPicture() {
   const std::optional<CurveSet> set = shown();
   if (!set) return;

@@ -1,5 +1,5 @@
 // The commands of the friction diagram: pins, axes, view, files. Each is an action with a name and,
-// where it has one, a key. GUI thread; belongs to its parent. Failure: as the exporter says.
+// where it has one, a key. GUI thread; belongs to its parent. Failure: the exporter reports it.
 #pragma once
 
 #include <QObject>
@@ -20,22 +20,22 @@ class CurveCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// Runs `work` beside the window, then `done` in it, or complains.
+  /// Runs `work` in the background, then `done` on the GUI thread, or shows the error.
   using Export = std::function<void(std::function<void()> work, std::function<void()> done)>;
 
   CurveCommands(Session& session, ChartView& view, Export run, QObject* parent);
 
-  /// Adds all commands to the menu, and most of them to the view's context menu; called once.
+  /// Adds all commands to the menu, and most of them to the view's context menu; call it once.
   void fill(QMenu& menu);
 
-  /// The curves as they are shown; nothing before the first.
+  /// Returns the curves as they are shown; nothing before the first.
   std::optional<CurveSet> shown() const;
 
-  /// As PNG, SVG, PDF or CSV, by the extension.
+  /// Saves PNG, SVG, PDF or CSV, by the extension.
   void save(const QString& file);
 
  signals:
-  /// The file, or empty for the clipboard.
+  /// Emitted with the file, or an empty text for the clipboard.
   void exported(const QString& file);
 
  private:

@@ -17,17 +17,18 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
   compared_.reset();
   work_.cancel();
   if (setting_) return follow();
-  session_.editCurve([](FrictionChart& plot) { plot.showDifference(std::nullopt); });
+  session_.editCurve([](FrictionChartModel& plot) { plot.showDifference(std::nullopt); });
 }
 
-/// Begins when the scene's own curve is complete: the curve comes first.
+/// Begins the comparison when the scene's own curve is complete: the curve comes first.
 void CurveComparison::follow() {
   const CurveUpdate* curve = session_.curve();
   if (!setting_ || !curve || !curve->isComplete) return;
   if (choosesAccuracy(*curve->scene)) return;
   if (compared_ && haveSameCurve(*compared_, *curve->scene)) return;
   compared_ = *curve->scene;
-  compared_->sliding.kind = SlidingKind::Steady;  // as the curve of any motion is
+  compared_->sliding.kind =
+      SlidingKind::Steady;  // curves of any motion are computed for steady sliding
   start();
 }
 
@@ -46,7 +47,7 @@ void CurveComparison::start() {
 
 void CurveComparison::take(const CurveDifference& difference) {
   emit shown();
-  session_.editCurve([&](FrictionChart& plot) { plot.showDifference(difference); });
+  session_.editCurve([&](FrictionChartModel& plot) { plot.showDifference(difference); });
 }
 
 }  // namespace asperity

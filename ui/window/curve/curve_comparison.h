@@ -1,6 +1,7 @@
-// Keeps the difference of two settings beside the present friction curve: computed on a thread of
-// its own when the curve is complete, shown in the session's diagram as it grows. GUI thread;
-// belongs to its parent. Failure: one sentence by `failed`; the next change tries again.
+// Computes the difference of two settings beside the present friction curve. The work begins on a
+// thread of its own when the curve is complete, and the session's diagram shows the result as it
+// grows. GUI thread; belongs to its parent. Failure: `failed` gives one sentence; the next change
+// tries again.
 #pragma once
 
 #include <QObject>
@@ -19,12 +20,12 @@ class CurveComparison : public QObject {
  public:
   CurveComparison(Session& session, QObject* parent);
 
-  /// None: no comparison.
+  /// Sets the other setting; none: no comparison.
   void setSetting(const std::optional<CurveSetting>& setting);
 
  signals:
   void failed(const QString& reason);
-  /// Some of a difference is there: whatever failed before is over.
+  /// Emitted when part of a difference is available, so that an earlier failure is over.
   void shown();
 
  private:
@@ -34,8 +35,8 @@ class CurveComparison : public QObject {
 
   Session& session_;
   std::optional<CurveSetting> setting_;
-  std::optional<Scene> compared_;  // the scene last begun with
-  BackgroundWork work_;            // last: its thread ends before anything else here goes
+  std::optional<Scene> compared_;  // the scene of the last comparison
+  BackgroundWork work_;            // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

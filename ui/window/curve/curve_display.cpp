@@ -12,9 +12,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 80;  // ms; painting a diagram costs as much as several pictures
-constexpr int kDigits = 3, kFineDigits = 5;  // of a velocity set by hand
-constexpr int kFade = 30;  // ms, for a new curve to come before the old one is drawn faded
+constexpr int kPause = 80;  // ms; painting a diagram takes as long as several pictures
+constexpr int kDigits = 3, kFineDigits = 5;  // digits of a velocity that the user sets
+constexpr int kFade = 30;  // ms to wait for a new curve before the old one is drawn faded
 
 }  // namespace
 
@@ -34,8 +34,9 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   connect(&view_, &ChartView::pointChosen, this, [this](int id, int row) {
     if (const auto velocity = session_.friction().velocityOf(id, row)) setVelocity(*velocity);
   });
-  connect(&view_, &ChartView::unpinWanted, this,
-          [this](int id) { session_.editCurve([id](FrictionChart& plot) { plot.unpin(id); }); });
+  connect(&view_, &ChartView::unpinWanted, this, [this](int id) {
+    session_.editCurve([id](FrictionChartModel& plot) { plot.unpin(id); });
+  });
   show();
 }
 
@@ -58,7 +59,7 @@ void CurveDisplay::showMarker() {
   view_.setMarker(session_.friction().marker());
 }
 
-/// Exactly this velocity, within what the table of parameters allows.
+/// Sets exactly this velocity, within the limits of the table of parameters.
 void CurveDisplay::setVelocity(double velocity) {
   const auto& field = std::get<RealField>(findParameter("sliding.velocity")->field);
   Scene scene = session_.scene();

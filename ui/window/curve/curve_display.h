@@ -1,7 +1,7 @@
-// The friction diagram in the window: follows the session at a pace that leaves time for the rest,
-// and turns what a person does in it into velocities. A new curve is shown at once; what has become
-// stale a moment later, if nothing new is there by then; refinements now and then. GUI thread;
-// belongs to its parent. Cannot fail.
+// The friction diagram in the window. It follows the session slowly enough to leave time for other
+// work, and turns the user's actions in it into velocities. A new curve is shown at once; a stale
+// curve fades a moment later, if no new one has come; refinements are shown from time to time. GUI
+// thread; belongs to its parent. Cannot fail.
 #pragma once
 
 #include <QObject>
@@ -21,7 +21,7 @@ class CurveDisplay : public QObject {
   CurveDisplay(Session& session, ChartView& view, QObject* parent);
 
  signals:
-  /// The scene with another velocity, from the marker or from a point.
+  /// Emitted with the scene that has another velocity, from the marker or from a point.
   void sceneEdited(const asperity::Scene& scene);
 
  private:
@@ -33,7 +33,7 @@ class CurveDisplay : public QObject {
   Session& session_;
   ChartView& view_;
   QTimer pause_;        // runs after the diagram was painted
-  bool isDue_ = false;  // and something came meanwhile
+  bool isDue_ = false;  // a change arrived meanwhile
   bool wasStale_ = false;
 };
 

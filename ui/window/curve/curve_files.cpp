@@ -19,7 +19,8 @@ namespace {
 constexpr int kPixelsAlong = 2400, kPixelsUp = 1600, kPixelsOfStrip = 500;
 constexpr float kScale = 2;
 
-/// The present scene, as of `asperity curve`, and beside it what else is shown.
+/// Returns the provenance of the present scene, as `asperity curve` writes it, with the other
+/// curves.
 nlohmann::ordered_json originOf(const CurveSet& set) {
   nlohmann::ordered_json origin = provenance("curve", set.present.scene);
   if (set.axes == CurveAxes::Dimensionless) origin["axes"] = "dimensionless";
@@ -51,8 +52,8 @@ void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
     writePicture(file, composeDiagrams(sheet, printed(set)),
                  {translated(sheet.title), provenanceLine(origin), kScale});
   } catch (const InputError&) {
-    throw InputError(file.string(), "",
-                     "'" + file.extension().string() + "' is not one of .png, .svg, .pdf, .csv");
+    throw unknownExtension(file.string(), file.extension().string(),
+                           {".png", ".svg", ".pdf", ".csv"});
   }
 }
 

@@ -1,6 +1,6 @@
-// The friction diagram as files: the picture as `asperity curve` draws it with everything that is
-// shown, and all plotted numbers as one table. Any thread on which no OpenGL context of the window
-// is current, one at a time. Throw as writePicture and writeFileAtomically.
+// The friction diagram as files: the picture that `asperity curve` would draw with everything that
+// is shown, and all plotted numbers as one table. Any thread on which no OpenGL context of the
+// window is current, one at a time. The functions throw as writePicture and writeFileAtomically do.
 #pragma once
 
 #include <QImage>
@@ -11,10 +11,10 @@
 
 namespace asperity {
 
-/// PNG, SVG, PDF or CSV, by the extension.
+/// Writes PNG, SVG, PDF or CSV, by the extension.
 void writeCurves(const std::filesystem::path& file, const CurveSet& set);
 
-/// So many pixels at so many for one of the window system's.
+/// Draws an image of width x height pixels; scale: device pixels per logical pixel.
 QImage imageOf(const CurveSet& set, int width, int height, double scale, const Theme& theme);
 
 }  // namespace asperity

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/chart/curve_regions.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
@@ -22,7 +22,7 @@ bool isKnown(const CurvePoint& point) {
   return point.realizations > 0 && point.mu > 0;
 }
 
-/// Straight between two points of the diagram.
+/// Interpolates along a straight line between two points of the diagram.
 void interpolate(const CurvePoint& a, const CurvePoint& b, double velocity, CurveReading& reading) {
   const double share = std::log(velocity / a.velocity) / std::log(b.velocity / a.velocity);
   reading.mu = a.mu * std::pow(b.mu / a.mu, share);

@@ -1,5 +1,5 @@
-// What a friction curve says of the velocity that is shown: mean and standard error there, and in
-// which region it lies. Pure; any thread.
+// What a friction curve tells about the velocity that is shown: mean and standard error there, and
+// the region in which it lies. Pure; any thread.
 #pragma once
 
 #include <QString>
@@ -10,12 +10,12 @@
 namespace asperity {
 
 struct CurveReading {
-  double mu = kNotApplicable;     // mean of the lines, between two points of the curve
-  double error = kNotApplicable;  // standard error of it
+  double mu = kNotApplicable;     // mean over the lines, interpolated on the curve
+  double error = kNotApplicable;  // standard error of mu
   QString regime;                 // "region III, plateau", "at rest"; empty: not known
 };
 
-/// `curve`: of the frame's scene, or null.
+/// Reads the curve at the frame's velocity. `curve`: of the frame's scene, or null.
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve);
 
 }  // namespace asperity

@@ -15,9 +15,9 @@ namespace asperity {
 
 namespace {
 
-constexpr float kLeastText = 0.9F;  // the view is low, which would make texts small
+constexpr float kLeastText = 0.9F;  // the view is low, which would make its texts small
 
-/// "region I" and "1 to 2 m/s" of "region I: 1 to 2 m/s".
+/// Splits a title: "region I" and "1 to 2 m/s" of "region I: 1 to 2 m/s".
 std::pair<QString, QString> partsOf(const Diagram& diagram) {
   const QString title = translatedText(diagram.title);
   const qsizetype colon = title.indexOf(QStringLiteral(": "));
@@ -25,8 +25,8 @@ std::pair<QString, QString> partsOf(const Diagram& diagram) {
   return {title.left(colon), title.mid(colon + 2)};
 }
 
-/// One diagram without what stands over and under it: the names are on the buttons, the note is in
-/// the tool tip.
+/// Returns one diagram without the texts above and below it: the buttons have the names, the tool
+/// tip has the note.
 std::shared_ptr<const MadeFigure> alone(const MadeFigure& made, std::size_t index) {
   auto one = std::make_shared<MadeFigure>();
   one->figure.scene = made.figure.scene;

@@ -1,6 +1,6 @@
-// The diagrams of a figure one at a time, each as large as the room allows, with a button for each
-// over them: work against precision, region by region. Or a line of text where there is no figure.
-// GUI thread; belongs to its parent.
+// Shows the diagrams of a figure one at a time, as large as possible, with a button for each above
+// them: work-precision diagrams by region. Shows a line of text where there is no figure. GUI
+// thread; belongs to its parent.
 #pragma once
 
 #include <QWidget>
@@ -23,16 +23,17 @@ class RegionPictures : public QWidget {
  public:
   explicit RegionPictures(QWidget* parent = nullptr);
 
-  /// The diagram that was chosen last comes first, if there is one with its name.
+  /// Shows a figure. The diagram that was chosen last comes first, if there is one with its name.
   void showFigure(std::shared_ptr<const MadeFigure> made);
   void showText(const QString& text);
   void setTheme(const Theme& theme);
 
-  /// The place of the diagram in sight; -1: there is none. Choosing what is not there does nothing.
+  /// Returns the index of the visible diagram; -1: there is none. Choosing a missing one does
+  /// nothing.
   int chosen() const;
   void choose(int index);
 
-  /// None where there is text.
+  /// Returns the figure; null where there is text.
   std::shared_ptr<const MadeFigure> figure() const { return made_; }
   FigurePicture& picture() { return *picture_; }
 
@@ -43,9 +44,9 @@ class RegionPictures : public QWidget {
   QWidget* bar_;
   QHBoxLayout* places_;
   QButtonGroup* buttons_;
-  QLabel* range_;  // what the chosen diagram's title says beyond its name
+  QLabel* range_;  // rest of the chosen diagram's title after its name
   FigurePicture* picture_;
-  QString chosen_;  // its name
+  QString chosen_;  // name of the chosen diagram
 };
 
 }  // namespace asperity

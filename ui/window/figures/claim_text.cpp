@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -26,7 +26,7 @@ QString estimateText(const Estimate& estimate) {
     return std::isfinite(error) && error > 0
                ? readingLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
                : readingLabel(estimate.value);
-  // Two digits of an uncertainty that begins with 1, one of any other.
+  // An uncertainty that begins with 1 has two digits, any other one has one.
   const int place = static_cast<int>(std::floor(std::log10(error)));
   const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
   const int decimals = std::clamp(digits, 0, 6);

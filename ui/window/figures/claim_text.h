@@ -1,5 +1,5 @@
-// What was found of a sentence of the paper, in words: for the table in the window and for what
-// `asperity figure` prints. Pure once the language is chosen; any thread.
+// Verdicts on the paper's sentences as text, for the table in the window and for the output of
+// `asperity figure`. Pure once the language is chosen; any thread.
 #pragma once
 
 #include <QString>
@@ -8,10 +8,10 @@
 
 namespace asperity {
 
-/// "yes", "no", "undecided", "only for scheme ...".
+/// Returns "yes", "no", "undecided", or "only for scheme ...".
 QString verdictText(const Claim& claim);
 
-/// "1.26 ± 0.04": as many digits as the uncertainty leaves; three where there is none.
+/// Returns "1.26 ± 0.04", with the digits that the uncertainty allows; three where there is none.
 QString estimateText(const Estimate& estimate);
 
 }  // namespace asperity

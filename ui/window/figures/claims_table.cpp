@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/translated.h"
 #include "ui/window/figures/claim_text.h"
 
@@ -18,8 +18,8 @@ namespace {
 
 enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
 
-constexpr int kAside = 5;  // pixels of air beside a cell's text
-constexpr int kAbove = 4;  // and above and below it
+constexpr int kAside = 5;  // pixels of space beside a cell's text
+constexpr int kAbove = 4;  // pixels of space above and below it
 
 QString markedVerdict(const Claim& claim) {
   const QString text = verdictText(claim);
@@ -50,7 +50,7 @@ QColor verdictColour(Verdict verdict, bool dark) {
   return dark ? QColor(0xff, 0xc1, 0x6b) : QColor(0x9a, 0x5b, 0x00);
 }
 
-/// What the row itself does not say.
+/// Returns the details that the row itself does not show.
 QString detailsOf(const Claim& claim) {
   QStringList lines{ClaimsTable::tr("Measured: %1.").arg(translatedText(claim.quantity))};
   if (!claim.criterion.empty())
@@ -62,8 +62,8 @@ QString detailsOf(const Claim& claim) {
   return lines.join('\n');
 }
 
-/// Cells with air around their texts, which keep their colours in the selected row: the table tints
-/// it.
+/// Draws cells with space around their texts. The texts keep their colours in the selected row,
+/// which the table tints.
 class ClaimDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -104,8 +104,8 @@ ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   header.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   header.setSectionResizeMode(QHeaderView::Fixed);
   header.setSectionResizeMode(kClaim, QHeaderView::Stretch);
-  // Claims wrap anew, also where a scroll bar takes some of their width. Later: the header says so
-  // while its stretched column still has the width of before.
+  // Claims are wrapped again, also where a scroll bar takes some of their width. This is done
+  // later, because the header sends the signal while its stretched column still has its old width.
   connect(
       &header, &QHeaderView::sectionResized, this,
       [this](int column) {
@@ -122,7 +122,7 @@ void ClaimsTable::showTexts() {
       {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
 }
 
-/// As much as the texts need, within limits: what remains is the claim's.
+/// Gives each column the width of its texts, within limits; the claim gets the rest.
 void ClaimsTable::setWidths() {
   ensurePolished();
   const int letter = fontMetrics().averageCharWidth();

@@ -1,6 +1,6 @@
-// The paper's sentences about a figure and what was found: whether each holds, what was measured.
-// The selected row unfolds to the quantity, the criterion and the note; so does its tool tip.
-// GUI thread; belongs to its parent.
+// The paper's sentences about a figure and the results: whether each holds, and what was measured.
+// The selected row also shows the quantity, the criterion and the note; so does its tool tip. GUI
+// thread; belongs to its parent.
 #pragma once
 
 #include <QTableWidget>
@@ -18,7 +18,7 @@ class ClaimsTable : public QTableWidget {
 
   void setClaims(const std::vector<Claim>& claims);
   void setDark(bool dark);
-  /// The selected row; -1: none.
+  /// Returns the selected row; -1: none.
   int unfolded() const;
 
  protected:

@@ -55,7 +55,7 @@ void DiagramView::requestSoon() {
   if (!pause_->isActive()) request();
 }
 
-/// Hidden it waits until it is seen.
+/// Requests a picture. A hidden view waits until it is visible.
 void DiagramView::request() {
   if (!isVisible() || !maker_ || size().isEmpty()) return;
   isDue_ = false;
@@ -96,13 +96,13 @@ void DiagramView::resizeEvent(QResizeEvent* event) {
   requestSoon();
 }
 
-/// The texts of the picture follow font and language of the window.
+/// The texts of the picture have the font and language of the window.
 void DiagramView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) requestSoon();
 }
 
-/// While a picture of the new size is being made the last one is stretched.
+/// Stretches the last picture until one of the new size is ready.
 void DiagramView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), colourOf(theme_.background));

@@ -1,6 +1,6 @@
-// Shows diagrams that are made and drawn in the background, the newest wish only, and only while it
-// is visible. GUI thread; belongs to its parent. Failure: what cannot be made is said in the place
-// of the picture; where nothing draws, the signal.
+// Shows diagrams that are made and drawn in the background: only the newest request, and only while
+// the view is visible. GUI thread; belongs to its parent. Failure: an error of the maker is shown
+// as text in place of the picture; where nothing can draw, the signal reports it.
 #pragma once
 
 #include <QImage>
@@ -19,16 +19,16 @@ class DiagramView : public QWidget {
   Q_OBJECT
 
  public:
-  /// Called on the worker's thread; may throw.
+  /// Makes the diagram. It is called on the worker's thread and may throw.
   using Maker = std::function<DiagramSheet()>;
 
   explicit DiagramView(QWidget* parent = nullptr);
 
-  /// What to show from now on; wishes that come fast are thinned out.
+  /// Sets the diagram to show from now on; of many fast requests some are skipped.
   void show(Maker maker);
   void setTheme(const Theme& theme);
 
-  /// Whether the newest wish is on the screen.
+  /// Returns whether the newest request is on the screen.
   bool isPainted() const { return shown_ > 0 && shown_ == asked_ && !isDue_; }
   const QImage& image() const { return image_; }
 
@@ -37,7 +37,7 @@ class DiagramView : public QWidget {
  signals:
   void painted();
   void failed(const QString& reason);
-  /// Only a diagram that is seen needs data.
+  /// Emitted when the view appears or disappears: only a visible diagram needs data.
   void visibilityChanged(bool isVisible);
 
  protected:
@@ -57,7 +57,7 @@ class DiagramView : public QWidget {
   QTimer* pause_;
   bool isDue_ = false;
   quint64 asked_ = 0, shown_ = 0;  // numbers of requests
-  // Last: its thread ends before anything else here goes.
+  // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
 };
 

@@ -24,7 +24,7 @@ void FigureGallery::compute(FigureName name, std::int64_t realizations) {
   startNext();
 }
 
-/// What is computed has no result any more; its thread ends within a pass over a line.
+/// Cancels the present computation; its thread ends within one pass over a line.
 void FigureGallery::cancel() {
   work_.cancel();
   const std::deque<Job> forgotten = std::exchange(waiting_, {});

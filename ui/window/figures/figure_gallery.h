@@ -1,7 +1,7 @@
-// What is known of the paper's figures in this session: which are made, which is being computed and
-// how far it is, which wait. Figures are computed one at a time in the background, in the order in
-// which they were asked for, and kept until the program ends.
-// Owned by the gallery page; GUI thread. Failure: one sentence in the figure's status.
+// The state of the paper's figures in this session: which are made, which one is being computed and
+// how far it is, which ones wait. Figures are computed one at a time in the background, in the
+// order of the requests, and kept until the program ends. Owned by the gallery page; GUI thread.
+// Failure: one sentence in the figure's status.
 #pragma once
 
 #include <QObject>
@@ -15,16 +15,16 @@
 
 namespace asperity {
 
-/// "Figure 3", "Master curve", "Spacing".
+/// Returns the short name: "Figure 3", "Master curve", "Spacing".
 QString figureLabel(FigureName name);
 
 enum class FigureStage { None, Waiting, Computing };
 
 struct FigureStatus {
   FigureStage work = FigureStage::None;
-  double part = 0;                         // of the computation, 0 to 1
+  double part = 0;                         // finished part of the computation, 0 to 1
   std::shared_ptr<const MadeFigure> made;  // the newest; null: none yet
-  QString error;                           // why the newest computation failed; empty: it did not
+  QString error;                           // why the newest computation failed; empty: it succeeded
 };
 
 class FigureGallery : public QObject {
@@ -35,13 +35,14 @@ class FigureGallery : public QObject {
 
   const FigureStatus& status(FigureName name) const { return of(name); }
 
-  /// The figure that is being computed.
+  /// Returns the figure that is being computed.
   std::optional<FigureName> computing() const { return computing_; }
 
-  /// Now, or once those before are done. Nothing where it is under way or waiting already.
+  /// Computes a figure after those that wait. It does nothing where the figure already runs or
+  /// waits.
   void compute(FigureName name, std::int64_t realizations);
 
-  /// Ends what is being computed and forgets what waits.
+  /// Cancels the present computation and all that wait.
   void cancel();
 
  signals:
@@ -63,7 +64,7 @@ class FigureGallery : public QObject {
   std::deque<Job> waiting_;
   std::optional<FigureName> computing_;
   const FigureMaker maker_;
-  BackgroundWork work_;  // last: its thread ends before anything else here goes
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

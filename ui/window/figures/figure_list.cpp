@@ -17,9 +17,9 @@ namespace {
 enum Role { kState = Qt::UserRole, kHeadline, kLabel, kPart };
 
 constexpr int kPadding = 12;  // pixels, left and right
-constexpr int kBar = 3;       // pixels, height of the progress
+constexpr int kBar = 3;       // pixels, height of the progress bar
 
-/// Label and state on one line, the headline below them, progress at the lower edge.
+/// Draws label and state on one line, the headline below them, and the progress at the lower edge.
 class EntryDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -168,7 +168,7 @@ QSize FigureList::minimumSizeHint() const {
 
 void FigureList::resizeEvent(QResizeEvent* event) {
   QListWidget::resizeEvent(event);
-  scheduleDelayedItemsLayout();  // headlines wrap anew
+  scheduleDelayedItemsLayout();  // headlines are wrapped again
 }
 
 }  // namespace asperity

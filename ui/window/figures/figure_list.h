@@ -1,5 +1,5 @@
-// The paper's figures one below the other: label, headline, and how far each is. GUI thread;
-// belongs to its parent.
+// The paper's figures in a list: label, headline, and the progress of each. GUI thread; belongs to
+// its parent.
 #pragma once
 
 #include <QListWidget>
@@ -19,12 +19,12 @@ class FigureList : public QListWidget {
   void choose(FigureName name);
   void showStatus(FigureName name, const FigureStatus& status);
 
-  /// Label and state stand beside each other, and no word is broken.
+  /// Returns a width at which label and state fit beside each other, and no word is broken.
   QSize minimumSizeHint() const override;
 
  signals:
   void chosenChanged(asperity::FigureName name);
-  /// By Enter or a double click.
+  /// Emitted by Enter or a double click.
   void wanted(asperity::FigureName name);
 
  protected:
@@ -36,7 +36,7 @@ class FigureList : public QListWidget {
   std::vector<FigureStatus> statuses_;
 };
 
-/// "not computed", "waiting", "42 %", "ready, 20 lines", "failed".
+/// Returns "not computed", "waiting", "42 %", "ready, 20 lines" or "failed".
 QString stateText(FigureName name, const FigureStatus& status);
 
 }  // namespace asperity

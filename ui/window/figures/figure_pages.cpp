@@ -13,7 +13,8 @@ namespace asperity {
 
 namespace {
 
-/// Of a page behind the other one, which otherwise takes the width that it would need in front.
+/// The size policy of the hidden page, which otherwise would claim the width that it needs in
+/// front.
 constexpr QSizePolicy::Policy kNoRoom = QSizePolicy::Ignored;
 
 }  // namespace
@@ -48,7 +49,8 @@ void FigurePages::fillMenu(QMenu& menu) {
     });
     action->setObjectName("figure:" + fromUtf8(entry.word));
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(key++)));
-    // "Figure 2: Typical dependence …"; those that are no figures of the paper by their headlines.
+    // An entry has the text "Figure 2: Typical dependence …"; figures that the paper does not have
+    // show their headlines.
     keepTranslated(menu, [action, &entry] {
       const QString headline = translatedText(entry.headline);
       const QString label = figureLabel(entry.name);

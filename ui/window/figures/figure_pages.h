@@ -1,5 +1,5 @@
-// Two pages that change places in the window: the views of the scene, and the page of the paper's
-// figures, which is made when it is first asked for. What the figures compute goes on while the
+// Two pages of the window, of which one is shown: the views of the scene, and the page of the
+// paper's figures, which is made when it is first needed. The figures are computed on while the
 // views are shown. GUI thread; belongs to its parent.
 #pragma once
 
@@ -22,7 +22,7 @@ class FigurePages : public QStackedWidget {
   explicit FigurePages(QWidget* views, QWidget* parent = nullptr);
 
   void addTo(Commands& commands);
-  /// An entry for each figure, with its key.
+  /// Adds an entry for each figure, with its key.
   void fillMenu(QMenu& menu);
 
   void openFigures();
@@ -32,11 +32,11 @@ class FigurePages : public QStackedWidget {
   void setTheme(const Theme& theme);
 
  signals:
-  /// The other page came to the front.
+  /// Emitted when the other page came to the front.
   void switched(bool isShowingFigures);
-  /// Another figure is shown on its page, or none.
+  /// Emitted when another figure, or none, is shown on its page.
   void figureShown();
-  /// The scene of a figure, to play with.
+  /// Emitted with the scene of a figure that the user wants to edit.
   void sceneWanted(const asperity::Scene& scene);
 
  private:

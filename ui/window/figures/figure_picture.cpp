@@ -81,7 +81,7 @@ void FigurePicture::take(std::uint64_t number, const QImage& image) {
   emit painted();
 }
 
-/// The texts of the picture follow font and language of the window.
+/// The texts of the picture have the font and language of the window.
 void FigurePicture::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::LanguageChange && made_) describe();
@@ -94,7 +94,7 @@ void FigurePicture::resizeEvent(QResizeEvent* event) {
   requestPicture();
 }
 
-/// While a picture of the new size is being made the last one is stretched.
+/// Stretches the last picture until one of the new size is ready.
 void FigurePicture::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (!image_.isNull()) {

@@ -1,6 +1,6 @@
-// Shows one of the paper's figures, drawn anew for each size and theme, or a line of text where
+// Shows one of the paper's figures, drawn again for each size and theme, or a line of text where
 // there is none. Pictures are made in the background. GUI thread; belongs to its parent.
-// Failure: the signal, where no picture can be made here.
+// Failure: a signal, where no picture can be made.
 #pragma once
 
 #include <QImage>
@@ -23,10 +23,11 @@ class FigurePicture : public QWidget {
   void showFigure(std::shared_ptr<const MadeFigure> made);
   void showText(const QString& text);
   void setTheme(const Theme& theme);
-  /// Texts keep this part of their usual size where a low picture would make them smaller.
+  /// Sets the least size of texts, relative to their usual size; a low picture would make them
+  /// smaller.
   void setLeastText(float part);
 
-  /// Whether the picture is of the figure last shown, at this size and in this theme.
+  /// Returns whether the picture shows the last figure at this size and in this theme.
   bool isPainted() const;
   const QImage& image() const { return image_; }
 
@@ -53,8 +54,8 @@ class FigurePicture : public QWidget {
   float leastText_ = 0;
   QImage image_;
   std::uint64_t asked_ = 0, shown_ = 0;  // numbers of requests
-  std::uint64_t first_ = 0;              // request for the figure shown; older ones are dropped
-  // Last: its thread ends before anything else here goes.
+  std::uint64_t first_ = 0;              // request of the present figure; older ones are dropped
+  // Last: its thread ends before other members are destroyed.
   BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
 };
 

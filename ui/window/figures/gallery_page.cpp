@@ -18,9 +18,9 @@
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/claims_table.h"
-#include "ui/window/figures/figure_files.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
+#include "ui/window/figures/made_figure.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
@@ -30,9 +30,10 @@ namespace asperity {
 namespace {
 
 constexpr int kMostRealizations = 10000;
-constexpr int kSteps = 1000;  // of the progress bar
+constexpr int kSteps = 1000;  // steps of the progress bar
 
-/// The look of the page in the colours of a palette: flat and rounded, as the bars of the window.
+/// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
+/// bars.
 QString styleSheetOf(const QPalette& palette) {
   const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
   const auto tint = [&](int percent) {
@@ -98,13 +99,14 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
   showChosen();
 }
 
-/// Sets the words that depend on what is computed and shown.
+/// Sets the texts that depend on what is computed and shown.
 void GalleryPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LanguageChange) return;
   note_->clear();
   showPlaceholder();
-  // Later, because the buttons, which are told after this page, set their usual texts first.
+  // This runs later, because the buttons get the event after this page and first set their usual
+  // texts.
   QMetaObject::invokeMethod(this, &GalleryPage::showWork, Qt::QueuedConnection);
 }
 
@@ -143,7 +145,7 @@ QWidget* GalleryPage::makeLeft() {
   return left;
 }
 
-/// How many lines to average over, and all figures at once.
+/// Makes the choice of the number of lines, and the button that computes all figures.
 QWidget* GalleryPage::makeChoices() {
   auto* choices = new QWidget;
   choices->setObjectName("galleryBar");
@@ -271,7 +273,7 @@ void GalleryPage::take(FigureName name) {
   showWork();
 }
 
-/// A text in the place of a picture that is not there yet.
+/// Shows a text in place of a picture that is not ready.
 void GalleryPage::showPlaceholder() {
   const FigureStatus& status = gallery_->status(chosen());
   if (status.made) return;
@@ -298,7 +300,7 @@ void GalleryPage::showMade(std::shared_ptr<const MadeFigure> made) {
   emit figureShown();
 }
 
-/// Which of the commands make sense now.
+/// Enables the commands that make sense now.
 void GalleryPage::showWork() {
   const FigureStatus& status = gallery_->status(chosen());
   compute_->setText(status.made ? tr("&Compute again") : tr("&Compute"));
@@ -332,7 +334,7 @@ void GalleryPage::compute() {
   gallery_->compute(chosen(), realizations_->value());
 }
 
-/// Those that are not there with as many lines.
+/// Computes the figures that are missing for this number of lines.
 void GalleryPage::computeAll() {
   note_->clear();
   for (const FigureEntry& entry : figureEntries()) {

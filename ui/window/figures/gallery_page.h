@@ -1,7 +1,7 @@
 // The page of the paper's figures: the list at the left, the picture at the right with the paper's
-// sentences about it below, computed live in the background. Takes the place of the views in the
-// main window, which owns it. GUI thread.
-// Failure: complaints appear in a bar over the page and the page goes on.
+// sentences about it below, computed live in the background. It replaces the views in the main
+// window, which owns it. GUI thread.
+// Failure: messages appear in a bar over the page, which stays usable.
 #pragma once
 
 #include <QWidget>
@@ -26,8 +26,8 @@ class GalleryPage : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int kQuick = 20;   // realizations: a look within seconds
-  static constexpr int kPaper = 200;  // as many as the paper averages over
+  static constexpr int kQuick = 20;   // realizations; a result within seconds
+  static constexpr int kPaper = 200;  // as many realizations as in the paper
 
   explicit GalleryPage(FigureMaker maker = makeFigure, QWidget* parent = nullptr);
   ~GalleryPage() override;
@@ -36,23 +36,23 @@ class GalleryPage : public QWidget {
   FigurePicture& picture() { return *picture_; }
   MessageBar& messages() { return *messages_; }
 
-  /// Shows this figure; `compute`: and makes it where it is not there yet.
+  /// Shows this figure; with `compute`, it is computed where it is missing.
   void choose(FigureName name, bool compute);
   FigureName chosen() const;
   void setTheme(const Theme& theme);
 
-  /// The figure chosen, as a print and as its table or claims, by the extension. Written in the
-  /// background; saved() or a complaint follows.
+  /// Saves the chosen figure, as a print or as its table or claims, by the extension. The file is
+  /// written in the background; saved() or an error message follows.
   void savePicture(const QString& file);
   void saveData(const QString& file);
   void askPicture();
-  /// As it is on the screen, to the clipboard.
+  /// Copies the picture as it is on the screen to the clipboard.
   void copyPicture();
-  /// Whether the figure chosen is there.
+  /// Returns whether the chosen figure has been computed.
   bool hasFigure() const { return shown_ != nullptr; }
 
  signals:
-  /// Another one, or none.
+  /// Emitted when another figure, or none, is shown.
   void figureShown();
   void closed();
   void sceneWanted(const asperity::Scene& scene);
@@ -86,17 +86,17 @@ class GalleryPage : public QWidget {
   void showWork();
 
   FigureGallery* gallery_;
-  std::shared_ptr<const MadeFigure> shown_;  // null: a text instead
+  std::shared_ptr<const MadeFigure> shown_;  // null: a text is shown
   MessageBar* messages_ = nullptr;
   FigureList* list_ = nullptr;
   FigurePicture* picture_ = nullptr;
   ClaimsTable* claims_ = nullptr;
   QSpinBox* realizations_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QLabel* note_ = nullptr;  // in the place of the progress while nothing is computed
+  QLabel* note_ = nullptr;  // shown in place of the progress while nothing is computed
   QPushButton *compute_ = nullptr, *cancel_ = nullptr, *openScene_ = nullptr;
   QPushButton *savePicture_ = nullptr, *saveData_ = nullptr;
-  BackgroundWork saving_{Overtaking::WaitsForItsTurn};  // last: ends before all else here goes
+  BackgroundWork saving_{Overtaking::WaitsForItsTurn};  // last: its thread ends first
 };
 
 }  // namespace asperity

@@ -1,9 +1,17 @@
 #include "ui/window/figures/made_figure.h"
 
 #include <algorithm>
+#include <string>
 #include <thread>
 
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/scene/provenance.h"
 #include "ui/chart/figure_drawing.h"
+#include "ui/draw/png_file.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/main/picture_files.h"
 
 namespace asperity {
 
@@ -24,6 +32,35 @@ std::shared_ptr<const MadeFigure> makeFigureBeside(const BackgroundWork::Run& ru
   MadeFigure made{maker(name, options), realizations, nullptr};
   made.contact = contactOf(made.figure);
   return std::make_shared<const MadeFigure>(std::move(made));
+}
+
+namespace {
+
+/// Returns the provenance that `asperity figure` writes, so that the file opens as its scene.
+std::string originOf(const Figure& figure) {
+  return pictureOrigin("figure", figure.scene);
+}
+
+}  // namespace
+
+QString figureFile(FigureName name, const QString& extension) {
+  return "figure_" + fromUtf8(entryOf(name).word) + extension;
+}
+
+void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
+  const Figure& figure = made.figure;
+  writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
+               {translated(figure.sheet.title), originOf(figure)});
+}
+
+void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {
+  const std::string extension = file.extension().string();
+  if (extension == ".csv")
+    writeFileAtomically(file, provenanceComment("figure", made.figure.scene) + made.figure.csv);
+  else if (extension == ".json")
+    writeFileAtomically(file, claimsJson({&made.figure, 1}));
+  else
+    throw unknownExtension(file.string(), extension, {".csv", ".json"});
 }
 
 }  // namespace asperity

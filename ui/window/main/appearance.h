@@ -1,6 +1,6 @@
-// The window's colours: everything is derived from the picture's Theme, so that contact view, chart
-// and controls belong together; and which theme there is, light, dark or as the system has it.
-// GUI thread. Cannot fail.
+// The window's colours. Everything is derived from the picture's Theme, so that contact view, chart
+// and controls match. The user chooses the theme: light, dark or the system's. GUI thread. Cannot
+// fail.
 #pragma once
 
 #include <QColor>
@@ -28,14 +28,14 @@ class Appearance : public QObject {
   explicit Appearance(QWidget& window);
 
   void addTo(Commands& commands);
-  /// A submenu: same as system, light, dark.
+  /// Adds a submenu: same as system, light, dark.
   void addMenu(QMenu& menu);
 
   /// Chooses the colours of the system, or always light or dark ones.
   void setColours(Colours colours);
   Colours colours() const { return colours_; }
 
-  /// Sets palette and style sheet anew, also where only the font has changed.
+  /// Sets palette and style sheet again, also where only the font has changed.
   void setDark(bool dark);
   bool isDark() const { return isDark_; }
   const Theme& theme() const;
@@ -46,19 +46,19 @@ class Appearance : public QObject {
  private:
   QWidget& window_;
   Commands* commands_ = nullptr;
-  QList<QAction*> choices_;  // one for each of Colours
+  QList<QAction*> choices_;  // one for each value of Colours
   Colours colours_ = Colours::System;
   bool isDark_ = false;
 };
 
 bool isDark(const Theme& theme);
 
-/// Whether the desktop's own colours are dark, as found at the first call: before setPalette().
+/// Returns whether the desktop's own colours are dark, read at the first call, before setPalette().
 bool systemIsDark();
 QPalette paletteOf(const Theme& theme);
 
-/// How much larger all texts are in a presentation on a screen of this size in pixels: read from
-/// the back of a room, they keep their share of a large one.
+/// Returns the factor of all texts in a presentation on a screen of this size in pixels. It keeps
+/// the size of texts relative to a large screen, so that they can be read from the back of a room.
 double presentedScale(const QSizeF& screen);
 
 /// Returns the style sheet of the main window: bars, docks, menus, splitter, message bar.

@@ -124,7 +124,7 @@ void drawSave(QPainter& painter) {
   painter.drawPolyline(QPolygonF{{3.5, 12.5}, {3.5, 16.5}, {16.5, 16.5}, {16.5, 12.5}});
 }
 
-/// An arrow that turns back to the left.
+/// Draws an arrow that turns back to the left.
 void drawUndo(QPainter& painter) {
   painter.drawPolyline(QPolygonF{{7.5, 3.5}, {3.8, 7.2}, {7.5, 10.9}});
   QPainterPath path;

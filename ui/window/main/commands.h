@@ -1,6 +1,6 @@
 // The commands of the window: each is an action with a name, a text in the language of the window,
-// keys, and perhaps a drawn icon. The parts of the window add theirs; menus and tool bar
-// (main_window_menus.cpp) put them in order by their names. GUI thread. Cannot fail.
+// keys, and optionally a drawn icon. The parts of the window add their commands; menus and tool bar
+// (main_window_menus.cpp) order them by name. GUI thread. Cannot fail.
 #pragma once
 
 #include <QAction>
@@ -39,12 +39,12 @@ enum class Symbol {
 QIcon symbolIcon(Symbol symbol, const QColor& colour);
 
 struct Command {
-  std::string name;               // of the action as an object
-  std::function<QString()> text;  // asked again for another language, and by refresh()
+  std::string name;               // object name of the action
+  std::function<QString()> text;  // called again for another language, and by refresh()
   std::function<void()> run;
   QList<QKeySequence> keys{};
   Symbol symbol = Symbol::None;
-  std::function<QString()> button{};  // on the tool bar; none: as in the menu
+  std::function<QString()> button{};  // text on the tool bar; none: as in the menu
 };
 
 class Commands : public QObject {
@@ -54,15 +54,15 @@ class Commands : public QObject {
   /// The keys of the command work in the whole window.
   QAction* add(Command command);
 
-  /// One that was added; its name has to be right.
+  /// Returns a command that was added; the name must be correct.
   QAction* get(const std::string& name) const;
   QList<QAction*> get(std::initializer_list<const char*> names) const;
 
-  /// Asks for the text again, which depends on more than the language.
+  /// Updates a text that depends on more than the language.
   void refresh(const std::string& name);
   void setSymbol(const std::string& name, Symbol symbol);
 
-  /// Paints all icons.
+  /// Draws all icons in this colour.
   void setColour(const QColor& colour);
 
  private:
@@ -78,7 +78,7 @@ class Commands : public QObject {
   QColor colour_;
 };
 
-/// Returns a text for a button: without dots, and with air between icon and text.
+/// Returns a text for a button: without dots, and with space between icon and text.
 QString buttonText(QString text);
 
 /// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.

@@ -47,7 +47,7 @@ Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
 DocumentCommands::DocumentCommands(SceneDocument& document, const ParameterPanel& panel,
                                    MessageBar& messages, QWidget& window)
     : QObject(&window), document_(document), panel_(panel), messages_(messages), window_(window) {
-  // A file that is still being read was asked for before this document.
+  // A file that is still being read was requested before this document.
   connect(&document_, &SceneDocument::opening, this, [this] { reading_.cancel(); });
 }
 
@@ -88,7 +88,7 @@ void DocumentCommands::addTo(Commands& commands) {
       {"revert", [] { return tr("Back to the scene as opened"); }, [this] { document_.revert(); }});
   commands.add({"resetAll", [] { return tr("All parameters to their defaults"); },
                 [this] { document_.resetAll(); }});
-  // The sheet of shortcuts says what a key means at any time, without the name of the next step.
+  // The list of shortcuts shows the general meaning of a key, without the name of the next step.
   keepTranslated(*this, [&commands] {
     commands.get("undo")->setProperty("shortText", tr("Undo"));
     commands.get("redo")->setProperty("shortText", tr("Redo"));
@@ -127,7 +127,7 @@ void DocumentCommands::openFile(const QString& file) {
 
 void DocumentCommands::openDropped(const QString& file) {
   if (!document_.needsSaving()) return openFile(file);
-  QTimer::singleShot(0, this, [this, file] {  // who dropped it does not wait for an answer
+  QTimer::singleShot(0, this, [this, file] {  // the source of the drop does not wait for an answer
     if (mayLeave()) openFile(file);
   });
 }
@@ -143,8 +143,8 @@ void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
   emit sceneRead(file, isShown);
 }
 
-/// Asks a question where a scene that another person may have put into a file wants more than to be
-/// shown.
+/// Asks a question where a scene, which another user may have put into a file, reads other files or
+/// needs much memory or time.
 bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
   const SceneDemands demands = found.isCarried ? demandsOf(found.scene) : SceneDemands{};
   if (!demands.any()) return true;
@@ -161,7 +161,7 @@ bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
   QMessageBox box(QMessageBox::Warning, tr("Asperity"), {}, QMessageBox::Open | QMessageBox::Cancel,
                   &window_);
   box.setObjectName("demandQuestion");
-  box.setTextFormat(Qt::PlainText);  // names of files are no markup
+  box.setTextFormat(Qt::PlainText);  // file names are not markup
   box.setText(tr("Open the scene in “%1”?").arg(QFileInfo(file).fileName()) + "\n\n" +
               wants.join('\n'));
   box.setDefaultButton(QMessageBox::Cancel);
@@ -219,7 +219,7 @@ bool DocumentCommands::mayLeave() {
                             .arg(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()))) +
       ' ' + tr("Otherwise they are lost."));
   box.setDefaultButton(QMessageBox::Save);
-  // Not every desktop gives its standard buttons a letter.
+  // Not every desktop gives its standard buttons a shortcut letter.
   box.button(QMessageBox::Save)->setText(tr("&Save"));
   box.button(QMessageBox::Discard)->setText(tr("&Discard"));
   box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
@@ -233,7 +233,7 @@ bool DocumentCommands::mayLeave() {
   }
 }
 
-// ---- Files opened or saved last
+// ---- Recent files
 
 void DocumentCommands::addRecentMenu(QMenu& menu) {
   recent_ = menu.addMenu(QString());
@@ -246,7 +246,7 @@ void DocumentCommands::addRecentMenu(QMenu& menu) {
   });
 }
 
-/// Files of the same name differ in their tooltips.
+/// Fills the menu. Files of the same name differ in their tooltips.
 void DocumentCommands::fillRecent() {
   recent_->clear();
   const QStringList files = recentFiles();

@@ -1,7 +1,7 @@
-// What a person does with the document: opening, saving, dropping a file on the window, undo and
-// redo; and the question before something that is not saved would be lost. Knows the files that
-// were opened or saved last. Owned by the main window; GUI thread. Failure: the reason appears in
-// the bar of messages, and the document stays as it is.
+// The commands of the document: opening, saving, dropping a file on the window, undo and redo; and
+// the question before unsaved changes would be lost. It keeps the list of recent files. Owned by
+// the main window; GUI thread. Failure: the reason appears in the message bar, and the document
+// stays as it is.
 #pragma once
 
 #include <QObject>
@@ -26,34 +26,35 @@ class DocumentCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// `panel`: what is typed there and misses something cannot be saved.
+  /// `panel`: an invalid entry that is being typed there cannot be saved.
   DocumentCommands(SceneDocument& document, const ParameterPanel& panel, MessageBar& messages,
                    QWidget& window);
 
   void addTo(Commands& commands);
-  /// A submenu of the files that were opened or saved last.
+  /// Adds a submenu of the recent files.
   void addRecentMenu(QMenu& menu);
 
   /// Reads a scene file, or any file that the program wrote from one, in the background, and shows
-  /// its scene as showFound() does; the newest call wins. sceneRead() follows; where the file does
-  /// not read, with the reason in the message bar.
+  /// its scene as showFound() does; the newest call wins. sceneRead() follows; where the file
+  /// cannot be read, the message bar shows the reason.
   void openFile(const QString& file);
-  /// Shows a scene that was read from a file. Asks first where it comes out of a picture, film or
-  /// table and would read a file elsewhere, or take very much memory or time.
+  /// Shows a scene that was read from a file. Asks first where the scene comes from a picture, film
+  /// or table and would read another file, or needs very much memory or time.
   void showFound(const QString& file, const FoundScene& found);
-  /// A file that was dropped on the window.
+  /// Opens a file that was dropped on the window.
   void openDropped(const QString& file);
 
-  /// False, with the reason in the message bar, where the file cannot be written.
+  /// Returns false, with the reason in the message bar, where the file cannot be written.
   bool saveTo(const QString& file);
 
-  /// Whether the document may go: it is unchanged, was saved just now, or nobody wants it.
+  /// Returns whether the document may be closed: it is unchanged, has just been saved, or the user
+  /// discards it.
   bool mayLeave();
-  /// Another document, if this one may go.
+  /// Opens another document, if the present one may be closed.
   void replace(const SceneOrigin& origin);
 
  signals:
-  /// A file that was to be opened was read, and its scene is shown or not.
+  /// Emitted when a requested file has been read, and its scene is shown or not.
   void sceneRead(const QString& file, bool isShown);
 
  private:
@@ -70,11 +71,11 @@ class DocumentCommands : public QObject {
   QWidget& window_;
   Commands* commands_ = nullptr;
   QMenu* recent_ = nullptr;
-  BackgroundWork reading_;  // last: its thread ends before anything else here goes
+  BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
 
-/// The files opened or saved last, the newest first, as absolute paths, kept in the user's
-/// settings. Files that are not there any more are left out.
+/// The recent files, the newest first, as absolute paths, kept in the user's settings. Files that
+/// no longer exist are left out.
 inline constexpr int kMostRecentFiles = 8;
 QStringList recentFiles();
 void addRecentFile(const QString& file);

@@ -81,9 +81,9 @@ QString range(double from, double to) {
   return numberText(from) + ':' + numberText(to);
 }
 
-constexpr double kUnseen = 1e-5;  // of a view's width, less than a pixel
+constexpr double kUnseen = 1e-5;  // part of a view's width, less than a pixel
 
-/// Rounds a position (m) to the digits that can be seen where the view is so wide (m).
+/// Rounds a position (m) to the digits that can be seen in a view of this width (m).
 double seen(double position, double width) {
   const double grid = std::pow(10, std::floor(std::log10(kUnseen * width)));
   const double rounded = std::round(position / grid) * grid;
@@ -99,8 +99,8 @@ double probed(double position, const Frame& frame, double width) {
   return seen(element, std::min(width, 0.1 * frame.spacing / kUnseen));
 }
 
-/// Returns the options of the view. Heights and the end of the colours are always among them,
-/// because fitted ones would be those of the first moment.
+/// Returns the options of the view. They always contain the heights and the maximum of the colour
+/// scale, because fitted ones would be those of the first frame.
 QStringList viewWords(const RenderCommandOptions& options) {
   const Frame& frame = *options.frame;
   const ContactPictureOptions& picture = options.options;
@@ -111,7 +111,7 @@ QStringList viewWords(const RenderCommandOptions& options) {
     words += {"--view", range(seen(view.left, width), seen(view.left + width, width))};
   const double size = view.top - view.bottom;
   words += {"--heights", range(seen(view.bottom, size), seen(view.top, size))};
-  if (const double end = endIn(view, picture.overlay); end > 0)
+  if (const double end = colourMaximum(view, picture.overlay); end > 0)
     words += {"--colours-to", numberText(roundedToDigits(end, 6))};
   if (picture.probe) words += {"--probe", numberText(probed(*picture.probe, frame, width))};
   if (picture.magnifier)
@@ -119,8 +119,8 @@ QStringList viewWords(const RenderCommandOptions& options) {
   return words;
 }
 
-/// Returns the time of the frame (s) with as few digits as tell it from the next step: a call takes
-/// whole steps that do not go beyond its moment.
+/// Returns the time of the frame (s) with as few digits as distinguish it from the next step: a
+/// call takes whole steps that do not go beyond this time.
 double moment(const Frame& frame) {
   constexpr int kAll = 17;
   for (int digits = 1; digits < kAll; ++digits) {
@@ -134,7 +134,7 @@ double moment(const Frame& frame) {
   return frame.time;
 }
 
-/// Returns the option of the moment: the time of a motion, or how far the line has slid steadily.
+/// Returns the option of the time: the time of a motion, or the distance of steady sliding.
 QStringList momentWords(const RenderCommandOptions& options) {
   const Frame& frame = *options.frame;
   if (frame.transient) return {"--at", numberText(moment(frame))};
@@ -152,7 +152,7 @@ QString settingText(const CurveSetting& setting) {
       .arg(setting.realizations);
 }
 
-/// The scene of a pinned curve as keys set over the present one.
+/// Returns the scene of a pinned curve as assignments to the present one.
 QString pinnedText(Scene pinned, const Scene& scene) {
   if (pinned.folder != scene.folder) pinned = withAbsoluteProfile(pinned);
   pinned.title = scene.title;
@@ -180,7 +180,7 @@ QStringList curveWords(const CurveCommandOptions& options, const Scene& scene) {
 }
 
 /// Returns a height (pixels) at which the contact is as high as in the window; with a comparison,
-/// for which the window makes the contact low, the picture is as high as all that is seen.
+/// for which the window makes the contact low, the picture is as high as all visible parts.
 int pictureHeight(const RenderCommandOptions& options) {
   const int contact = options.size.height();
   if (options.layout == "contact") return contact;
@@ -222,7 +222,7 @@ QString curveCommand(const SceneOrigin& origin, const Scene& scene,
   words += {"-o", "curve.csv"};
   const QStringList more = curveWords(curves, scene);
   const auto isAxis = [&](const char* option) { return more.contains(QLatin1String(option)); };
-  // Axes are a picture's.
+  // Only pictures have axes.
   if (isAxis("--axes") || isAxis("--x-range") || isAxis("--y-range")) words += {"-o", "curve.png"};
   return command(words + more);
 }
@@ -269,7 +269,7 @@ void Exports::addTo(Commands& commands) {
   connect(&parts_.figures, &FigurePages::figureShown, this, show);
 }
 
-/// The commands are about what is in sight: the contact, or the figure that is shown instead.
+/// Shows the commands for what is visible: the contact, or the figure that is shown instead.
 void Exports::showCommands(Commands& commands) const {
   const bool figures = parts_.figures.isShowingFigures();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
@@ -278,7 +278,7 @@ void Exports::showCommands(Commands& commands) const {
     action->setEnabled(!figures);
 }
 
-/// The picture that is on the screen, standing still; none before the first.
+/// Returns the present picture as a still; none before the first.
 std::optional<ContactShot> Exports::shot() const {
   const ContactCanvas& canvas = parts_.canvas;
   const std::shared_ptr<const Frame> frame = canvas.viewer().frame();
@@ -293,7 +293,7 @@ std::optional<ContactShot> Exports::shot() const {
   return shot;
 }
 
-/// Drawn beside the window, because OSMesa must not come near the window's own context.
+/// Draws in the background, because OSMesa must not share a thread with the window's own context.
 void Exports::run(std::function<void()> work, std::function<void()> done) {
   work_.request([work = std::move(work)](const BackgroundWork::Run&) { work(); },
                 [this, done = std::move(done)] {
@@ -339,7 +339,7 @@ CurveCommandOptions Exports::shownCurves() const {
   return {curves_->shown(), parts_.tabs.accuracy().comparison()};
 }
 
-/// Returns the call that draws the contact and, below it, the tab that is in front.
+/// Returns the call that draws the contact and, below it, the front tab.
 QString Exports::pictureCommand() const {
   const ContactCanvas& canvas = parts_.canvas;
   const Scene& scene = parts_.document.scene();
@@ -357,7 +357,7 @@ QString Exports::pictureCommand() const {
   options.dark = parts_.appearance.isDark();
   options.overlay = QString::fromUtf8(wordFor(canvas.viewer().overlay()).data());
   const std::optional<ContactShot> present = shot();
-  // A frame of the scene before has not yet been replaced: fitted ones will do.
+  // A frame of the previous scene has not yet been replaced; fitted values are then sufficient.
   if (present && present->frame->sceneNumber == parts_.session.sceneNumber()) {
     options.frame = present->frame;
     options.options = present->options;

@@ -1,7 +1,7 @@
-// What leaves the window: the contact as it is shown, as a picture in a file or on the clipboard,
-// and the calls of `asperity` that make picture and curve without the window, as a person pastes
-// them into a shell. Files are written in the background, each in its turn. Owned by the main
-// window; GUI thread. Failure: the reason appears in the bar of messages.
+// Exports of the window: the contact as it is shown, as a picture in a file or on the clipboard,
+// and the shell commands of `asperity` that make picture and curve without the window. Files are
+// written in the background, one after the other. Owned by the main window; GUI thread. Failure:
+// the reason appears in the message bar.
 #pragma once
 
 #include <QObject>
@@ -31,9 +31,9 @@ class Session;
 class StatusLine;
 struct ContactShot;
 
-/// The options that make the curves in the diagram beside the scene's own.
+/// The options that make the other curves in the diagram.
 struct CurveCommandOptions {
-  std::optional<CurveSet> shown{};  // with axes and pinned ones; nothing before the first curve
+  std::optional<CurveSet> shown{};  // with axes and pinned curves; nothing before the first curve
   std::optional<CurveSetting> compared{};
 };
 
@@ -41,29 +41,29 @@ struct CurveCommandOptions {
 struct RenderCommandOptions {
   QString layout = QStringLiteral("contact");
   QSize size;        // of the contact, device pixels
-  int below = 0;     // height of what is in front under it, device pixels
-  double scale = 1;  // device pixels to one of the window system's, times the size of texts
+  int below = 0;     // height of the front tab below it, device pixels
+  double scale = 1;  // device pixels per logical pixel, times the factor of texts
   bool dark = false;
   QString overlay = QStringLiteral("pressure");
-  std::shared_ptr<const Frame> frame;  // the moment that is shown; null: as the scene begins
-  ContactPictureOptions options{};     // and where in it somebody looks
+  std::shared_ptr<const Frame> frame;  // the frame that is shown; null: the scene's beginning
+  ContactPictureOptions options{};     // with the view of the user
   bool hasCurves = false;              // whether the diagram is shown
   CurveCommandOptions curves{};
 };
 
-/// "asperity render figure_1.json --set load.normal_force=0.1 -o picture.png ...". A scene that
-/// came from nowhere is said as a shipped one with all that differs.
+/// Returns "asperity render figure_1.json --set load.normal_force=0.1 -o picture.png ...". A scene
+/// without origin is written as a shipped scene with all differences.
 QString renderCommand(const SceneOrigin& origin, const Scene& scene,
                       const RenderCommandOptions& options);
 
-/// "asperity curve ... -o curve.csv", with what is compared beside the scene's own curve.
+/// Returns "asperity curve ... -o curve.csv", with the other curves in the diagram.
 QString curveCommand(const SceneOrigin& origin, const Scene& scene,
                      const CurveCommandOptions& curves = {});
 
-/// One word for a POSIX shell, in quotes where it needs them.
+/// Returns one word for a POSIX shell, in quotes where it needs them.
 QString shellQuoted(const QString& word);
 
-/// Parts of the window that are exported, or that say so.
+/// Parts of the window that are exported, or that show messages about exports.
 struct ExportParts {
   QWidget& window;
   SceneDocument& document;
@@ -83,18 +83,18 @@ class Exports : public QObject {
   explicit Exports(const ExportParts& parts);
 
   void addTo(Commands& commands);
-  /// The curves that are shown are asked of these.
+  /// Sets the source of the curves that are shown.
   void setCurves(const CurveCommands& curves) { curves_ = &curves; }
 
-  /// The contact as it is shown, with its title, as .png, .svg or .pdf. In the background;
-  /// exported() or a complaint in the message bar follows.
+  /// Saves the contact as it is shown, with its title, as .png, .svg or .pdf, in the background;
+  /// exported() or an error in the message bar follows.
   void savePicture(const QString& file);
 
-  /// Runs `work` in the background, then `done`; or complains.
+  /// Runs `work` in the background, then `done`; or shows the error.
   void run(std::function<void()> work, std::function<void()> done);
 
  signals:
-  /// A picture is on the clipboard (empty) or in this file.
+  /// Emitted when a picture is on the clipboard (empty) or in this file.
   void exported(const QString& file);
 
  private:
@@ -108,7 +108,7 @@ class Exports : public QObject {
 
   ExportParts parts_;
   const CurveCommands* curves_ = nullptr;
-  BackgroundWork work_{Overtaking::WaitsForItsTurn};  // last: ends before anything else here goes
+  BackgroundWork work_{Overtaking::WaitsForItsTurn};  // last: its thread ends first
 };
 
 }  // namespace asperity

@@ -42,16 +42,17 @@
 #include "ui/window/main/status_line.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
-#include "ui/window/main/window_sight.h"
+#include "ui/window/main/window_visibility.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
-constexpr int kUnseenPoll = 250;   // ms, where nobody sees what comes
+constexpr int kUnseenPoll = 250;   // ms, while nobody sees the frames
 
-/// Qt's own buttons of a dock, which its title covers, keep the words that they were made with.
+/// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
+/// language.
 void sayAgain(const QDockWidget& dock) {
   static constexpr struct {
     const char *object, *name, *description;
@@ -68,7 +69,7 @@ void sayAgain(const QDockWidget& dock) {
     }
 }
 
-/// A dock's title in the window's own look.
+/// Returns a dock's title in the window's own style.
 QWidget* dockTitle(QDockWidget& dock) {
   auto* title = new QWidget;
   title->setObjectName("dockTitle");
@@ -96,7 +97,7 @@ LineSize sizeOf(const Frame& frame) {
           static_cast<std::int64_t>(frame.lineHeight.size()) / pointsPerElement(*frame.scene)};
 }
 
-/// One below the other without a gap; the last one takes the room.
+/// Puts widgets below each other without a gap; the last one takes the remaining height.
 QWidget* inColumn(std::initializer_list<QWidget*> widgets) {
   auto* all = new QWidget;
   auto* column = new QVBoxLayout(all);
@@ -131,13 +132,13 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   poll_ = new QTimer(this);
   poll_->setTimerType(Qt::PreciseTimer);
   connect(poll_, &QTimer::timeout, session_, &Session::poll);
-  sight_ = new WindowSight(*this);
-  connect(sight_, &WindowSight::changed, this, &MainWindow::followSight);
+  visibility_ = new WindowVisibility(*this);
+  connect(visibility_, &WindowVisibility::changed, this, &MainWindow::followVisibility);
   session_->begin();
   poll_->start(kPollInterval);
 }
 
-/// The layout gives the font back to other windows, while all of this one is there.
+/// The layout restores the font of other windows while all parts of this one still exist.
 MainWindow::~MainWindow() {
   delete windowLayout_;
 }
@@ -282,7 +283,7 @@ void MainWindow::showTitle() {
   setWindowModified(document_->isChanged());
 }
 
-// ---- What the session makes of it
+// ---- News from the session
 
 void MainWindow::connectFrames() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
@@ -310,9 +311,10 @@ void MainWindow::connectFrames() {
     figures_->setTheme(theme);
   });
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
-    // Space presses the buttons of the page of figures; it does not pause the run behind it.
+    // The space bar presses the buttons of the page of figures; it does not pause the run behind
+    // it.
     for (QAction* action : commands_->get({"play", "step", "reset"})) action->setEnabled(!areShown);
-    followSight();
+    followVisibility();
     if (areShown) return;
     if (session_->frame()) canvas_->setFrame(session_->frame());
     canvas_->setFocus();
@@ -333,19 +335,19 @@ void MainWindow::showFrame() {
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
 }
 
-/// Pauses the moving picture while the window is hidden; curves are computed further.
-void MainWindow::followSight() {
-  poll_->setInterval(sight_->isSeen() ? kPollInterval : kUnseenPoll);
-  session_->setSeen(sight_->isSeen() && !figures_->isShowingFigures());
+/// Pauses the moving picture while the window is hidden; curves are still computed.
+void MainWindow::followVisibility() {
+  poll_->setInterval(visibility_->isSeen() ? kPollInterval : kUnseenPoll);
+  session_->setSeen(visibility_->isSeen() && !figures_->isShowingFigures());
 }
 
-/// Asks for the fields that the contact shows and the statistics count, and no more.
+/// Requests only the optional values that the contact shows and the statistics count.
 void MainWindow::wantFields() {
   session_->wantFields(canvas_->fields() | tabs_->fields());
 }
 
-/// Returns the part of the period by which a step by hand moves the line: a small part of the view,
-/// so that the step can be seen.
+/// Returns the part of the period by which a single step moves the line: a small part of the view,
+/// so that the step is visible.
 double MainWindow::partPerStep() const {
   constexpr double kOfView = 1.0 / 200;
   const Frame* frame = canvas_->frame();
@@ -375,9 +377,9 @@ void MainWindow::connectCurve() {
           [this] { messages_->end(MessageBar::Failure::Comparison); });
 }
 
-// ---- Language, files that are dropped, the end
+// ---- Language, dropped files, closing
 
-/// Qt posts the event to every window, which hands it to its parts; this sends it at once.
+/// Changes the language. Qt would post the event to every window later; this sends it at once.
 void MainWindow::setLanguage(std::string_view code) {
   const std::string_view known = languageFor(code);
   if (known.empty() || known == presentLanguage()) return;

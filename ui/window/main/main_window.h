@@ -1,8 +1,8 @@
 // The main window: contact view above, friction diagram below it, parameters at the right, bars for
-// commands and facts; or the page of the paper's figures in the place of the views. It makes the
-// parts, each of which has a header of its own, and connects them: the document holds the scene,
-// the session runs it, and everything shown about a state comes from the session's frame. GUI
-// thread. Failure: complaints appear in a bar over the views and the window goes on.
+// commands and readings; or the page of the paper's figures in place of the views. It makes the
+// parts, each of which has its own header, and connects them: the document holds the scene, the
+// session runs it, and everything shown about a state comes from the session's frame. GUI thread.
+// Failure: messages appear in a bar over the views and the window stays usable.
 #pragma once
 
 #include <QMainWindow>
@@ -36,7 +36,7 @@ class StatusLine;
 class Tour;
 class TourBar;
 class WindowLayout;
-class WindowSight;
+class WindowVisibility;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -45,9 +45,9 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const Scene& scene, RunnerOptions options = {}, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  SceneDocument& document() { return *document_; }       // the scene and its history
-  DocumentCommands& documents() { return *documents_; }  // files, undo, what is not saved
-  Session& session() { return *session_; }               // the scene as it runs
+  SceneDocument& document() { return *document_; }              // the scene and its history
+  DocumentCommands& documentCommands() { return *documents_; }  // files, undo, unsaved changes
+  Session& session() { return *session_; }                      // the running scene
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
   SceneTabs& tabs() { return *tabs_; }  // under the contact
@@ -61,12 +61,12 @@ class MainWindow : public QMainWindow {
   Appearance& appearance() { return *appearance_; }
   WindowLayout& windowLayout() { return *windowLayout_; }
 
-  /// All words in another language, at once: every part is told by Qt (QEvent::LanguageChange) and
-  /// sets its own texts; nothing else changes. An unknown code changes nothing.
+  /// Changes the language of all texts at once: Qt informs every part (QEvent::LanguageChange),
+  /// which sets its own texts; nothing else changes. An unknown code changes nothing.
   void setLanguage(std::string_view code);
 
  protected:
-  /// A scene, or a picture or table made from one, dropped on the window is opened.
+  /// A scene, or a picture or table made from one, is opened when it is dropped on the window.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
@@ -85,7 +85,7 @@ class MainWindow : public QMainWindow {
   void showShortcuts();
   void showAbout();
 
-  void followSight();
+  void followVisibility();
   void wantFields();
   void showScene(const Scene& scene);
   void showDescription();
@@ -111,9 +111,9 @@ class MainWindow : public QMainWindow {
   CurveCommands* curveCommands_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;
   Tour* tour_ = nullptr;
-  WindowSight* sight_ = nullptr;
+  WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
-  std::optional<std::string> described_;  // what the bar of the description said last
+  std::optional<std::string> described_;  // last text in the bar of the description
 };
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
-// The main window's menus and tool bar, in the order in which a person sees them, and the dialogs
-// of its help menu.
+// The main window's menus and tool bar, in the order on the screen, and the dialogs of its help
+// menu.
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
@@ -94,7 +94,7 @@ QMenu* MainWindow::addMenu(QString (*title)()) {
   return menu;
 }
 
-/// Adds a submenu for each chapter; scenes without a chapter stand in the menu itself.
+/// Adds a submenu for each chapter; scenes without a chapter are in the menu itself.
 void MainWindow::fillScenes(QMenu& menu) {
   std::string chapter;
   QMenu* part = &menu;
@@ -118,7 +118,7 @@ void MainWindow::fillScenes(QMenu& menu) {
   }
 }
 
-/// Adds a submenu of all languages and the desktop's; the choice is remembered.
+/// Adds a submenu of all languages and the desktop's language; the choice is remembered.
 void MainWindow::fillLanguages(QMenu& menu) {
   QMenu* names = menu.addMenu(QString());
   auto* group = new QActionGroup(names);
@@ -173,7 +173,7 @@ void MainWindow::buildToolBar(QMenu& scenesMenu) {
     if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action)))
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
 
-  // This button opens the commands that have no room. Its own arrow is black, also on a dark bar.
+  // This button opens the commands that do not fit. Its own arrow is black, also on a dark bar.
   auto* more = bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
   if (more) {
     more->setToolButtonStyle(Qt::ToolButtonTextOnly);

@@ -19,13 +19,13 @@ namespace asperity {
 
 namespace {
 
-const QChar kAnd = u'\x1';  // in the place of "&&"
+const QChar kAnd = u'\x1';  // stands for "&&"
 
 QString withoutMarks(QString text) {
   return text.replace(QStringLiteral("&&"), kAnd).remove(u'&');
 }
 
-/// Places of letters and digits, those at the beginning of a word first.
+/// Returns the positions of letters and digits, those at the beginning of a word first.
 std::vector<qsizetype> placesIn(const QString& text) {
   std::vector<qsizetype> first, others;
   for (qsizetype i = 0; i < text.size(); ++i)
@@ -34,7 +34,7 @@ std::vector<qsizetype> placesIn(const QString& text) {
   return first;
 }
 
-/// Which entry has which letter, found by letting those before give way to another letter of theirs
+/// Assigns letters to entries. An earlier entry moves to another of its letters where that helps
 /// (augmenting paths).
 class Letters {
  public:
@@ -106,19 +106,19 @@ void keepMnemonics(QMenu& menu) {
   });
 }
 
-// ---- The sheet of shortcuts
+// ---- The list of shortcuts
 
 namespace {
 
-constexpr int kAround = 40;             // pixels around the groups, a scroll bar's included
-constexpr double kLeastLetters = 0.75;  // of the usual size
-constexpr double kSmaller = 0.97;       // in one step
+constexpr int kAround = 40;             // pixels around the groups, including a scroll bar
+constexpr double kLeastLetters = 0.75;  // smallest factor of the usual size
+constexpr double kSmaller = 0.97;       // factor of one step
 
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
 }
 
-/// Several keys of one command are alternatives; a command that has none has no entry.
+/// Adds the keys of a command, which are alternatives; a command without keys has no entry.
 void addEntry(ShortcutGroup& group, const QAction& action) {
   QStringList keys;
   for (const QKeySequence& key : action.shortcuts()) keys += key.toString(QKeySequence::NativeText);
@@ -205,12 +205,13 @@ QList<ShortcutGroup> gestureGroups() {
 
 namespace {
 
-/// Lines that a group takes, with its title and the gap below it.
+/// Returns the number of lines of a group, with its title and the gap below it.
 qsizetype linesOf(const ShortcutGroup& group) {
   return group.entries.size() + 2;
 }
 
-/// The groups one below the other in columns of at most so many lines; how many columns those are.
+/// Returns the number of columns if the groups are put below each other in columns of at most
+/// `most` lines.
 qsizetype columnsWithin(qsizetype most, const QList<ShortcutGroup>& groups,
                         QList<qsizetype>& columnOf) {
   columnOf.clear();
@@ -257,13 +258,14 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
 }
 
 QSize ShortcutSheet::neededSize() const {
-  // All widgets get their requests, because a group lays itself out before the sheet knows of it.
+  // All widgets get their layout requests now, because a group is laid out before the list receives
+  // its size.
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   return content_->minimumSizeHint().expandedTo(content_->sizeHint()) + QSize(kAround, kAround);
 }
 
-/// Makes the sheet as large as needed, once fonts and style are those of the screen, and its
-/// letters smaller where the window has no room for it.
+/// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
+/// smaller where the window is too small.
 void ShortcutSheet::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
@@ -272,7 +274,7 @@ void ShortcutSheet::showEvent(QShowEvent* event) {
   };
   for (double part = 1; isTooLarge(neededSize()) && part > kLeastLetters; part *= kSmaller)
     for (QLabel* label : content_->findChildren<QLabel*>()) {
-      QFont font = label->font();  // under a style sheet it is not that of the sheet
+      QFont font = label->font();  // with a style sheet it differs from the list's font
       font.setPointSizeF(kSmaller * font.pointSizeF());
       label->setFont(font);
     }

@@ -1,9 +1,9 @@
-// The keys of a window. Letters of menu entries: with Alt held or a menu open one letter takes an
-// entry. They are chosen when a menu opens, so that every entry has one of its own in each language
-// and in menus that come and go; an entry whose letters are all taken has none. And a sheet of all
-// shortcuts, read from the window's actions as they are: by menu, then what is in no menu by the
-// action's property "group"; and what wheel, pointer, fingers and arrow keys do in the views. GUI
-// thread. Cannot fail.
+// The keys of a window. (1) Letters of menu entries: with Alt held, or in an open menu, one letter
+// chooses an entry. They are chosen when a menu opens, so that every entry has its own in each
+// language and in menus whose entries change; an entry whose letters are all used by others has
+// none. (2) A list of all shortcuts, read from the window's present actions: first by menu, then
+// actions in no menu by their property "group", then the gestures of wheel, pointer, fingers and
+// arrow keys in the views. GUI thread. Cannot fail.
 #pragma once
 
 #include <QCoreApplication>
@@ -17,11 +17,11 @@ class QMenu;
 
 namespace asperity {
 
-/// The texts with '&' before a letter or digit that is no other's, at the beginning of a word where
-/// that can be; marks that were there go, "&&" stays.
+/// Returns the texts with '&' before a letter or digit that no other text has, at the beginning of
+/// a word where possible. Earlier marks are removed, "&&" stays.
 QStringList withMnemonics(const QStringList& texts);
 
-/// Gives the visible entries their letters whenever the menu opens from now on.
+/// Gives the visible entries their letters each time the menu opens.
 void keepMnemonics(QMenu& menu);
 
 struct ShortcutGroup {
@@ -33,10 +33,10 @@ struct ShortcutGroup {
   QList<Entry> entries;
 };
 
-/// Groups without a key are left out.
+/// Returns the groups; those without a key are left out.
 QList<ShortcutGroup> shortcutGroups(const QMainWindow& window);
 
-/// The gestures that contact_canvas.h and chart_view.h describe.
+/// Returns the gestures that contact_canvas.h and chart_view.h describe.
 QList<ShortcutGroup> gestureGroups();
 
 class ShortcutSheet : public QDialog {

@@ -1,6 +1,6 @@
-// A line over the views for what went wrong: not modal, closed by its button or when all is well
-// again. What is wrong with the scene comes back when another message that covered it leaves. GUI
-// thread; belongs to its parent.
+// A line over the views for errors. It is not modal, and closes by its button or when the error is
+// over. A message about the scene returns when another message that covered it leaves. GUI thread;
+// belongs to its parent.
 #pragma once
 
 #include <QFrame>
@@ -24,20 +24,20 @@ class MessageBar : public QFrame {
 
   void showMessage(const QString& text);
 
-  /// What failed. Its message leaves with end(), once that goes well again; end() says whether it
-  /// was to be seen.
+  /// Sources of errors. A message leaves with end(), once its source succeeds again; end() returns
+  /// whether the message was visible.
   enum class Failure { None, Scene, Files, Export, Comparison };
   void showFailure(Failure of, const QString& text);
   bool end(Failure of);
 
-  /// What is wrong with the scene, until sceneRuns(): a key, which may be empty, and core's
-  /// English.
+  /// Shows what is wrong with the scene, until sceneRuns(): a key, which may be empty, and core's
+  /// English message.
   void complain(const QString& key, const Message& english);
   void sceneRuns();
   /// Hides every message, because another scene was opened.
   void forget();
 
-  /// Shows an offer and a button that takes it up. Both texts are asked for again in another
+  /// Shows an offer and a button that accepts it. Both texts are requested again in another
   /// language.
   using Text = std::function<QString()>;
   void showOffer(Text text, Text button);
@@ -46,7 +46,7 @@ class MessageBar : public QFrame {
  signals:
   void accepted();
   void closed();  // by its button
-  /// The complaint about the scene was said, the first time or anew; translated.
+  /// Emitted with the translated message about the scene when it appears or changes.
   void complained(const QString& key, const QString& text);
 
  private:

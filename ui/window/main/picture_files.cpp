@@ -8,7 +8,6 @@
 #include "ui/draw/fonts.h"
 #include "ui/draw/osmesa_context.h"
 #include "ui/draw/pdf_file.h"
-#include "ui/draw/png_file.h"
 #include "ui/draw/svg_file.h"
 #include "ui/language/translated.h"
 
@@ -16,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-/// "png" of "Pictures (*.png *.svg)".
+/// Returns the first extension of a filter: "png" of "Pictures (*.png *.svg)".
 QString firstEnding(const QString& filter) {
   static const QRegularExpression ending(QStringLiteral(R"(\*\.(\w+))"));
   return ending.match(filter).captured(1);
@@ -47,18 +46,19 @@ QImage imageOf(const ContactShot& shot) {
 }
 
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureLabel& label) {
+                  const PictureProperties& properties) {
   const std::string extension = file.extension().string();
   if (extension == ".png") {
     checkWritable(file);
     OsmesaContext context;
-    writePng(file, renderImage(context, picture), {label.title, label.origin, 96 * label.scale});
+    writePng(file, renderImage(context, picture),
+             {properties.title, properties.metadata, 96 * properties.scale});
   } else if (extension == ".svg") {
-    writeSvg(file, picture, {label.title, label.origin});
+    writeSvg(file, picture, {properties.title, properties.metadata});
   } else if (extension == ".pdf") {
-    writePdf(file, picture, {label.title, label.origin, 0.75 / label.scale});
+    writePdf(file, picture, {properties.title, properties.metadata, 0.75 / properties.scale});
   } else {
-    throw InputError(file.string(), "", "'" + extension + "' is not one of .png, .svg, .pdf");
+    throw unknownExtension(file.string(), extension, {".png", ".svg", ".pdf"});
   }
 }
 

@@ -1,6 +1,6 @@
-// Pictures of the window as images and files, drawn as the headless verbs draw them, and the
-// question where a file is to be written. Images and files: any thread on which no OpenGL context
-// of the window is current, one at a time. The question: GUI thread.
+// Pictures of the window as images and files, drawn in the same way as the commands draw them, and
+// the dialog for the name of a file. Images and files: any thread on which no OpenGL context of the
+// window is current, one at a time. The dialog: GUI thread.
 #pragma once
 
 #include <QImage>
@@ -11,40 +11,35 @@
 
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/png_file.h"
 
 class QWidget;
 
 namespace asperity {
 
-/// Asks a person for a file to write; empty where none was chosen. A name without an ending gets
-/// the first one of the filter that is chosen in the dialog, before it is asked whether the file
-/// may be replaced. `name` is proposed, with or without a folder; `filters` as for QFileDialog,
-/// separated by ";;".
+/// Asks the user for a file to write; returns an empty text where none was chosen. A name without
+/// an extension gets the first one of the chosen filter, before the dialog asks whether an existing
+/// file may be replaced. `name` is proposed, with or without a folder; `filters` as for
+/// QFileDialog, separated by ";;".
 QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
                     const QString& filters);
 
-/// The contact as it is on the screen, under its title.
+/// A picture of the contact as it is on the screen, with its title.
 struct ContactShot {
   std::shared_ptr<const Frame> frame;  // never null
   ContactPictureOptions options;
 };
 
-/// The metadata of a picture's file.
-struct PictureLabel {
-  std::string title;   // of the document; empty: none
-  std::string origin;  // one line of provenance, so that the file opens as its scene
-  double scale = 1;    // pixels to one at 96 per inch
-};
-
-/// Without what is said of a picture that moves: how fast its time passes on the screen, and in
-/// steady sliding what its last steps read.
+/// Returns the frame without the texts of a moving picture: the slow motion, and in steady sliding
+/// the readings of the last steps.
 std::shared_ptr<const Frame> stillOf(const Frame& frame);
 
 QImage imageOf(const ContactShot& shot);
 
-/// Write PNG, SVG or PDF, by the extension; InputError for any other, and as writeFileAtomically.
+/// Writes PNG, SVG or PDF, by the extension. Throws InputError for any other one, and as
+/// writeFileAtomically.
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
-                  const PictureLabel& label);
+                  const PictureProperties& properties);
 void writeContact(const std::filesystem::path& file, const ContactShot& shot);
 
 }  // namespace asperity

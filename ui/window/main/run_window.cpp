@@ -35,7 +35,7 @@ namespace {
 
 const QString kLanguage = QStringLiteral("language");
 
-/// Together with what comes before and after it, this is less than half a second.
+/// Together with the work before and after it, this is less than half a second.
 constexpr std::chrono::milliseconds kQuitTime{400};
 
 Scene firstScene() {
@@ -43,7 +43,7 @@ Scene firstScene() {
   return scenes.empty() ? Scene{} : scenes.front().scene;
 }
 
-constexpr int kStartField = 19;  // of /proc/self/stat, behind the name
+constexpr int kStartField = 19;  // field of /proc/self/stat after the name
 
 }  // namespace
 
@@ -71,7 +71,7 @@ void prepareApplication(QApplication& application) {
   QApplication::setApplicationDisplayName({});
   QApplication::setApplicationVersion(QStringLiteral(ASPERITY_VERSION));
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  systemIsDark();  // while the palette is the desktop's
+  systemIsDark();  // called while the palette is still the desktop's
   loadFonts();
   QFont font = application.font();
   if (font.pointSizeF() > 0 && font.pointSizeF() < 9.5) font.setPointSizeF(9.5);
@@ -90,7 +90,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   window->show();
   if (start.found)
     QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
-      shown->documents().showFound(QString::fromStdString(start.file), *start.found);
+      shown->documentCommands().showFound(QString::fromStdString(start.file), *start.found);
     });
   return runUntilClosed(application, std::move(window));
 }

@@ -26,8 +26,8 @@ QString capitalized(const QString& text) {
 
 }  // namespace
 
-/// Numbers the gestures of a person: a press of a button or of a key begins a new one; what moves,
-/// repeats and turns meanwhile belongs to it. Watches the whole application.
+/// Numbers the gestures of a user: pressing a button or a key begins a new one; movements, repeats
+/// and wheel steps until the next press belong to it. It watches the whole application.
 class GestureCounter : public QObject {
  public:
   explicit GestureCounter(QObject* parent) : QObject(parent) { qApp->installEventFilter(this); }
@@ -49,7 +49,7 @@ class GestureCounter : public QObject {
         else
           begin();
         break;
-      case QEvent::Wheel:  // turned further is one gesture, turned after a drag another
+      case QEvent::Wheel:  // turning on is one gesture; turning after a drag is another
         if (!std::exchange(isTurning_, true)) ++present_;
         break;
       default:
@@ -147,7 +147,7 @@ void SceneDocument::revert() {
   edit(origin_.scene, QT_TR_NOOP("Back to the scene as opened"));
 }
 
-/// Names all steps anew in the language in use.
+/// Names all steps again in the current language.
 void SceneDocument::nameSteps() {
   for (int i = 0; i < history_.count(); ++i)
     static_cast<SceneStep*>(const_cast<QUndoCommand*>(history_.command(i)))->takeName();
@@ -166,7 +166,7 @@ QString SceneDocument::name() const {
 
 QString SceneDocument::proposedFile() const {
   if (!origin_.shipped.isEmpty()) return origin_.shipped + QStringLiteral(".json");
-  // Letters without their accents, and what stands between words as one sign.
+  // Letters lose their accents, and other signs between words become one sign.
   static const QRegularExpression mark(QStringLiteral("\\p{M}"));
   static const QRegularExpression between(QStringLiteral("[^A-Za-z0-9]+"));
   const QString plain = QString::fromStdString(scene_.title)
@@ -191,8 +191,8 @@ std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {
   return keys;
 }
 
-/// Returns the name of a step of the history: that of the choice, if one changed, because it
-/// changes other parameters too.
+/// Returns the name of a step of the history. If a choice changed, its name is used, because a
+/// choice changes other parameters too.
 QString stepName(const Scene& before, const Scene& after) {
   const std::vector<std::string_view> keys = differingKeys(before, after);
   const auto isChoice = [](std::string_view key) {

@@ -12,7 +12,7 @@
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
 
-// Outside of the namespace, as the resource compiler's function is.
+// This function is outside of the namespace, as the resource compiler's function is.
 static void openResources() {
   Q_INIT_RESOURCE(asperity_scenes);
 }
@@ -23,11 +23,12 @@ namespace {
 
 const QString kFolder = QStringLiteral(":/asperity/scenes");
 
-/// Chapters that the list does not know come last.
+/// Returns the rank of a chapter; unknown ones come last.
 std::size_t rankOf(const std::string& chapter) {
   static const std::string_view order[] = {
       "Regions I to IV", "Full contact", "Single asperities",   "Rheology",
-      "Temperature",     "Transients",   "Correlated roughness"};
+      "Temperature",     "Transients",   "Correlated roughness",
+      "Everyday surfaces"};
   return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
 }
 
@@ -51,7 +52,7 @@ std::vector<LibraryScene> readLibrary() {
   return scenes;
 }
 
-/// The file of a shipped scene; none where no scene has this name.
+/// Returns the file of a shipped scene; none where no scene has this name.
 std::optional<std::string> libraryFile(const std::string& name) {
   openResources();
   QFile file(kFolder + "/" + QString::fromStdString(name));

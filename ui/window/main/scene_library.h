@@ -1,4 +1,4 @@
-// The scenes that come with the program, from resources/scenes through Qt's resource system.
+// The scenes that are shipped with the program, from resources/scenes through Qt's resource system.
 #pragma once
 
 #include <QString>
@@ -11,16 +11,16 @@
 namespace asperity {
 
 struct LibraryScene {
-  QString name;  // of the file, without its ending
+  QString name;  // file name without its extension
   Scene scene;
 };
 
-/// The scenes by chapter, from the paper to what goes beyond it, then in the order of their files.
-/// A scene that does not read is left out. Read at the first call.
+/// Returns the scenes by chapter, from the paper to later extensions, then in the order of their
+/// files. A scene that cannot be read is left out. They are read at the first call.
 const std::vector<LibraryScene>& libraryScenes();
 
-/// The scene file of this name in the folder (empty: the present one) or, where there is none, the
-/// shipped scene of this name with ".json". Throws InputError where it does not read.
+/// Reads the scene file of this name in the folder (empty: the current one) or, where there is
+/// none, the shipped scene of this name with ".json". Throws InputError where it cannot be read.
 Scene readNamedScene(const std::string& name, const std::filesystem::path& folder,
                      const std::vector<std::string>& assignments);
 

@@ -24,9 +24,9 @@ namespace asperity {
 namespace {
 
 constexpr int kMotionTab = 1;
-constexpr int kOnePlot = 170, kTwoPlots = 300;  // least heights, pixels
+constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
 
-/// Returns the root mean square over the points that have such a value; NaN where none has.
+/// Returns the root mean square over the points that have such a value; NaN where none has one.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
   double squares = 0;
   int count = 0;
@@ -53,7 +53,8 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   setDocumentMode(true);
   tabBar()->setFocusPolicy(Qt::NoFocus);  // the space bar pauses the run
   tabBar()->setDrawBase(false);
-  plot_->setFocusPolicy(Qt::ClickFocus);  // away from an entry: keys are the window's again
+  plot_->setFocusPolicy(
+      Qt::ClickFocus);  // clicking here leaves an entry, so that the window gets the keys again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(kOnePlot);
   strips_->setObjectName("transientStrips");
@@ -84,7 +85,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
 
 void SceneTabs::showTexts() {
   setAccessibleName(tr("about the scene"));
-  // Qt's own buttons keep the words that they were made with.
+  // Qt's own buttons keep the texts of their first language.
   for (const char* side : {"Left", "Right"})
     if (auto* button =
             tabBar()->findChild<QAbstractButton*>(QStringLiteral("Scroll%1Button").arg(side)))
@@ -148,7 +149,7 @@ void SceneTabs::hideTabs(const QStringList& names) {
 void SceneTabs::showScene(const Scene& scene) {
   const bool moves = scene.sliding.kind != SlidingKind::Steady;
   const bool moved = isTabVisible(kMotionTab);
-  // The tab of the motion is left before it is hidden; otherwise Qt shows the one after it.
+  // The tab of the motion is left before it is hidden; otherwise Qt shows the next one.
   if (!moves && currentWidget() == strips_) setCurrentWidget(plot_);
   QAction& action = *wanted_.at(kMotionTab);
   action.setVisible(moves);

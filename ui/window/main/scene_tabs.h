@@ -1,6 +1,6 @@
-// The tabs under the contact: what is known of the scene. The friction curve, the motion in time
-// (only where the scene has one), the spectrum of the line, statistics of the contact, what
-// accuracy costs, and the plan. GUI thread; belongs to its parent.
+// The tabs under the contact: the friction curve, the motion over time (only where the scene has
+// one), the spectrum of the line, statistics of the contact, the cost of accuracy, and the plan.
+// GUI thread; belongs to its parent.
 #pragma once
 
 #include <QElapsedTimer>
@@ -34,26 +34,27 @@ class SceneTabs : public QTabWidget {
   ChartView& plot() { return *plot_; }
   AccuracyPanel& accuracy() { return *accuracy_; }
 
-  /// A key for each tab, which brings it to the front.
+  /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
-  /// A submenu: which tabs there are. The motion's comes and goes with the scene.
+  /// Adds a submenu that shows and hides tabs. The motion's tab exists only with a motion.
   void addMenu(QMenu& menu);
 
-  /// The tabs' object names: settings outlive versions, so a tab is kept by its name.
+  /// Returns the object names of the hidden tabs; names outlive versions of the program in the
+  /// settings.
   QStringList hiddenTabs() const;
   void hideTabs(const QStringList& names);
 
-  /// The motion comes to the front where it is new, and goes with it.
+  /// Updates the tabs. A new motion comes to the front; its tab leaves with it.
   void showScene(const Scene& scene);
   void showFrame(const Frame& frame);
   void setTheme(const Theme& theme);
 
-  /// The curve is timed from now on: it is averaged anew.
+  /// Starts the timer of the curve, whose averaging begins again.
   void beginCurve();
 
-  /// The fields that frames have to hold for the tab in front.
+  /// Returns the optional values that frames need for the front tab.
   FrameFields fields() const;
-  /// Whether the motion in time is in front.
+  /// Returns whether the tab of the motion is in front.
   bool isShowingMotion() const;
 
  signals:
@@ -72,9 +73,9 @@ class SceneTabs : public QTabWidget {
   PlanList* plan_;
   Commands* commands_ = nullptr;
   QList<QAction*> wanted_;      // one for each tab, checkable
-  std::optional<Scene> timed_;  // whose curve is timed
-  QElapsedTimer curveTime_;     // since it was wanted; invalid once there
-  /// Errors are relative, root mean square; of the present curve.
+  std::optional<Scene> timed_;  // the scene whose curve is timed
+  QElapsedTimer curveTime_;     // since the request for the curve; invalid once it is complete
+  /// Results for the present curve; errors are relative, root mean square.
   struct Measured {
     double seconds, standardError, interval;
   };

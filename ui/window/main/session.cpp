@@ -9,13 +9,13 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPatience = 200;  // ms, until a person is told what is waited for
+constexpr int kPatience = 200;  // ms, until the window says that it waits
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
 }
 
-/// Whether two frames put the diagram's marker at the same place.
+/// Returns whether two frames put the diagram's marker at the same place.
 bool sameMark(const Frame* before, const Frame& now) {
   return before && !before->transient && !now.transient &&
          before->scene->sliding.velocity == now.scene->sliding.velocity &&
@@ -50,7 +50,7 @@ void Session::begin() {
   runner_.play();
 }
 
-/// A curve is taken when it comes, not at the next turn of the window's timer.
+/// Returns options that take a curve when it arrives, not at the next step of the window's timer.
 RunnerOptions Session::withNews(RunnerOptions options) {
   options.curveNews = [this] {
     if (hasNews_.exchange(true)) return;
@@ -60,7 +60,7 @@ RunnerOptions Session::withNews(RunnerOptions options) {
   return options;
 }
 
-void Session::editCurve(const std::function<void(FrictionChart&)>& edit) {
+void Session::editCurve(const std::function<void(FrictionChartModel&)>& edit) {
   edit(friction_);
   emit plotChanged();
 }
@@ -76,7 +76,7 @@ void Session::setScene(const Scene& scene, Begin begin) {
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
   sceneNumber_ = begin == Begin::Opened ? runner_.open(scene_) : runner_.post(scene_);
-  // Names of pinned curves say in what they differ from the scene.
+  // Names of pinned curves contain their differences from the scene.
   if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
 }
 
@@ -122,7 +122,7 @@ bool Session::isWaiting() const {
          sceneTime_.elapsed() > kPatience;
 }
 
-/// The same curve may come again under another scene's number.
+/// Measures the rate. The same curve may come again under another scene's number.
 void Session::measureRate(const CurveUpdate& update) {
   const bool isNews = !curve() || update.realizationsDone > curve_->realizationsDone;
   if (!isNews || curveTime_.nsecsElapsed() == 0) return;

@@ -1,7 +1,7 @@
-// What lies between the background runner and the widgets: the present scene and its number, the
-// newest frame, the friction diagram so far. The window's timer calls poll(); signals tell what has
-// changed. Owned by the main window; GUI thread. Failure: what the runner complains about arrives
-// as a signal; the session goes on.
+// The link between the background runner and the widgets: the present scene and its number, the
+// newest frame, the friction diagram so far. The window's timer calls poll(); signals report
+// changes. Owned by the main window; GUI thread. Failure: a signal reports the runner's errors; the
+// session goes on.
 #pragma once
 
 #include <QElapsedTimer>
@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "core/run/runner.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 
 namespace asperity {
 
@@ -23,11 +23,11 @@ class Session : public QObject {
  public:
   Session(const Scene& scene, RunnerOptions options, QObject* parent = nullptr);
 
-  /// The runner gets its first scene, and plays. Not before the window is made: it would wait for
-  /// the processors that the runner takes.
+  /// Gives the runner its first scene, and plays. Call it after the window is made, which would
+  /// otherwise wait for the processors that the runner uses.
   void begin();
 
-  /// Makes this the scene; the newest wins. Opened: it begins at time 0, whatever was there.
+  /// Sets the scene; the newest one wins. Opened: time begins at 0, whatever the scene was before.
   enum class Begin { GoesOn, Opened };
   void setScene(const Scene& scene, Begin begin = Begin::GoesOn);
   const Scene& scene() const { return scene_; }
@@ -35,52 +35,56 @@ class Session : public QObject {
 
   bool isPlaying() const { return runner_.isPlaying(); }
   void setPlaying(bool playing);
-  /// Pauses first. part: of the period, that the line moves by; one time step at least.
+  /// Makes a single step after a pause. part: distance that the line moves, as a part of the
+  /// period; at least one time step.
   void singleStep(double part = 0);
-  /// Whether anybody sees the frames: otherwise time stands still.
+  /// Sets whether the frames are visible; time does not advance otherwise.
   void setSeen(bool seen);
   bool isSeen() const { return isSeen_; }
-  /// Frames hold these fields from now on.
+  /// Requests frames with these optional values from now on.
   void wantFields(const FrameFields& fields) { runner_.want(fields); }
   void reset();
 
-  /// The averaging of the present scene's curve: it may be stopped, keeping what is there, and
-  /// begun anew.
+  /// The averaging of the present scene's curve. It can be stopped, which keeps the present result,
+  /// and begun again.
   enum class Averaging { Running, Stopped, Done };
   Averaging averaging() const;
   void stopCurve();
   void startCurve();
 
-  /// Lines at one velocity each, of the present curve so far or of the last one; 0 before the
-  /// first.
+  /// Returns the number of lines times velocities per second, for the present curve so far or for
+  /// the last one; 0 before the first.
   double simulationsPerSecond() const { return rate_; }
 
-  /// Whether the present scene's first frame keeps a person waiting.
+  /// Returns whether the user waits for the present scene's first frame.
   bool isWaiting() const;
 
   /// Takes what the runner has made since the last call.
   void poll();
 
   std::shared_ptr<const Frame> frame() const { return frame_; }
-  const FrictionChart& friction() const { return friction_; }
+  const FrictionChartModel& friction() const { return friction_; }
   /// Changes what the diagram shows beside the present curve: pins, axes, a difference.
-  void editCurve(const std::function<void(FrictionChart&)>& edit);
+  void editCurve(const std::function<void(FrictionChartModel&)>& edit);
 
-  /// The newest state of a curve of the present scene; null before the first and once it is stale.
+  /// Returns the newest state of the present scene's curve; null before the first and while it is
+  /// stale.
   const CurveUpdate* curve() const { return curve_ && !friction_.isStale() ? &*curve_ : nullptr; }
 
  signals:
   void playingChanged(bool playing);
   void frameArrived();
   void plotChanged();
-  /// Only the marker has changed, and it lies within the axes as they are.
+  /// Emitted when only the marker has changed, and it lies within the present axes.
   void markChanged();
-  /// isWaiting() has changed: the screen shows the scene before for longer than a moment.
+  /// Emitted when isWaiting() changes: the screen has shown the previous scene for more than a
+  /// moment.
   void waitingChanged(bool isWaiting);
-  /// The runner, or its frame, says what is wrong with the present scene; the key may be empty.
+  /// Emitted with the error of the present scene from the runner or its frame; the key may be
+  /// empty.
   void complained(const QString& key, const Message& text);
-  /// A sound frame of the present scene is here and nothing was said against it: whatever was wrong
-  /// before is over.
+  /// Emitted when a valid frame of the present scene arrives without an error, so that an earlier
+  /// error is over.
   void sceneRuns();
 
  private:
@@ -93,23 +97,23 @@ class Session : public QObject {
   void tellWaiting();
 
   Scene scene_;
-  std::atomic<bool> hasNews_ = false;  // told, but not taken yet
+  std::atomic<bool> hasNews_ = false;  // announced by the runner, but not taken yet
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
-  std::uint64_t runningNumber_ = 0;  // newest scene of which a frame was seen
-  std::uint64_t brokenNumber_ = 0;   // newest scene that the runner complained about
-  QString trouble_;                  // said of that scene's frames
+  std::uint64_t runningNumber_ = 0;  // newest scene with a frame
+  std::uint64_t brokenNumber_ = 0;   // newest scene with an error of the runner
+  QString trouble_;                  // last error in that scene's frames
   std::shared_ptr<const Frame> frame_;
-  FrictionChart friction_;
+  FrictionChartModel friction_;
   std::optional<CurveUpdate> curve_;
-  QElapsedTimer sceneTime_, curveTime_;  // since the scene came, and since its curve was begun
+  QElapsedTimer sceneTime_, curveTime_;  // since the scene was set, and since its curve was begun
   bool isStopped_ = false;
   bool wasWaiting_ = false;
   bool isSeen_ = true;
   double rate_ = 0;  // 1/s
 };
 
-/// One sentence on a frame that cannot be believed; empty where nothing is wrong.
+/// Returns one sentence about an untrustworthy frame; empty where nothing is wrong.
 QString troubleOf(const Frame& frame);
 
 }  // namespace asperity

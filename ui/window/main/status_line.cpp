@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "core/material/element_law.h"
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
@@ -25,7 +25,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSaidFor = 5000;         // ms
+constexpr int kSaidFor = 5000;         // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
 
@@ -40,8 +40,8 @@ double presentFriction(const Frame& frame) {
   return frame.transient ? orMissing(frame.tangentialForce / frame.normalForce) : frame.muSteady;
 }
 
-/// " (mean 0.001198 ± 0.4 %)", with the digits that the error leaves; nothing where all lines agree
-/// but for rounding.
+/// Returns " (mean 0.001198 ± 0.4 %)", with the digits that the error allows; empty where all lines
+/// agree except for rounding.
 QString meanText(const CurveReading& reading) {
   constexpr double kRounding = 1e-5;
   const double share = std::abs(reading.error / reading.mu);
@@ -52,13 +52,13 @@ QString meanText(const CurveReading& reading) {
            shownNumber(roundedToDigits(100 * share, 1)));
 }
 
-/// Three digits are more than a rate has: "12,000".
+/// Returns a rate with at most three significant digits: "12,000".
 QString rateText(double rate) {
   const QLocale locale(fromUtf8(presentLanguage()));
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
-/// Why there is no dimensionless velocity, beside it and as a sentence; empty where there is one.
+/// Why there is no dimensionless velocity: a short text and a sentence; empty where there is one.
 struct Reason {
   QString brief, sentence;
 };
@@ -182,7 +182,7 @@ void StatusLine::showTips() {
   backend_->setToolTip(tr("What draws the contact"));
 }
 
-/// The facts of the frame come with the next frame, which the main window shows again.
+/// Updates the texts. The readings follow with the next frame, which the main window shows again.
 void StatusLine::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LanguageChange) return;
@@ -201,8 +201,8 @@ void StatusLine::follow(const Session& session, const ContactCanvas& canvas) {
   work->start(kWorkInterval);
 }
 
-/// Slim, and there only while something is under way; but its height is kept: the views above must
-/// not move when a curve begins or ends.
+/// Adds the progress bar. It is thin, and visible only during work, but its height is kept: the
+/// views above must not move when a curve begins or ends.
 void StatusLine::addWork(QHBoxLayout& line) {
   progress_ = new QProgressBar;
   progress_->setObjectName("workProgress");
@@ -265,8 +265,8 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   fitFacts();
 }
 
-/// Shows each fact whole or not at all: where the window is narrow, the least important ones are
-/// left out. A hidden fact comes back only with some air, so that it does not come and go with the
+/// Shows each reading in full or not at all: in a narrow window the least important ones are left
+/// out. A hidden reading returns only with some extra space, so that it does not flicker with the
 /// digits of the others.
 void StatusLine::fitFacts() {
   constexpr int kAir = 40;  // pixels
@@ -294,10 +294,10 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
   fitFacts();
 }
 
-/// Shows the dimensionless velocity, with the reason beside it where there is none and nothing else
-/// needs the room.
+/// Shows the dimensionless velocity. Where there is none, the reason is shown beside it if there is
+/// enough space.
 void StatusLine::showVelocity(const Frame& frame) {
-  constexpr int kLeastLeft = 4, kAir = 16;  // pixels; apart, so that it does not come and go
+  constexpr int kLeastLeft = 4, kAir = 16;  // pixels; different, to avoid flicker
   const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
   const Reason reason = whyNoVelocity(frame);
   velocity_->setToolTip(reason.sentence.isEmpty()

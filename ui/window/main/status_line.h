@@ -1,6 +1,6 @@
-// The facts in the status bar: regime, friction with its error, the paper's two dimensionless
-// numbers, how fast is computed and drawn and by what; and the progress of the friction curve with
-// the button that stops it. They come from the frame shown. GUI thread.
+// The readings in the status bar: regime, friction with its error, the paper's two dimensionless
+// numbers, the rates and methods of computing and drawing; and the progress of the friction curve
+// with the button that stops it. They come from the present frame. GUI thread.
 #pragma once
 
 #include <QLabel>
@@ -19,14 +19,14 @@ class ContactCanvas;
 class Session;
 struct CurveReading;
 
-/// A line of text that is shortened where it has no room, and then whole in its tooltip.
+/// A line of text that is shortened where the space is too small; the tooltip then shows all of it.
 class ElidedLabel : public QLabel {
   Q_OBJECT
 
  public:
   explicit ElidedLabel(QWidget* parent = nullptr);
 
-  /// The text as it is shown, perhaps shortened.
+  /// Returns the text as it is shown, perhaps shortened.
   QString shownText() const;
 
  protected:
@@ -34,7 +34,7 @@ class ElidedLabel : public QLabel {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// The work on the curve or on the line that is under way.
+/// The present work on the curve or on the line.
 struct Work {
   enum class State { Idle, Running, Stopped, Waiting };  // Waiting: for the scene's first frame
   State state = State::Idle;
@@ -48,22 +48,22 @@ class StatusLine : public QWidget {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
-  /// Asks session and canvas several times a second what is computed and drawn.
+  /// Reads from session and canvas several times a second what is computed and drawn.
   void follow(const Session& session, const ContactCanvas& canvas);
 
   void showFrame(const Frame& frame, const CurveReading& reading);
   void showWork(const Work& work);
 
-  /// Shows a text for a few seconds, between the facts and in the place of those at the right.
+  /// Shows a text for a few seconds in place of the readings at the right.
   void say(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);
 
  signals:
-  /// The button of what is under way, as showWork() left it.
+  /// Emitted by the button of the present work, as showWork() left it.
   void stopWanted();
   void againWanted();
-  void backWanted();  // from waiting
+  void backWanted();  // from the state Waiting
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -94,11 +94,11 @@ class StatusLine : public QWidget {
   QLabel* backend_;
 };
 
-/// Eq. (14), F_N / (G h L); NaN where it does not apply.
+/// Returns Eq. (14), F_N / (G h L); NaN where it does not apply.
 double dimensionlessForce(const Frame& frame);
 
-/// Eq. (13), tau v grad / (sqrt(2) h), with the rms slope of the whole line and, of a motion, its
-/// velocity at the moment; NaN likewise.
+/// Returns Eq. (13), tau v grad / (sqrt(2) h), with the rms slope of the whole line and, for a
+/// motion, its present velocity; NaN where it does not apply.
 double dimensionlessVelocity(const Frame& frame);
 
 }  // namespace asperity

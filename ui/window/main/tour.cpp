@@ -157,7 +157,7 @@ void TourBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange) keepHeight();
 }
 
-// ---- The way through it
+// ---- The steps
 
 Tour::Tour(SceneDocument& document, DocumentCommands& documents, TourBar& bar, MessageBar& hint,
            QObject* parent)
@@ -199,7 +199,7 @@ void Tour::start() {
   show(0);
 }
 
-/// Changes that were tried in a step are play: the next step comes without a question.
+/// Shows a step. Changes that were tried in a step are discarded without a question.
 void Tour::show(int step) {
   if (!isRunning_ || step < 0 || step >= stepCount()) return;
   const QString name = QString::fromLatin1(tourSteps()[static_cast<std::size_t>(step)].scene);
@@ -215,7 +215,7 @@ void Tour::show(int step) {
   emit stepShown();
 }
 
-/// The scene stays, with what was tried.
+/// Ends the tour. The scene stays, with the user's changes.
 void Tour::end() {
   isRunning_ = false;
   document_.setTrial(false);

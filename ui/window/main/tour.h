@@ -1,6 +1,6 @@
 // The guided tour: six shipped scenes in order, each with one sentence and one thing to try; the
-// slim bar over the views that leads through it, and the hint at it. GUI thread; owned by the main
-// window. Cannot fail: where a scene is missing the tour ends.
+// bar over the views that leads through them; and the offer of the tour. GUI thread; owned by the
+// main window. Cannot fail: where a scene is missing the tour ends.
 #pragma once
 
 #include <QFrame>
@@ -20,25 +20,25 @@ class MessageBar;
 class SceneDocument;
 
 struct TourStep {
-  const char* scene;     // name of a shipped one
+  const char* scene;     // name of a shipped scene
   const char* title;     // what happens
-  const char* sentence;  // what is to be seen
+  const char* sentence;  // what can be seen
   const char* attempt;   // what to try
 };
 
 std::span<const TourStep> tourSteps();
 
-/// One of a step's texts in the language of the window.
+/// Returns one of a step's texts in the language of the window.
 QString tourText(const char* text);
 
-/// Says where one is, what is to be seen and what to try, and has the buttons to go on.
+/// Shows the number of the step, what can be seen and what to try, with the buttons to go on.
 class TourBar : public QFrame {
   Q_OBJECT
 
  public:
   explicit TourBar(QWidget* parent = nullptr);
 
-  /// Counts from 0.
+  /// Shows a step, counted from 0.
   void showStep(int step);
   int step() const { return step_; }
 
@@ -52,7 +52,7 @@ class TourBar : public QFrame {
 
  private:
   void showTexts();
-  /// Room for the longest step, so that the buttons stay where they are.
+  /// Keeps enough height for the longest step, so that the buttons do not move.
   void keepHeight();
   QPushButton* addButton(const char* name);
 
@@ -65,21 +65,21 @@ class Tour : public QObject {
   Q_OBJECT
 
  public:
-  /// `hint`: the bar for the offer.
+  /// `hint`: the bar that shows the offer.
   Tour(SceneDocument& document, DocumentCommands& documents, TourBar& bar, MessageBar& hint,
        QObject* parent);
 
   void addTo(Commands& commands);
 
   void start();
-  /// A small hint at the tour, until it was taken or put away once.
+  /// Offers the tour in the bar, until the user has accepted or closed the offer once.
   void offer();
   bool isRunning() const { return isRunning_; }
 
  signals:
-  /// The first step is about to be shown.
+  /// Emitted before the first step is shown.
   void starting();
-  /// The bar says what the description of the scene would.
+  /// Emitted when a step is shown; the bar then replaces the description of the scene.
   void stepShown();
 
  private:

@@ -24,10 +24,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kLayoutVersion = 1;  // of docks and tool bars
+constexpr int kLayoutVersion = 1;  // version of the layout of docks and tool bars
 
-/// The frame that a window manager usually draws around a window at most; it tells the true one
-/// only when the window is shown.
+/// The largest usual frame of a window manager around a window; the true frame is known only when
+/// the window is shown.
 constexpr QMargins kFrame{8, 40, 8, 8};
 
 const QList<int>& defaultSplit() {
@@ -43,7 +43,7 @@ WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), p
 }
 
 WindowLayout::~WindowLayout() {
-  if (presentation_) QApplication::setFont(presentation_->font);  // of other windows, too
+  if (presentation_) QApplication::setFont(presentation_->font);  // for other windows, too
 }
 
 void WindowLayout::addTo(Commands& commands) {
@@ -100,7 +100,7 @@ void WindowLayout::showScreenMode() {
                                       !parts_.figures.isShowingFigures());
 }
 
-/// Parameters and facts, which are of the contact, make room for the figures.
+/// Hides the parameters and readings of the contact while the figures are shown.
 void WindowLayout::makeRoomForFigures(bool areShown) {
   QStatusBar& status = *parts_.window.statusBar();
   if (areShown) {
@@ -114,7 +114,8 @@ void WindowLayout::makeRoomForFigures(bool areShown) {
 
 // ---- Presentation
 
-/// The page of figures stays: what stands around it is of the views, and changes behind it.
+/// Begins or ends the presentation. The page of figures stays; the parts around it belong to the
+/// views.
 void WindowLayout::setPresenting(bool presenting) {
   if (presenting == isPresenting()) return showScreenMode();
   const bool hadFigures = parts_.figures.isShowingFigures();
@@ -146,7 +147,8 @@ void WindowLayout::beginPresentation() {
   for (QWidget* around :
        std::initializer_list<QWidget*>{window.menuBar(), window.statusBar(), &parts_.dock})
     around->hide();
-  parts_.appearance.setDark(parts_.appearance.isDark());  // what was painted with the other font
+  parts_.appearance.setDark(
+      parts_.appearance.isDark());  // repaints what was painted with the other font
   setFullScreen(true);
 }
 
@@ -162,8 +164,8 @@ void WindowLayout::endPresentation() {
   window.restoreState(before.docks, kLayoutVersion);
   for (const auto& [splitter, sizes] : before.splits)
     if (splitter) splitter->restoreState(sizes);
-  // The dock gets its size again when the layouts have seen that the letters are small: until then
-  // their minimum sizes squeeze it.
+  // The dock gets its size again after the layouts have handled the smaller letters: until then
+  // their minimum sizes limit it.
   QTimer::singleShot(0, this, [this, size = before.dock] {
     if (isPresenting()) return;
     parts_.window.resizeDocks({&parts_.dock}, {size.width()}, Qt::Horizontal);
@@ -171,7 +173,7 @@ void WindowLayout::endPresentation() {
   });
 }
 
-// ---- From one start to the next
+// ---- Settings between starts
 
 void WindowLayout::keepAsDefault() {
   default_ = parts_.window.saveState();
@@ -212,7 +214,7 @@ void WindowLayout::save() {
   settings.setValue("colours", static_cast<int>(parts_.appearance.colours()));
 }
 
-/// The frame of the window counts, too.
+/// Fits the window, including its frame, to the screen.
 void WindowLayout::fitToScreen() {
   QMainWindow& window = parts_.window;
   const Qt::WindowStates state = window.windowState();

@@ -1,6 +1,6 @@
-// How the window is laid out: the dock of parameters, the split between contact and tabs, full
-// screen, and a presentation for an audience; how it is kept from one start to the next, and that
-// all of it lies on the screen. Owned by the main window; GUI thread. Cannot fail.
+// The layout of the window: the dock of parameters, the split between contact and tabs, full
+// screen, and a presentation for an audience. It is kept from one start to the next, and always
+// lies on the screen. Owned by the main window; GUI thread. Cannot fail.
 #pragma once
 
 #include <QByteArray>
@@ -25,8 +25,9 @@ class ContactCanvas;
 class FigurePages;
 class SceneTabs;
 
-/// Set by hand, because otherwise what the contents need for a moment, in large letters or under a
-/// comparison, would push the window over the edge of the screen for good.
+/// The minimum size of the window. It is fixed, because a temporary need for space, from large
+/// letters or a comparison, would otherwise push the window over the edge of the screen
+/// permanently.
 inline constexpr QSize kLeastWindow{900, 560};
 
 struct LayoutParts {
@@ -52,15 +53,15 @@ class WindowLayout : public QObject {
   /// Restores size, docks, tabs and colours from the settings, as far as the screen has room for
   /// them. From then on closing the window saves its own. Call before the window is shown.
   void remember();
-  /// Saves them to the settings when the window closes, if remember() was called.
+  /// Saves the layout to the settings when the window closes, if remember() was called.
   void save();
 
   /// Makes the present layout the one that restoreDefault() goes back to.
   void keepAsDefault();
   void restoreDefault();
 
-  /// All of the window lies on its screen, as does what a maximized or full window goes back to.
-  /// Call before it is shown.
+  /// Moves the window onto its screen, together with the normal size of a maximized or full-screen
+  /// window. Call it before the window is shown.
   void fitToScreen();
 
   /// Shows contact and curve alone on the whole screen, with large texts, for an audience; Escape
@@ -80,7 +81,7 @@ class WindowLayout : public QObject {
   bool remembers_ = false;
   QByteArray default_;
   bool hadDock_ = true, hadStatus_ = true;  // before the figures were opened
-  /// The state to which the end of the presentation goes back.
+  /// The state before the presentation, which its end restores.
   struct Presentation {
     QFont font;
     QByteArray geometry, docks;

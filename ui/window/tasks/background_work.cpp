@@ -47,7 +47,7 @@ void BackgroundWork::work() {
   while (true) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-    // Files that were asked for are written before the end.
+    // Requested files are written before the end.
     const bool hasDuties = overtaking_ == Overtaking::WaitsForItsTurn && !waiting_.empty();
     if (ending_ && !hasDuties) return;
     const Request request = std::move(waiting_.front());

@@ -1,18 +1,17 @@
-// Work beside the window: one piece at a time on a thread of its own. Everything that the window
-// does in the background goes through this class: opening files, predictions, pictures of diagrams,
-// the paper's figures, comparisons, exports. (The simulation itself is no answer to a request but
-// goes on and on; it has its own threads in core/run/runner.h.)
+// Background work of the window: one task at a time on a thread of its own. Everything that the
+// window does in the background uses this class: opening files, predictions, pictures of diagrams,
+// the paper's figures, comparisons, exports. (The simulation is not an answer to a request but runs
+// continuously; it has its own threads in core/run/runner.h.)
 //
-// Threading: all members are called on the window's thread, and none waits but the destructor. The
-// work runs on the worker's thread. What it returns and what it tells arrive on the window's
-// thread, and only while they are still wanted: nothing arrives after cancel(), after the
-// destructor, or from work that a newer request has overtaken (see Overtaking). Cancelling: the
-// work's stop token is set; work should look at it at least every few milliseconds. The destructor
-// waits for the work to notice. Where something cannot be asked to stop, the end of the program
-// does not wait for it (runUntilClosed in ui/window/main/run_window.h). Failure: an exception of
-// the work becomes one translated sentence for `failed`. Work that was stopped throws StudyStopped
-// and tells nothing. Ownership: the last member of its owner, so that its thread ends before
-// anything else goes.
+// Threading: all members are called on the window's thread, and only the destructor waits. The work
+// runs on the worker's thread. Its result and its progress arrive on the window's thread, and only
+// while they are still needed: nothing arrives after cancel(), after the destructor, or from work
+// that a newer request has replaced (see Overtaking). Cancelling: the work's stop token is set;
+// work should check it at least every few milliseconds. The destructor waits for the work to stop.
+// Where work cannot be stopped, the end of the program does not wait for it (runUntilClosed in
+// ui/window/main/run_window.h). Failure: an exception of the work becomes one translated sentence
+// for `failed`. Stopped work throws StudyStopped and reports nothing. Ownership: it is the last
+// member of its owner, so that its thread ends before other members are destroyed.
 #pragma once
 
 #include <QObject>
@@ -30,20 +29,20 @@
 
 namespace asperity {
 
-/// What a new request does to those before it.
+/// What a new request does to earlier ones.
 enum class Overtaking {
-  StopsTheRunning,  // only the newest answer is of interest
-  SkipsTheWaiting,  // what runs is finished and shown: pictures of something that moves
-  WaitsForItsTurn,  // every request is carried out: files that are written
+  StopsTheRunning,  // only the newest answer matters
+  SkipsTheWaiting,  // the running one is finished and shown: pictures of something that moves
+  WaitsForItsTurn,  // every request is carried out: files are written
 };
 
 class BackgroundWork : public QObject {
  public:
-  /// Given to the work while it runs, on the worker's thread.
+  /// Gives the work access to the window while it runs, on the worker's thread.
   class Run {
    public:
     const std::stop_token& stop() const { return stop_; }
-    /// Calls `tell` on the window's thread if the work is still wanted there.
+    /// Calls `tell` on the window's thread if the work is still needed.
     void tell(std::function<void()> tell) const;
 
    private:
@@ -62,7 +61,7 @@ class BackgroundWork : public QObject {
   ~BackgroundWork() override;
 
   /// Computes make(run) on the worker's thread and then calls `take` with the result, if there is
-  /// one, on the window's.
+  /// one, on the window's thread.
   template <class Make, class Take>
   void request(Make make, Take take, Failed failed = {}) {
     using Result = std::invoke_result_t<Make, const Run&>;
@@ -74,7 +73,8 @@ class BackgroundWork : public QObject {
       };
     } else {
       work = [make = std::move(make), take = std::move(take)](const Run& run) {
-        // Shared, because std::function copies what it holds and a result may be large.
+        // The pointer is shared, because std::function copies what it holds and a result may be
+        // large.
         const auto result = std::make_shared<Result>(make(run));
         run.tell([take, result] { take(std::move(*result)); });
       };
@@ -82,7 +82,7 @@ class BackgroundWork : public QObject {
     start(std::move(work), std::move(failed));
   }
 
-  /// Stops what runs and forgets what waits; nothing of both arrives any more.
+  /// Stops the running work and drops waiting work; no results of either arrive later.
   void cancel();
 
  private:
@@ -99,12 +99,12 @@ class BackgroundWork : public QObject {
 
   const Overtaking overtaking_;
   std::uint64_t oldestWanted_ = 1, newest_ = 0;  // numbers of requests; the window's thread only
-  std::mutex mutex_;                             // of everything down to the thread
+  std::mutex mutex_;                             // protects everything down to the thread
   std::condition_variable changed_;
   std::deque<Request> waiting_;
   std::stop_source stop_;
   bool ending_ = false;
-  std::thread thread_;  // begins with the first request
+  std::thread thread_;  // starts with the first request
 };
 
 }  // namespace asperity

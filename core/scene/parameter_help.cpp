@@ -1,4 +1,4 @@
-#include "core/scene/parameter_table.h"
+#include "core/scene/parameter_help.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-// Whether a window can be seen: it is shown, not minimised, on the desktop in front and not wholly
-// covered, as far as the window system tells. X11 tells of covered windows only where nothing
-// composes the screen; Wayland and macOS by taking the exposure away. GUI thread; belongs to the
-// window. Cannot fail: what is not told counts as seen.
+// Whether a window can be seen: it is shown, not minimised, on the visible desktop and not fully
+// covered, as far as the window system reports it. X11 reports covered windows only where no
+// compositor runs; Wayland and macOS do it by ending the exposure. GUI thread; belongs to the
+// window. Cannot fail: what is not reported counts as visible.
 #pragma once
 
 #include <QAbstractNativeEventFilter>
@@ -13,12 +13,12 @@ class QWindow;
 
 namespace asperity {
 
-class WindowSight : public QObject, private QAbstractNativeEventFilter {
+class WindowVisibility : public QObject, private QAbstractNativeEventFilter {
   Q_OBJECT
 
  public:
-  explicit WindowSight(QWidget& window);
-  ~WindowSight() override;
+  explicit WindowVisibility(QWidget& window);
+  ~WindowVisibility() override;
 
   bool isSeen() const { return isSeen_; }
 
@@ -36,7 +36,7 @@ class WindowSight : public QObject, private QAbstractNativeEventFilter {
   QWidget& window_;
   QPointer<QWindow> handle_;
   bool isCovered_ = false;
-  bool isSeen_ = true;  // until something is told
+  bool isSeen_ = true;  // until an event says otherwise
 };
 
 }  // namespace asperity

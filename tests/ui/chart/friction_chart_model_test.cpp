@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ui/chart/friction_chart.h"
+#include "ui/chart/friction_chart_model.h"
 
 namespace asperity {
 namespace {
@@ -40,11 +40,11 @@ Frame frame(const Scene& scene, double mu) {
   return made;
 }
 
-Diagram diagramOf(const FrictionChart& chart) {
+Diagram diagramOf(const FrictionChartModel& chart) {
   return chart.sheet().diagrams.front();
 }
 
-DiagramSeries seriesOf(const FrictionChart& chart, int id) {
+DiagramSeries seriesOf(const FrictionChartModel& chart, int id) {
   for (const DiagramSeries& series : diagramOf(chart).series)
     if (series.id == id) return series;
   throw std::runtime_error("no such series");
@@ -53,15 +53,15 @@ DiagramSeries seriesOf(const FrictionChart& chart, int id) {
 AxisRange decadesOf(const DiagramAxis& axis) {
   return {std::log10(axis.from), std::log10(axis.to)};
 }
-AxisRange along(const FrictionChart& chart) {
+AxisRange xRange(const FrictionChartModel& chart) {
   return decadesOf(diagramOf(chart).x);
 }
-AxisRange up(const FrictionChart& chart) {
+AxisRange yRange(const FrictionChartModel& chart) {
   return decadesOf(diagramOf(chart).y);
 }
 
 /// Of the points that have a place on logarithmic axes.
-std::vector<double> velocitiesOf(const FrictionChart& chart) {
+std::vector<double> velocitiesOf(const FrictionChartModel& chart) {
   const Diagram diagram = diagramOf(chart);
   std::vector<double> velocities;
   for (const DiagramPoint& shown : seriesOf(chart, kPresentCurve).points)
@@ -95,8 +95,8 @@ TEST(DecadeRanges, ReadingsReadLikePrint) {
   EXPECT_EQ(readingLabel(-2.5e-5), QStringLiteral("−2.5×10⁻⁵"));
 }
 
-TEST(FrictionChartTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
+  FrictionChartModel diagram;
   const double nan = std::nan("");
   ASSERT_TRUE(diagram.take(update({}, {point(1e-3, 1e-4), point(1e-2, 0), point(0.1, -2e-3),
                                        point(1, nan), point(10, 2e-3), point(100, 5e-3, nan, 0)})));
@@ -104,8 +104,8 @@ TEST(FrictionChartTest, SkipsWhatHasNoPlaceOnLogarithmicAxes) {
   EXPECT_GT(seriesOf(diagram, kLawCurve).points.size(), 6U);
 }
 
-TEST(FrictionChartTest, KeepsErrorsAndStatesHowFarItIs) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, KeepsErrorsAndStatesHowFarItIs) {
+  FrictionChartModel diagram;
   diagram.take(update({}, {point(1, 1e-3, 2e-4)}, 37));
   const DiagramPoint shown = seriesOf(diagram, kPresentCurve).points.front();
   EXPECT_DOUBLE_EQ(shown.high - shown.y, 2e-4);
@@ -114,8 +114,8 @@ TEST(FrictionChartTest, KeepsErrorsAndStatesHowFarItIs) {
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
-TEST(FrictionChartTest, MarksThePresentVelocityOfTheFrame) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, MarksThePresentVelocityOfTheFrame) {
+  FrictionChartModel diagram;
   EXPECT_FALSE(diagramOf(diagram).marker);
   Scene scene;
   scene.sliding.velocity = 0.25;
@@ -146,8 +146,8 @@ TransientSample sample(double velocity, double mu) {
 }
 
 /// Friction of the moment over the magnitude of the velocity, and the way there.
-TEST(FrictionChartTest, AMotionMovesItsMarkerAndLeavesATrace) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, AMotionMovesItsMarkerAndLeavesATrace) {
+  FrictionChartModel diagram;
   diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
   diagram.mark(motionFrame({sample(0.5, 1e-3), sample(-0.25, 8e-4)}));
   const Diagram plot = diagramOf(diagram);
@@ -163,45 +163,45 @@ TEST(FrictionChartTest, AMotionMovesItsMarkerAndLeavesATrace) {
 }
 
 /// At its turning points a motion is at rest, which has no place on a logarithmic axis.
-TEST(FrictionChartTest, AMotionAtItsTurningPointLeavesTheAxesAlone) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, AMotionAtItsTurningPointLeavesTheAxesAlone) {
+  FrictionChartModel diagram;
   diagram.take(update({}, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
   diagram.mark(motionFrame({sample(0.5, 1e-3)}));
-  const AxisRange x = along(diagram), y = up(diagram);
+  const AxisRange x = xRange(diagram), y = yRange(diagram);
   diagram.mark(motionFrame({sample(0.5, 1e-3), sample(1e-12, 1e-15)}));
-  EXPECT_EQ(along(diagram), x);
-  EXPECT_EQ(up(diagram), y);
+  EXPECT_EQ(xRange(diagram), x);
+  EXPECT_EQ(yRange(diagram), y);
   diagram.mark(motionFrame({sample(0, kNotApplicable)}));
-  EXPECT_EQ(along(diagram), x);
+  EXPECT_EQ(xRange(diagram), x);
   EXPECT_EQ(diagramOf(diagram).marker->x, 0);
 }
 
 /// A velocity far outside is left again, by Undo or otherwise, and the axis with it.
-TEST(FrictionChartTest, TheVelocityAxisFollowsBack) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, TheVelocityAxisFollowsBack) {
+  FrictionChartModel diagram;
   Scene scene;
   diagram.expect(scene);
   diagram.take(update(scene, {point(1e-5, 1e-5), point(1e3, 2e-3)}));
   diagram.mark(frame(scene, 1e-3));
-  const AxisRange before = along(diagram);
+  const AxisRange before = xRange(diagram);
   Scene fast = scene;
   fast.sliding.velocity = 2e6;
   diagram.expect(fast);
   diagram.mark(frame(fast, 1e-3));
-  EXPECT_EQ(along(diagram).to, 7);
+  EXPECT_EQ(xRange(diagram).to, 7);
   diagram.expect(scene);
   diagram.mark(frame(scene, 1e-3));
-  EXPECT_EQ(along(diagram), before);
+  EXPECT_EQ(xRange(diagram), before);
   scene.sweep.velocityTo = 1e4;
   diagram.expect(scene);
-  EXPECT_EQ(along(diagram).to, 4);
+  EXPECT_EQ(xRange(diagram).to, 4);
   scene.sweep.velocityTo = 1e3;
   diagram.expect(scene);
-  EXPECT_EQ(along(diagram), before);
+  EXPECT_EQ(xRange(diagram), before);
 }
 
 /// F_N / (4 eta v) = 0.1 h at 1.7 m/s; in dimensionless axes likewise.
-TEST(FrictionChartTest, TintsWhereFewSummitsCarryTheLoad) {
+TEST(FrictionChartModelTest, TintsWhereFewSummitsCarryTheLoad) {
   const Scene scene;
   const auto whole = [](double velocity, double mu) {
     CurvePoint made = point(velocity, mu);
@@ -209,7 +209,7 @@ TEST(FrictionChartTest, TintsWhereFewSummitsCarryTheLoad) {
     made.dimensionlessVelocity = 1e-3 * velocity * 2e-3 / (std::sqrt(2) * 5e-7);
     return made;
   };
-  FrictionChart diagram;
+  FrictionChartModel diagram;
   diagram.expect(scene);
   diagram.take(update(scene, {whole(0.01, 1e-3), whole(1, 2e-3), whole(100, 1e-3)}));
   std::vector<DiagramSpan> shades = diagramOf(diagram).shades;
@@ -230,8 +230,8 @@ TEST(FrictionChartTest, TintsWhereFewSummitsCarryTheLoad) {
   EXPECT_TRUE(diagramOf(diagram).shades.empty());
 }
 
-TEST(FrictionChartTest, FadesTheOldCurveUntilTheNewOneArrives) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, FadesTheOldCurveUntilTheNewOneArrives) {
+  FrictionChartModel diagram;
   Scene old, fresh;
   fresh.elastomer.shearModulus = 2e7;
   diagram.expect(old);
@@ -254,8 +254,8 @@ TEST(FrictionChartTest, FadesTheOldCurveUntilTheNewOneArrives) {
   EXPECT_THAT(velocitiesOf(diagram), ElementsAre(7));
 }
 
-TEST(FrictionChartTest, AnotherVelocityLeavesTheCurveAsItIs) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, AnotherVelocityLeavesTheCurveAsItIs) {
+  FrictionChartModel diagram;
   Scene scene;
   diagram.expect(scene);
   diagram.take(update(scene, {point(1, 1e-3)}));
@@ -264,38 +264,38 @@ TEST(FrictionChartTest, AnotherVelocityLeavesTheCurveAsItIs) {
   EXPECT_FALSE(diagram.isStale());
 }
 
-TEST(FrictionChartTest, RangesHoldStillWhileRealizationsArrive) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, RangesHoldStillWhileRealizationsArrive) {
+  FrictionChartModel diagram;
   diagram.take(update({}, {point(1e-5, 3e-7), point(1e3, 2e-3)}));
-  const AxisRange x = along(diagram), y = up(diagram);
+  const AxisRange x = xRange(diagram), y = yRange(diagram);
   for (const double mu : {2.6e-7, 4e-7, 9e-7}) {
     diagram.take(update({}, {point(1e-5, mu), point(1e3, 2e-3)}));
-    EXPECT_EQ(along(diagram), x);
-    EXPECT_EQ(up(diagram), y);
+    EXPECT_EQ(xRange(diagram), x);
+    EXPECT_EQ(yRange(diagram), y);
   }
   EXPECT_EQ(x, (AxisRange{-5, 3}));
   EXPECT_EQ(y, (AxisRange{-7, -2}));
 }
 
-TEST(FrictionChartTest, ShowsTheVelocitiesOfTheSweepAtOnce) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, ShowsTheVelocitiesOfTheSweepAtOnce) {
+  FrictionChartModel diagram;
   Scene scene;
   scene.sweep.velocityFrom = 1e-4;
   scene.sweep.velocityTo = 1e2;
   diagram.expect(scene);
-  EXPECT_EQ(along(diagram), (AxisRange{-4, 2}));
+  EXPECT_EQ(xRange(diagram), (AxisRange{-4, 2}));
   diagram.mark(frame(scene, 0.05));  // v = 1 m/s
-  EXPECT_EQ(along(diagram), (AxisRange{-4, 2}));
-  EXPECT_LE(up(diagram).from, -4);
-  EXPECT_GE(up(diagram).to, -1);
+  EXPECT_EQ(xRange(diagram), (AxisRange{-4, 2}));
+  EXPECT_LE(yRange(diagram).from, -4);
+  EXPECT_GE(yRange(diagram).to, -1);
 
   scene.sweep.velocityTo = 1e4;
   diagram.expect(scene);
-  EXPECT_EQ(along(diagram), (AxisRange{-4, 4}));
+  EXPECT_EQ(xRange(diagram), (AxisRange{-4, 4}));
 }
 
-TEST(FrictionChartTest, OneLineIsNoMean) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, OneLineIsNoMean) {
+  FrictionChartModel diagram;
   Scene sine;
   sine.surface.kind = SurfaceKind::Sine;
   CurveUpdate curve = update(sine, {point(1, 1e-3, kNotApplicable, 1)}, 1);
@@ -311,8 +311,8 @@ TEST(FrictionChartTest, OneLineIsNoMean) {
   EXPECT_EQ(diagram.sheet().status.english(), "2 of 200 realizations");
 }
 
-TEST(FrictionChartTest, SaysWhyThereIsNothingToSee) {
-  FrictionChart diagram;
+TEST(FrictionChartModelTest, SaysWhyThereIsNothingToSee) {
+  FrictionChartModel diagram;
   EXPECT_EQ(diagramOf(diagram).blank.english(), "");
   Scene elastic;
   elastic.elastomer.rheology = Rheology::Elastic;

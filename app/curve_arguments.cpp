@@ -1,6 +1,4 @@
-#include "app/curve_choice.h"
-
-#include <fmt/format.h>
+#include "app/curve_arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -85,7 +83,7 @@ NumberRange positiveRange(const char* option, const std::string& text) {
   return range;
 }
 
-/// The scene with the assignments set over it.
+/// Returns the scene with the assignments applied.
 Scene sceneWith(const Scene& scene, const std::string& assignments) {
   const std::vector<std::string> each = separatedAssignments(assignments);
   for (const std::string& assignment : each)
@@ -109,7 +107,7 @@ nlohmann::ordered_json numberOr(double value) {
 
 }  // namespace
 
-const char* CurveChoice::firstOption() const {
+const char* CurveArguments::firstOption() const {
   if (axes != "physical") return kAxes;
   if (!xRange.empty()) return kXRange;
   if (!yRange.empty()) return kYRange;
@@ -117,7 +115,7 @@ const char* CurveChoice::firstOption() const {
   return with.empty() ? nullptr : kWith;
 }
 
-void CurveChoice::addTo(nlohmann::ordered_json& picture) const {
+void CurveArguments::addTo(nlohmann::ordered_json& picture) const {
   if (axes != "physical") picture["axes"] = axes;
   if (!xRange.empty()) picture["x_range"] = xRange;
   if (!yRange.empty()) picture["y_range"] = yRange;
@@ -125,45 +123,50 @@ void CurveChoice::addTo(nlohmann::ordered_json& picture) const {
   if (!with.empty()) picture["with"] = with;
 }
 
-void addCurveOptions(CLI::App& verb, CurveChoice& choice) {
-  verb.add_option(
-          kCompare, choice.compare,
+void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
+  command
+      .add_option(
+          kCompare, arguments.compare,
           "Compute the curve in a second way on the same lines and show the difference below "
           "it and in tables: nodal, linear or cubic, points per element, lines")
       ->type_name("SCHEME[:OVERSAMPLING[:LINES]]");
-  verb.add_option(
-          kWith, choice.with,
+  command
+      .add_option(
+          kWith, arguments.with,
           "Add the curve of the scene with these keys set; write a ; inside a value as \\;; may be "
           "repeated")
       ->type_name("KEY=VALUE[;KEY=VALUE...]")
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option(kAxes, choice.axes,
+  command
+      .add_option(kAxes, arguments.axes,
                   "physical, or dimensionless: Eq. (13), and mu over the rms slope")
       ->capture_default_str();
-  verb.add_option(kXRange, choice.xRange, "Limits of the x-axis, in its unit (default: automatic)")
+  command
+      .add_option(kXRange, arguments.xRange,
+                  "Limits of the x-axis, in its unit (default: automatic)")
       ->type_name("FROM:TO");
-  verb.add_option(kYRange, choice.yRange, "Limits of the friction axis (default: automatic)")
+  command.add_option(kYRange, arguments.yRange, "Limits of the friction axis (default: automatic)")
       ->type_name("FROM:TO");
 }
 
-void checkCurves(const CurveChoice& choice, const Scene& scene) {
-  axesFrom(choice.axes);
-  if (!choice.xRange.empty()) positiveRange(kXRange, choice.xRange);
-  if (!choice.yRange.empty()) positiveRange(kYRange, choice.yRange);
-  if (!choice.compare.empty()) settingFrom(choice.compare, scene);
-  if (!choice.compare.empty() && choosesAccuracy(scene))
+void checkCurves(const CurveArguments& arguments, const Scene& scene) {
+  axesFrom(arguments.axes);
+  if (!arguments.xRange.empty()) positiveRange(kXRange, arguments.xRange);
+  if (!arguments.yRange.empty()) positiveRange(kYRange, arguments.yRange);
+  if (!arguments.compare.empty()) settingFrom(arguments.compare, scene);
+  if (!arguments.compare.empty() && choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "--compare needs the same resolution at every velocity, not a target");
-  for (const std::string& assignments : choice.with) sceneWith(scene, assignments);
+  for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
 }
 
-void checkUseful(const CurveChoice& choice, const std::vector<std::string>& files) {
+void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
   for (const std::string& file : files)
     if (extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
-  for (const auto& [option, given] : {std::pair{kAxes, choice.axes != "physical"},
-                                      {kXRange, !choice.xRange.empty()},
-                                      {kYRange, !choice.yRange.empty()}})
+  for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
+                                      {kXRange, !arguments.xRange.empty()},
+                                      {kYRange, !arguments.yRange.empty()}})
     if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
@@ -177,22 +180,22 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common) {
   return computeCurve(scene, options);
 }
 
-CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<CurvePoint> own,
+CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vector<CurvePoint> own,
                   const CommonOptions& common) {
   CurveSet set;
   set.present = {{}, scene, std::move(own), 0};
-  set.axes = axesFrom(choice.axes);
-  if (!choice.xRange.empty()) {
-    const NumberRange range = positiveRange(kXRange, choice.xRange);
+  set.axes = axesFrom(arguments.axes);
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = positiveRange(kXRange, arguments.xRange);
     set.xFrom = range.from;
     set.xTo = range.to;
   }
-  if (!choice.yRange.empty()) {
-    const NumberRange range = positiveRange(kYRange, choice.yRange);
+  if (!arguments.yRange.empty()) {
+    const NumberRange range = positiveRange(kYRange, arguments.yRange);
     set.yFrom = range.from;
     set.yTo = range.to;
   }
-  for (const std::string& assignments : choice.with) {
+  for (const std::string& assignments : arguments.with) {
     const Scene other = sceneWith(scene, assignments);
     const Message words = differencesInWords(other, scene);
     Curve curve = computeCurve(other, common);
@@ -201,12 +204,12 @@ CurveSet curvesOf(const CurveChoice& choice, const Scene& scene, std::vector<Cur
                           std::move(curve.points), static_cast<int>(set.pinned.size()),
                           static_cast<int>(set.pinned.size()) + 1});
   }
-  if (choice.compare.empty()) return set;
+  if (arguments.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
   DifferenceOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveDifference& part) { bar.show(part.done, part.total); };
-  set.difference = curveDifference(scene, settingFrom(choice.compare, scene), options);
+  set.difference = curveDifference(scene, settingFrom(arguments.compare, scene), options);
   return set;
 }
 

@@ -1,6 +1,4 @@
-#include "ui/chart/friction_chart.h"
-
-#include <fmt/format.h>
+#include "ui/chart/friction_chart_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +18,7 @@ constexpr AxisRange kEmptyVelocities{-5, 3};  // shown before anything is known
 constexpr AxisRange kEmptyCoefficients{-6, -2};
 
 constexpr double kAir = 1.15;
-// 1e-5 written in binary may lie a little below the decade: that is not a reason for one more.
+// The binary value of 1e-5 may lie a little below the decade; this must not add another decade.
 constexpr double kSlack = 1e-9;
 
 bool isKnown(const CurvePoint& point) {
@@ -43,7 +41,7 @@ Scene withoutPresent(Scene scene) {
   return scene;
 }
 
-/// Smallest and largest of the positive finite numbers given to it.
+/// The smallest and largest positive finite number added to it.
 struct Extent {
   double low = 0, high = 0;
 
@@ -52,7 +50,7 @@ struct Extent {
     low = high > 0 ? std::min(low, value) : value;
     high = std::max(high, value);
   }
-  /// `air` keeps that factor between the data and the ends.
+  /// Returns whole decades around the numbers; `air` is a factor kept between them and the ends.
   AxisRange decades(double air = 1) const {
     return high > 0 ? decadesAround(low / air, high * air) : AxisRange{};
   }
@@ -74,7 +72,7 @@ void setRange(DiagramAxis& axis, const AxisRange& decades, const AxisRange& othe
   axis.to = std::pow(10, range.to);
 }
 
-/// What there is of a curve while it is averaged.
+/// Returns a text for the finished part of a curve while it is averaged.
 Message shareOf(const CurveUpdate& curve) {
   if (curve.isComplete) return {};
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
@@ -116,16 +114,16 @@ QString readingLabel(double value, int digits) {
   return QString::fromStdString(shortNumber(value, digits));
 }
 
-void FrictionChart::expect(const Scene& scene) {
+void FrictionChartModel::expect(const Scene& scene) {
   expected_ = scene;
   fitRanges(!curve_);
 }
 
-bool FrictionChart::isStale() const {
+bool FrictionChartModel::isStale() const {
   return curve_ && expected_ && !haveSameCurve(*curve_->scene, *expected_);
 }
 
-bool FrictionChart::take(const CurveUpdate& update) {
+bool FrictionChartModel::take(const CurveUpdate& update) {
   if (!update.scene || !hasKnownPoint(update)) return false;
   if (expected_ && !haveSameCurve(*update.scene, *expected_)) return false;
   const bool newCurve = !curve_ || !haveSameCurve(*curve_->scene, *update.scene);
@@ -134,7 +132,7 @@ bool FrictionChart::take(const CurveUpdate& update) {
   return true;
 }
 
-bool FrictionChart::mark(const Frame& frame) {
+bool FrictionChartModel::mark(const Frame& frame) {
   const std::pair before{velocities_, coefficients_};
   marker_ = markerOf(frame, CurveAxes::Physical);
   dimensionlessMarker_ = markerOf(frame, CurveAxes::Dimensionless);
@@ -147,14 +145,14 @@ bool FrictionChart::mark(const Frame& frame) {
   return before == std::pair{velocities_, coefficients_};
 }
 
-void FrictionChart::setAxes(CurveAxes axes) {
+void FrictionChartModel::setAxes(CurveAxes axes) {
   if (axes == axes_) return;
   axes_ = axes;
   velocities_ = coefficients_ = {};
   fitRanges(true);
 }
 
-int FrictionChart::pin() {
+int FrictionChartModel::pin() {
   if (!curve_) return 0;
   for (const PinnedCurve& pinned : pinned_)
     if (haveSameCurve(*pinned.curve->scene, *curve_->scene) &&
@@ -170,35 +168,35 @@ int FrictionChart::pin() {
   return lastId_;
 }
 
-void FrictionChart::unpin(int id) {
+void FrictionChartModel::unpin(int id) {
   std::erase_if(pinned_, [id](const PinnedCurve& pinned) { return pinned.id == id; });
   fitRanges(true);
 }
 
-void FrictionChart::unpinAll() {
+void FrictionChartModel::unpinAll() {
   pinned_.clear();
   fitRanges(true);
 }
 
-Message FrictionChart::englishNameOf(const PinnedCurve& pinned, const Scene& present) const {
+Message FrictionChartModel::englishNameOf(const PinnedCurve& pinned, const Scene& present) const {
   const Message name = differencesInWords(*pinned.curve->scene, present);
   return listed({name.empty() ? Message("same parameters") : name, shareOf(*pinned.curve)});
 }
 
-QString FrictionChart::nameOf(const PinnedCurve& pinned) const {
+QString FrictionChartModel::nameOf(const PinnedCurve& pinned) const {
   return translatedText(englishNameOf(pinned, present()));
 }
 
-void FrictionChart::showDifference(std::optional<CurveDifference> difference) {
+void FrictionChartModel::showDifference(std::optional<CurveDifference> difference) {
   difference_ = std::move(difference);
 }
 
-bool FrictionChart::isDifferenceStale() const {
+bool FrictionChartModel::isDifferenceStale() const {
   return difference_ && (isStale() || !haveSameCurve(*difference_->scene, present()));
 }
 
-/// The curve at hand with those that are pinned, named by how they differ from a scene.
-CurveSet FrictionChart::curves(const Scene& present) const {
+/// Returns the present curve and the pinned ones, named by their differences from a scene.
+CurveSet FrictionChartModel::curves(const Scene& present) const {
   CurveSet set;
   set.axes = axes_;
   if (!curve_) return set;
@@ -209,7 +207,7 @@ CurveSet FrictionChart::curves(const Scene& present) const {
   return set;
 }
 
-DiagramSheet FrictionChart::sheet() const {
+DiagramSheet FrictionChartModel::sheet() const {
   CurveSet set = curves(curve_ ? present() : Scene{});
   if (curve_) set.difference = difference_;
   DiagramSheet sheet = curveSheet(set);
@@ -235,7 +233,7 @@ DiagramSheet FrictionChart::sheet() const {
   return sheet;
 }
 
-double FrictionChart::progress() const {
+double FrictionChartModel::progress() const {
   constexpr double kAlmost = 0.999;
   if (!curve_ || isStale()) return 0;
   if (curve_->isComplete) return 1;
@@ -244,7 +242,7 @@ double FrictionChart::progress() const {
                                static_cast<double>(curve_->realizationsTotal));
 }
 
-std::optional<DiagramMarker> FrictionChart::marker() const {
+std::optional<DiagramMarker> FrictionChartModel::marker() const {
   std::optional<DiagramMarker> marker =
       axes_ == CurveAxes::Physical ? marker_ : dimensionlessMarker_;
   if (!marker) return marker;
@@ -256,14 +254,14 @@ std::optional<DiagramMarker> FrictionChart::marker() const {
   return marker;
 }
 
-const CurveUpdate* FrictionChart::find(int id) const {
+const CurveUpdate* FrictionChartModel::find(int id) const {
   if (id == kPresentCurve) return curve_.get();
   for (const PinnedCurve& pinned : pinned_)
     if (pinned.id == id) return pinned.curve.get();
   return nullptr;
 }
 
-QString FrictionChart::describe(int id, int row) const {
+QString FrictionChartModel::describe(int id, int row) const {
   const auto place = static_cast<std::size_t>(row);
   if (id == kDifferenceCurve)
     return difference_ && place < difference_->points.size() ? reading(difference_->points[place])
@@ -276,7 +274,7 @@ QString FrictionChart::describe(int id, int row) const {
   return nameOf(*pinned) + '\n' + text;
 }
 
-QString FrictionChart::reading(const CurvePoint& point) const {
+QString FrictionChartModel::reading(const CurvePoint& point) const {
   QStringList lines;
   lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
   lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
@@ -290,7 +288,7 @@ QString FrictionChart::reading(const CurvePoint& point) const {
   return lines.join('\n');
 }
 
-QString FrictionChart::reading(const DifferencePoint& point) const {
+QString FrictionChartModel::reading(const DifferencePoint& point) const {
   QString difference = tr("difference %1").arg(signedPercent(point.relative));
   if (std::isfinite(point.standardError))
     difference += " ± " + readingLabel(100 * point.standardError, 2) + " %";
@@ -299,18 +297,18 @@ QString FrictionChart::reading(const DifferencePoint& point) const {
          tr("with %1").arg(translatedText(asperity::nameOf(difference_->setting)));
 }
 
-std::optional<double> FrictionChart::velocityOf(int id, int row) const {
+std::optional<double> FrictionChartModel::velocityOf(int id, int row) const {
   const CurveUpdate* curve = find(id);
   if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
   return curve->points[static_cast<std::size_t>(row)].velocity;
 }
 
-std::optional<double> FrictionChart::velocityAt(double x) const {
+std::optional<double> FrictionChartModel::velocityAt(double x) const {
   const double velocity = x / (axes_ == CurveAxes::Physical ? 1 : markerFactor_);
   return std::isfinite(velocity) ? std::optional(velocity) : std::nullopt;
 }
 
-std::optional<CurveSet> FrictionChart::shown(const std::optional<ChartWindow>& zoom) const {
+std::optional<CurveSet> FrictionChartModel::shown(const std::optional<VisibleRange>& zoom) const {
   if (!curve_) return std::nullopt;
   CurveSet set = curves(*curve_->scene);
   if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
@@ -324,14 +322,14 @@ std::optional<CurveSet> FrictionChart::shown(const std::optional<ChartWindow>& z
   return set;
 }
 
-Message FrictionChart::status() const {
+Message FrictionChartModel::status() const {
   if (!curve_) return "no curve yet";
   if (isStale()) return "curve of the scene before";
   if (!mayHaveManyLines(curve_->scene->surface)) return {};
   return message("{} of {} realizations", curve_->realizationsDone, curve_->realizationsTotal);
 }
 
-void FrictionChart::fitRanges(bool newCurve) {
+void FrictionChartModel::fitRanges(bool newCurve) {
   Extent velocities, coefficients;
   if (expected_ && axes_ == CurveAxes::Physical) {
     velocities.add(expected_->sweep.velocityFrom);
@@ -345,7 +343,7 @@ void FrictionChart::fitRanges(bool newCurve) {
   for (const PinnedCurve& pinned : pinned_)
     addCurve(*pinned.curve, axes_, velocities, coefficients);
   if (const std::optional<DiagramMarker> shown = marker(); shown && shown->isFixed) {
-    // A motion comes to rest again and again: the axes go up with it, not down.
+    // A motion often comes to rest: the axes then grow with it, but do not shrink.
     velocities.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
     if (shown->y > coefficients.high) coefficients.add(shown->y);
   } else if (shown) {
@@ -357,8 +355,8 @@ void FrictionChart::fitRanges(bool newCurve) {
       steadyRange(coefficients_, neededCoefficients(coefficients.decades(kAir)), newCurve);
 }
 
-/// Before there is a curve, some decades of friction stand around the marker.
-AxisRange FrictionChart::neededCoefficients(const AxisRange& data) const {
+/// Before there is a curve, the axis shows some decades of friction around the marker.
+AxisRange FrictionChartModel::neededCoefficients(const AxisRange& data) const {
   if (curve_ || axes_ == CurveAxes::Dimensionless) return data;
   return steadyRange(kEmptyCoefficients, data, false);
 }

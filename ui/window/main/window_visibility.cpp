@@ -1,4 +1,4 @@
-#include "ui/window/main/window_sight.h"
+#include "ui/window/main/window_visibility.h"
 
 #include <QtGui/qguiapplication_platform.h>
 #include <QEvent>
@@ -21,11 +21,12 @@ namespace {
 
 #if QT_CONFIG(xcb)
 
-/// Asks X11 for the news of a window's visibility, besides what Qt asks for. The functions come
-/// from the library that Qt's own plugin has loaded: other window systems do without it.
+/// Asks X11 for visibility events of a window, in addition to those that Qt asks for. The functions
+/// come from the library that Qt's own plugin has loaded; on other window systems they are missing.
 void askForVisibility(QWidget& window) {
   const auto* x11 = qGuiApp->nativeInterface<QNativeInterface::QX11Application>();
-  if (!x11 || !x11->connection()) return;  // other platforms have the interface, but nothing in it
+  if (!x11 || !x11->connection())
+    return;  // other platforms have the interface without a connection
   QLibrary library(QStringLiteral("xcb"), 1);
   const auto function = [&](auto* type, const char* name) {
     return reinterpret_cast<decltype(type)>(library.resolve(name));
@@ -42,7 +43,7 @@ void askForVisibility(QWidget& window) {
   change(x11->connection(), id, XCB_CW_EVENT_MASK, &wanted);
 }
 
-/// Whether the window is wholly covered, where the message tells of that.
+/// Returns whether the window is fully covered, where the message contains that.
 std::optional<bool> coverOf(const QWindow& window, const QByteArray& type, const void* message) {
   if (type != "xcb_generic_event_t") return std::nullopt;
   const auto* event = static_cast<const xcb_visibility_notify_event_t*>(message);
@@ -63,18 +64,18 @@ std::optional<bool> coverOf(const QWindow&, const QByteArray&, const void*) {
 
 }  // namespace
 
-WindowSight::WindowSight(QWidget& window) : QObject(&window), window_(window) {
+WindowVisibility::WindowVisibility(QWidget& window) : QObject(&window), window_(window) {
   window_.installEventFilter(this);
   qGuiApp->installNativeEventFilter(this);
   watchHandle();
 }
 
-WindowSight::~WindowSight() {
+WindowVisibility::~WindowVisibility() {
   qGuiApp->removeNativeEventFilter(this);
 }
 
-/// The window system's window comes with the first showing, and may be made anew.
-void WindowSight::watchHandle() {
+/// Watches the native window, which exists from the first showing on, and may be made again.
+void WindowVisibility::watchHandle() {
   QWindow* handle = window_.windowHandle();
   if (!handle || !handle->handle()) return;
   if (handle != handle_) handle->installEventFilter(this);
@@ -83,7 +84,7 @@ void WindowSight::watchHandle() {
   askForVisibility(window_);
 }
 
-bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
+bool WindowVisibility::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::WinIdChange:
       watchHandle();
@@ -94,7 +95,7 @@ bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Hide:
     case QEvent::Expose:
     case QEvent::WindowStateChange:
-      // Judge later, because the event has not had its effect yet.
+      // The check runs later, because the event has not had its effect yet.
       QMetaObject::invokeMethod(
           this, [this] { judge(); }, Qt::QueuedConnection);
       break;
@@ -104,7 +105,7 @@ bool WindowSight::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-bool WindowSight::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
+bool WindowVisibility::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
   const std::optional<bool> cover = handle_ ? coverOf(*handle_, type, message) : std::nullopt;
   if (!cover) return false;
   isCovered_ = *cover;
@@ -112,7 +113,7 @@ bool WindowSight::nativeEventFilter(const QByteArray& type, void* message, qintp
   return false;
 }
 
-void WindowSight::judge() {
+void WindowVisibility::judge() {
   const bool isSeen = window_.isVisible() && !window_.isMinimized() && handle_ &&
                       handle_->isExposed() && !isCovered_;
   if (std::exchange(isSeen_, isSeen) != isSeen) emit changed(isSeen);

@@ -1,0 +1,56 @@
+// Command-line options for the curves of a friction diagram: axes and their ranges, another setting
+// to compare with, and further curves. Main thread.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/chart/curve_set.h"
+#include "core/friction/ensemble.h"
+
+namespace CLI {
+class App;
+}
+
+namespace asperity {
+
+struct CommonOptions;
+
+/// The options as text from the command line; empty: not given.
+struct CurveArguments {
+  std::string axes = "physical";
+  std::string xRange, yRange;     // FROM:TO, in the units of the axes
+  std::string compare;            // SCHEME[:OVERSAMPLING[:LINES]]
+  std::vector<std::string> with;  // KEY=VALUE[;KEY=VALUE...], one for each further curve
+
+  /// Returns the name of an option that is given; null where none is.
+  const char* firstOption() const;
+  /// Returns whether there are more curves than the scene's own.
+  bool hasMore() const { return !compare.empty() || !with.empty(); }
+  void addTo(nlohmann::ordered_json& picture) const;
+};
+
+void addCurveOptions(CLI::App& command, CurveArguments& arguments);
+
+/// Checks all options before anything is computed. Throws InputError naming the option.
+void checkCurves(const CurveArguments& arguments, const Scene& scene);
+
+/// Throws InputError where an axis is given but no output file is a picture.
+void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);
+
+/// Computes the scene's curve with the options that all commands share
+/// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;
+/// requireTarget() makes it one.
+Curve computeCurve(const Scene& scene, const CommonOptions& common);
+
+/// Returns the given curve of the scene together with the requested further curves. Shows progress.
+/// Throws InputError.
+CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vector<CurvePoint> own,
+                  const CommonOptions& common);
+
+/// Adds the curves to `answer`, one object for each curve beside the scene's own; adds nothing
+/// where there is none.
+void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set);
+
+}  // namespace asperity

@@ -1,0 +1,114 @@
+// asperity surface of measured files, and the other verbs on scenes of measured surfaces.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/app/program_test.h"
+
+namespace asperity {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SurfaceCommandTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    std::string text = "Position [mm];H\xC3\xB6he [\xC2\xB5m]\n";
+    for (int i = 0; i < 300; ++i) {
+      std::ostringstream row;
+      row << 0.002 * i << ";" << std::sin(0.21 * i) + 0.3 * std::cos(0.057 * i * i) + 0.01 * i
+          << "\n";
+      std::string line = row.str();
+      for (char& letter : line) letter = letter == '.' ? ',' : letter;
+      text += line;
+    }
+    program.folder.write("p.csv", text);
+    program.folder.write("m.json", R"({"title":"Mine","surface":{"kind":"measured","file":"p.csv"},
+        "elastomer":{"rheology":"kelvin","shear_modulus":1e6,"relaxation_time":1e-3},
+        "load":{"kind":"pressure","nominal_pressure":1e5,"width":1e-4},
+        "sweep":{"velocity_from":0.01,"velocity_to":1,"points":3}})");
+  }
+
+  std::string read(const std::string& name) const {
+    return TemporaryFolder::read(program.folder / name);
+  }
+};
+
+TEST_F(SurfaceCommandTest, SaysWhatItTookAFileForAndWritesAll) {
+  const Said said = program.run("surface p.csv -o v.json -o l.csv -o p.svg");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, AllOf(HasSubstr("300 points"), HasSubstr("summits touch"), HasSubstr("Pdq"),
+                              HasSubstr("twice the profile")));
+  const auto json = nlohmann::json::parse(read("v.json"));
+  EXPECT_EQ(json["reading"]["columns"], 300);
+  EXPECT_NEAR(json["reading"]["spacing"], 2e-6, 1e-12);
+  EXPECT_GT(json["values"]["raw"]["Pq"], json["values"]["used"]["Pq"]);
+  EXPECT_EQ(json["files"]["surface.file"]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_TRUE(json["notes"].is_array());
+  EXPECT_THAT(read("l.csv"), AllOf(StartsWith("# asperity: "), HasSubstr("\nposition,height\n")));
+  EXPECT_THAT(read("p.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(SurfaceCommandTest, NamesRoughnessValuesWhereLongWavesAreCut) {
+  const Said said = program.run("surface p.csv --json --set surface.long_wave_cut=1e-4");
+  EXPECT_EQ(said.status, 0) << said.err;
+  const auto values = nlohmann::json::parse(said.out)["values"];
+  EXPECT_TRUE(values["used"].contains("Rq"));
+  EXPECT_TRUE(values["raw"].contains("Pq"));
+}
+
+/// The line that `surface` writes, slid as a profile, has the friction of the file.
+TEST_F(SurfaceCommandTest, WritesTheLineThatSlides) {
+  ASSERT_EQ(program.run("surface m.json -o l.csv").status, 0);
+  const Said measured = program.run("curve m.json"),
+             profile =
+                 program.run("curve m.json --set surface.kind=profile --set surface.file=l.csv");
+  EXPECT_EQ(measured.status, 0) << measured.err;
+  EXPECT_EQ(profile.status, 0) << profile.err;
+  std::istringstream a(measured.out), b(profile.out);
+  std::string rowA, rowB;
+  std::getline(a, rowA);
+  std::getline(b, rowB);
+  EXPECT_EQ(rowA, rowB);
+  EXPECT_THAT(rowA, HasSubstr("nominal_pressure"));
+  while (std::getline(a, rowA) && std::getline(b, rowB)) {
+    const auto mu = [](const std::string& row) { return std::stod(row.substr(row.find(',') + 1)); };
+    EXPECT_NEAR(mu(rowA) / mu(rowB), 1, 1e-9);
+  }
+}
+
+TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {
+  for (const std::string arguments :
+       {"check m.json", "explain m.json", "render m.json -o c.png --size 640x360",
+        "curve m.json -o c.csv -o c.json", "accuracy m.json -o acc",
+        "explain m.json --set accuracy.target_relative_error=0.05",
+        "curve m.json --set accuracy.target_relative_error=0.05",
+        "surface m.json --set surface.seam=random_phases",
+        "curve m.json --set surface.seam=blend --set surface.line=isotropic_equivalent"}) {
+    const Said said = program.run(arguments);
+    EXPECT_EQ(said.status, 0) << arguments << "\n" << said.err;
+  }
+  EXPECT_THAT(program.run("explain m.json").out, HasSubstr("F_N / L = 10 N/m"));
+  EXPECT_THAT(program.run("explain m.json --set surface.seam=periodic --set surface.form=none").out,
+              HasSubstr("seam_jump"));
+}
+
+TEST_F(SurfaceCommandTest, RefusesInOneLine) {
+  program.folder.write("bad.csv", "not a surface\n");
+  expectRefused("surface bad.csv", 2, "bad.csv");
+  expectRefused("surface none.csv", 2, "none.csv");
+  expectRefused("surface p.csv --set surface.row=2", 2, "surface.row");
+  expectRefused("surface p.csv --set surface.long_wave_cut=1e-7", 2, "surface.long_wave_cut");
+  expectRefused("surface p.csv --set surface.blend_length=1e-4", 2, "surface.blend_length");
+  expectRefused("surface p.csv --set surface.hurst=0.5", 2, "surface.hurst");
+  expectRefused("surface p.csv --set surface.length=1", 2, "surface.length");
+  expectRefused("curve m.json --set ensemble.realizations=3", 2, "ensemble.realizations");
+}
+
+}  // namespace
+}  // namespace asperity

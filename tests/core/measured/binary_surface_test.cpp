@@ -1,0 +1,185 @@
+// SDF, SUR, GSF and GWY: a known surface written in every variant comes back, units included.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/measured/binary_writers.h"
+#include "tests/core/measured/surface_expectations.h"
+
+namespace asperity::written {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(SdfFile, ReadsEveryDataType) {
+  for (const bool gap : {false, true})
+    for (const bool second : {false, true})
+      for (const char* kind : {"ISO", "BCR"}) {
+        expectKnown(read(binarySdf<float>(3, gap, second, kind)), "sdf", gap, 1e-12);
+        expectKnown(read(binarySdf<std::int8_t>(4, gap, second, kind)), "sdf", gap, 1e-15);
+        expectKnown(read(binarySdf<std::int16_t>(5, gap, second, kind)), "sdf", gap, 1e-15);
+        expectKnown(read(binarySdf<std::int32_t>(6, gap, second, kind)), "sdf", gap, 1e-15);
+        expectKnown(read(binarySdf<double>(7, gap, second, kind)), "sdf", gap, 1e-20);
+      }
+  expectKnown(read(binarySdf<double>(7, false, false, "ISO", 1)), "sdf", false, 1e-20, 1e-12, 1);
+}
+
+TEST(SdfFile, ReadsUnsignedNumbersOfBcr) {
+  std::string bytes = binarySdf<std::uint16_t>(1, false);
+  // Heights below zero do not exist there: the numbers are put in by hand.
+  const std::size_t begin = 81;
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    const auto value = static_cast<std::uint16_t>(60000 - 7 * i);
+    std::memcpy(bytes.data() + begin + 2 * i, &value, 2);
+  }
+  const MeasuredFile file = read(bytes);
+  EXPECT_NEAR(file.topography.at(0, 0), 60000e-9, 1e-15);
+  EXPECT_NEAR(file.topography.at(1, 3), (60000 - 7 * 10) * 1e-9, 1e-15);
+}
+
+std::string textSdf(bool gap, const std::string& end, bool manyLines, const std::string& version) {
+  std::string text =
+      version + end + "ManufacID   = TEST" + end + "; a comment" + end +
+      "CreateDate = 010120200000" + end + "ModDate = 010120200000" + end +
+      fmt::format("NumPoints = {}{}NumProfiles = {}{}", kColumns, end, kRows, end) +
+      fmt::format("Xscale = {}{}Yscale = {}{}", kColumnSpacing, end, kRowSpacing, end) +
+      "Zscale = 1.0E-6" + end + "Zresolution = -1" + end + "Compression = 0" + end +
+      "DataType = 7" + end + "CheckType = 0" + end + "*" + end;
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      text += gap && isGap(row, column) ? std::string("BAD")
+                                        : fmt::format("{:.5f}", micrometres(row, column));
+      text += manyLines && column % 3 == 2 ? end : " ";
+    }
+    text += end;
+  }
+  return text + "*" + end + "<Operator>N.N.</Operator>" + end + "*" + end;
+}
+
+TEST(SdfFile, ReadsText) {
+  for (const bool gap : {false, true})
+    for (const std::string end : {"\n", "\r\n", "\r"})
+      for (const bool manyLines : {false, true})
+        for (const char* version : {"aISO-1.0", "aISO-2.0", "aBCR-1.0"})
+          expectKnown(read(textSdf(gap, end, manyLines, version)), "sdf", gap, 1e-15);
+}
+
+TEST(SdfFile, NamesWhatIsWrong) {
+  std::string text = textSdf(false, "\n", false, "aISO-1.0");
+  EXPECT_THAT(errorOf(text.substr(0, text.size() / 2)), HasSubstr("ends"));
+  const auto replaced = [&text](const std::string& what, const std::string& by) {
+    std::string changed = text;
+    return changed.replace(changed.find(what), what.size(), by);
+  };
+  EXPECT_THAT(errorOf(replaced("Compression = 0", "Compression = 1")), HasSubstr("compressed"));
+  EXPECT_THAT(errorOf(replaced("DataType = 7", "DataType = 9")), HasSubstr("DataType 9"));
+  EXPECT_THAT(errorOf(replaced("NumPoints = 7", "NumPoints = 0")), HasSubstr("NumPoints"));
+  EXPECT_THAT(errorOf(replaced("NumPoints = 7", "NumPoints = 999999999")), HasSubstr("at most"));
+  EXPECT_THAT(errorOf(replaced("NumPoints = 7", "NumPoints = 6")),
+              HasSubstr("more than the 24 heights"));
+  EXPECT_THAT(errorOf(replaced("Xscale", "Wscale")), HasSubstr("no Xscale"));
+  EXPECT_THAT(errorOf(replaced("-2.00000", "-2.x")),
+              HasSubstr("line 16: height 1 is not a number"));
+}
+
+TEST(SurFile, ReadsEveryVariant) {
+  for (const int bits : {16, 32})
+    for (const bool gap : {false, true})
+      for (const bool packed : {false, true})
+        for (const std::string comment : {"", "A comment of the measurement"}) {
+          SurOptions options;
+          options.bits = bits;
+          options.withGap = gap;
+          options.packed = packed;
+          options.comment = comment;
+          expectKnown(read(sur(options)), "sur", gap, 1e-12, 1e-6);
+        }
+  SurOptions profile;
+  profile.type = 1;
+  profile.rows = 1;
+  expectKnown(read(sur(profile)), "sur", false, 1e-12, 1e-6, 1);
+}
+
+TEST(SurFile, TakesTheUnitOfEachStep) {
+  SurOptions options;
+  options.xUnit = "nm";
+  options.xMetres = 1e-9;
+  options.yUnit = "um";
+  options.yMetres = 1e-6;
+  options.zUnit = "mm";
+  options.zMetres = 1e-3;
+  const MeasuredFile file = read(sur(options));
+  expectKnown(file, "sur", false, 1e-12, 1e-6);
+  EXPECT_EQ(file.facts.positionUnit.unit, "nm");
+  EXPECT_EQ(file.facts.positionUnit.source, UnitSource::File);
+  options.zUnit = "V";
+  EXPECT_THAT(errorOf(sur(options)), HasSubstr("surface.height_unit"));
+}
+
+TEST(SurFile, NamesWhatIsWrong) {
+  SurOptions options;
+  std::string bytes = sur(options);
+  const auto changed = [&bytes](std::size_t at, auto value) {
+    std::string other = bytes;
+    std::memcpy(other.data() + at, &value, sizeof value);
+    return other;
+  };
+  EXPECT_THAT(errorOf(changed(98, std::int16_t{24})), HasSubstr("24 bits"));
+  EXPECT_THAT(errorOf(changed(108, std::int32_t{-1})), HasSubstr("above 0"));
+  EXPECT_THAT(errorOf(changed(108, std::int32_t{0x7fffffff})), HasSubstr("at most"));
+  EXPECT_THAT(errorOf(changed(108, std::int32_t{1000})), HasSubstr("ends too early"));
+  EXPECT_THAT(errorOf(changed(120, 0.0F)), HasSubstr("X spacing"));
+  EXPECT_THAT(errorOf(changed(18, std::int16_t{12})), HasSubstr("type"));
+  options.packed = true;
+  bytes = sur(options);
+  bytes[bytes.size() - 9] = static_cast<char>(bytes[bytes.size() - 9] ^ 0x55);
+  EXPECT_THAT(errorOf(bytes), HasSubstr("cannot be unpacked"));
+}
+
+TEST(GsfFile, ReadsAField) {
+  for (const bool gap : {false, true}) {
+    // Paddings of one to four bytes.
+    for (const std::string title : {"", "a", "ab", "abc", "abcd"})
+      expectKnown(read(gsf(gsfHeader() + "Comment = " + title + "\n", gap)), "gsf", gap, 1e-12);
+  }
+  EXPECT_EQ(read(gsf(gsfHeader(), false)).facts.heightColumn, "Height");
+}
+
+TEST(GsfFile, NamesWhatIsWrong) {
+  EXPECT_THAT(errorOf(gsf("XRes = 7\n", false)), HasSubstr("no YRes"));
+  EXPECT_THAT(errorOf(gsf("XRes = seven\nYRes = 4\n", false)), HasSubstr("XRes"));
+  EXPECT_THAT(errorOf(gsf("XRes = 7\nYRes = 5\n", false)), HasSubstr("ends too early"));
+  EXPECT_THAT(errorOf(gsf("XRes = 4294967296\nYRes = 4294967296\n", false)), HasSubstr("at most"));
+  // Without a size the points are metres apart, which is hardly meant.
+  EXPECT_THAT(errorOf(gsf("XRes = 7\nYRes = 4\n", false)), HasSubstr("surface.position_unit"));
+  ReadingChoices choices;
+  choices.positionUnit = "um";
+  EXPECT_NEAR(
+      read(gsf("XRes = 7\nYRes = 4\nZUnits = m\n", false), choices).topography.columnSpacing, 1e-6,
+      1e-15);
+}
+
+TEST(GwyFile, ChoosesTheFirstChannelOfLengths) {
+  const MeasuredFile file = read(gwyOfThree());
+  expectKnown(file, "gwy", false, 1e-20);
+  EXPECT_EQ(file.facts.heightColumn, "Height");
+  ReadingChoices third;
+  third.heightColumn = 3;
+  EXPECT_NEAR(read(gwyOfThree(), third).topography.at(0, 0), 2 * height(0, 0), 1e-20);
+  third.heightColumn = 4;
+  EXPECT_THAT(errorOf(gwyOfThree(), third), HasSubstr("surface.height_column"));
+  ReadingChoices volts;
+  volts.heightColumn = 1;
+  EXPECT_THAT(errorOf(gwyOfThree(), volts), HasSubstr("surface.height_unit"));
+  volts.heightUnit = "um";
+  EXPECT_NEAR(read(gwyOfThree(), volts).topography.at(0, 0), 1e-6 * height(0, 0), 1e-20);
+}
+
+TEST(GwyFile, NamesWhatIsWrong) {
+  EXPECT_THAT(errorOf(gwy("")), HasSubstr("no channel"));
+  EXPECT_THAT(errorOf(gwy(gwyMember("/0/data", gwyObject("GwyDataField", gwyInt("xres", 7))))),
+              HasSubstr("no yres"));
+  EXPECT_THAT(errorOf("GWYPGwyContainer"), HasSubstr("no end"));
+}
+
+}  // namespace
+}  // namespace asperity::written

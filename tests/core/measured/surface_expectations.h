@@ -1,0 +1,52 @@
+// What the tests of the readers expect of a surface that was read.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/base/input_error.h"
+#include "core/measured/measured_file.h"
+#include "tests/core/measured/written_surface.h"
+
+namespace asperity::written {
+
+inline MeasuredFile read(const std::string& bytes, const ReadingChoices& choices = {}) {
+  return readMeasuredBytes(bytes, "surface.dat", choices);
+}
+
+/// The message of the error; "none" where there is none.
+inline std::string errorOf(const std::string& bytes, const ReadingChoices& choices = {}) {
+  try {
+    read(bytes, choices);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// The known surface, heights within `tolerance` (m), spacings to `relative` of themselves.
+inline void expectKnown(const MeasuredFile& file, const std::string& format, bool withGap,
+                        double tolerance, double relative = 1e-12, int rows = kRows) {
+  const Topography& grid = file.topography;
+  EXPECT_EQ(file.facts.format, format);
+  ASSERT_EQ(grid.columns, kColumns);
+  ASSERT_EQ(grid.rows, rows);
+  EXPECT_NEAR(grid.columnSpacing, kColumnSpacing, relative * kColumnSpacing);
+  EXPECT_NEAR(grid.rowSpacing, rows > 1 ? kRowSpacing : 0, relative * kRowSpacing);
+  EXPECT_EQ(file.facts.points, kColumns * rows);
+  EXPECT_EQ(file.facts.gaps, withGap && rows > kGapRow ? 1 : 0);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const double height = written::height(row, column, withGap);
+      if (std::isnan(height))
+        EXPECT_TRUE(std::isnan(grid.at(row, column)));
+      else
+        EXPECT_NEAR(grid.at(row, column), height, tolerance)
+            << "row " << row << ", column " << column;
+    }
+  EXPECT_FALSE(file.facts.notes.empty());
+}
+
+}  // namespace asperity::written

@@ -1,0 +1,123 @@
+// X3P: a known surface written in every variant comes back; archives that lie are refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/measured/surface_expectations.h"
+#include "tests/core/measured/x3p_writer.h"
+
+namespace asperity::written {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(X3pFile, TheTestsHaveAnMd5OfTheirOwn) {
+  // RFC 1321, appendix A.5.
+  EXPECT_EQ(md5(""), "d41d8cd98f00b204e9800998ecf8427e");
+  EXPECT_EQ(md5("abcdefghijklmnopqrstuvwxyz"), "c3fcd3d76192e4007dfb496cca67e13b");
+}
+
+TEST(X3pFile, ReadsEveryVariant) {
+  for (const char type : {'I', 'L', 'F', 'D'})
+    for (const bool incremental : {false, true})
+      for (const bool listed : {false, true})
+        for (const bool gap : {false, true})
+          for (const bool packed : {false, true}) {
+            X3pOptions options;
+            options.zType = type;
+            options.zIncremental = incremental;
+            options.listed = listed;
+            options.withGap = gap;
+            options.maskFile = gap && !listed && (type == 'I' || type == 'L' || packed);
+            options.packed = packed;
+            options.checksums = packed || type == 'D';
+            options.prefix = packed ? "p:" : "";
+            expectKnown(read(x3p(options)), "x3p", gap, 1e-12);
+          }
+}
+
+TEST(X3pFile, ReadsStoredPositions) {
+  for (const bool listed : {false, true})
+    for (const bool absoluteY : {false, true}) {
+      X3pOptions options;
+      options.absoluteX = true;
+      options.absoluteY = absoluteY;
+      options.listed = listed;
+      expectKnown(read(x3p(options)), "x3p", false, 1e-12, 1e-9);
+    }
+}
+
+TEST(X3pFile, ReadsProfiles) {
+  for (const bool absolute : {false, true})
+    for (const bool listed : {false, true}) {
+      X3pOptions options;
+      options.feature = "PRF";
+      options.rows = 1;
+      options.absoluteX = absolute;
+      options.listed = listed;
+      expectKnown(read(x3p(options)), "x3p", false, 1e-12, 1e-9, 1);
+    }
+}
+
+TEST(X3pFile, ComparesChecksums) {
+  X3pOptions options;
+  options.upperCase = true;
+  expectKnown(read(x3p(options)), "x3p", false, 1e-12);
+  options.pointMd5 = "00000000000000000000000000000000";
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("data.bin' in its archive does not have the MD5"));
+  options.pointMd5.clear();
+  options.mainMd5 = "d41d8cd98f00b204e9800998ecf8427e";
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("main.xml' in its archive does not have the MD5"));
+}
+
+TEST(X3pFile, RefusesWhatHasNoGrid) {
+  X3pOptions options;
+  options.feature = "PCL";
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("PCL"));
+  options.feature = "XYZ";
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("FeatureType"));
+}
+
+TEST(X3pFile, RefusesArchivesThatLie) {
+  X3pOptions options;
+  // Sizes beyond what is there, and beyond every memory.
+  options.claimedColumns = 8;
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("ends too early"));
+  options.claimedColumns = 2000000000;
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("at most"));
+  options.claimedColumns = kColumns;
+  // An archive that states other sizes than it has.
+  const X3pParts parts = x3pParts(options);
+  for (const std::uint32_t size : {1U, 0x7fffffffU, 0xfffffffeU})
+    EXPECT_NE(
+        errorOf(zipped({{"main.xml", parts.main}, {"bindata/data.bin", parts.points}}, true, size)),
+        "none");
+  EXPECT_THAT(errorOf(zipped({{"other.xml", parts.main}})), HasSubstr("no file 'main.xml'"));
+  EXPECT_THAT(errorOf(zipped({{"main.xml", parts.main}})), HasSubstr("no file 'bindata/data.bin'"));
+  EXPECT_THAT(errorOf(zipped({{"main.xml", "<a><b></a>"}})), HasSubstr("not valid XML"));
+  EXPECT_THAT(errorOf(zipped({{"main.xml", "<a/>"}})), HasSubstr("ISO5436_2"));
+}
+
+TEST(X3pFile, DoesNotUnpackBombs) {
+  // 200 MB of blanks pack to 200 kB; heights as text never pack that well.
+  const std::string bomb = zipped({{"main.xml", std::string(200'000'000, ' ')}});
+  ASSERT_LT(bomb.size(), 400'000u);
+  EXPECT_THAT(errorOf(bomb), HasSubstr("larger than"));
+  X3pOptions options;
+  const X3pParts parts = x3pParts(options);
+  EXPECT_THAT(errorOf(zipped(
+                  {{"main.xml", parts.main}, {"bindata/data.bin", std::string(50'000'000, '\0')}})),
+              HasSubstr("larger than"));
+}
+
+TEST(X3pFile, ExpandsNoEntities) {
+  X3pOptions options;
+  options.checksums = false;
+  options.prologue =
+      "<!DOCTYPE lolz [<!ENTITY a \"lol\"><!ENTITY b \"&a;&a;&a;&a;\"><!ENTITY f SYSTEM "
+      "\"file:///etc/passwd\">]>";
+  options.extra = "<Comment>&b;&f;</Comment>";
+  expectKnown(read(x3p(options)), "x3p", false, 1e-12);
+}
+
+}  // namespace
+}  // namespace asperity::written

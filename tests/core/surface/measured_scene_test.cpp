@@ -1,0 +1,250 @@
+// Scenes of measured surfaces and spectra from the file to the friction curve: the same line for
+// every caller, both directions of a mirrored profile, rows as realizations, nominal pressure,
+// notes, provenance.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/accuracy/compute_curve.h"
+#include "core/accuracy/explanation.h"
+#include "core/accuracy/prediction.h"
+#include "core/base/file_digest.h"
+#include "core/base/input_error.h"
+#include "core/contact/steady_solver.h"
+#include "core/friction/curve_file.h"
+#include "core/run/rigid_line.h"
+#include "core/scene/plan.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
+#include "tests/core/temporary_folder.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A rough profile as people have it: position in millimetres, height in micrometres, tilted.
+std::string profileText(unsigned seed = 1, int points = 400) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
+  std::vector<double> heights(static_cast<std::size_t>(points));
+  for (int k = 1; k < 60; ++k) {
+    const double shift = phase(random), amplitude = std::pow(k, -1.2);
+    for (int i = 0; i < points; ++i)
+      heights[static_cast<std::size_t>(i)] +=
+          amplitude * std::cos(2 * std::numbers::pi * 0.7 * k * i / points + shift);
+  }
+  std::string text = "x [mm]\tz [um]\n";
+  for (int i = 0; i < points; ++i)
+    text += std::to_string(0.01 * i) + "\t" +
+            std::to_string(heights[static_cast<std::size_t>(i)] + 0.01 * i) + "\n";
+  return text;
+}
+
+std::string matrixText(int rows, int columns) {
+  std::string text = "# Channel: Height\n# Width: " + std::to_string(columns) +
+                     " \u00B5m\n# Height: " + std::to_string(rows) + " \u00B5m\n# Value units: m\n";
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal(0.0, 1e-8);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      text += std::to_string(1e9 * normal(random)) + "e-9" + (column + 1 < columns ? "\t" : "\n");
+  return text;
+}
+
+class MeasuredScene : public testing::Test {
+ protected:
+  MeasuredScene() {
+    folder_.write("p.txt", profileText());
+    folder_.write("m.txt", matrixText(12, 64));
+    folder_.write("s.csv", "q,C1\n1e3,1e-17\n1e4,1e-18\n1e5,1e-20\n");
+  }
+
+  Scene scene(const std::vector<std::string>& settings = {}, const std::string& file = "p.txt") {
+    return readScene(R"({"surface": {"kind": "measured", "file": ")" + file + R"("},
+        "elastomer": {"rheology": "kelvin", "shear_modulus": 1e6, "relaxation_time": 1e-3},
+        "load": {"kind": "force", "normal_force": 0.05},
+        "sweep": {"velocity_from": 1e-3, "velocity_to": 10, "points": 5}})",
+                     "test", folder_.path(), settings);
+  }
+
+  std::string errorOf(const std::vector<std::string>& settings, const std::string& file = "p.txt") {
+    try {
+      LineSource(scene(settings, file), 1);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeasuredScene, IsTheSameLineForEveryCaller) {
+  const Scene measured = scene();
+  const LineSource source(measured, 1);
+  const Line line = source.make(0);
+  EXPECT_NEAR(line.length, 8e-3, 1e-9);
+  EXPECT_EQ(line.nodes(), 800U);
+  // The window's runner and motions take the line from RigidLine, with the points of the picture.
+  const RigidLine rigid(measured);
+  EXPECT_EQ(rigid.line->height, LineSource(measured, pointsPerElement(measured)).make(0).height);
+  // A line of `asperity surface` is read back as a profile, bit for bit.
+  folder_.write("line.csv", lineCsv(line));
+  Scene profile = measured;
+  profile.surface = Surface{};
+  profile.surface.kind = SurfaceKind::Profile;
+  profile.surface.length = 0;
+  profile.surface.elements = 0;
+  profile.surface.file = "line.csv";
+  const Line back = LineSource(profile, 1).make(0);
+  ASSERT_EQ(back.nodes(), line.nodes());
+  for (std::size_t i = 0; i < line.nodes(); ++i) EXPECT_NEAR(back.height[i], line.height[i], 1e-19);
+  const Curve ofMeasured = computeCurve(measured), ofProfile = computeCurve(profile);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(ofProfile.points[i].mu / ofMeasured.points[i].mu, 1, 1e-6);
+}
+
+TEST_F(MeasuredScene, SlidesAlikeBothWaysWhereItIsMirrored) {
+  const Scene measured = scene();
+  const Line line = LineSource(measured, 4).make(0);
+  const SteadySolver solver(measured);
+  for (const double velocity : {1e-2, 1.0, 30.0}) {
+    const double there =
+        solver.at(prepareProfile(line, Scheme::Cubic, Direction::Forward), velocity).result.mu;
+    const double back =
+        solver.at(prepareProfile(line, Scheme::Cubic, Direction::Backward), velocity).result.mu;
+    EXPECT_NEAR(there / back, 1, 1e-6) << velocity;
+  }
+}
+
+TEST_F(MeasuredScene, HasItsRowsAsRealizations) {
+  const Scene all = scene({}, "m.txt");
+  EXPECT_EQ(all.ensemble.realizations, 0);
+  EXPECT_EQ(computeCurve(all).points[0].realizations, 12);
+  EXPECT_EQ(computeCurve(scene({"ensemble.realizations=4"}, "m.txt")).points[0].realizations, 4);
+  EXPECT_EQ(computeCurve(scene({"surface.row=3"}, "m.txt")).points[0].realizations, 1);
+  EXPECT_THAT(errorOf({"ensemble.realizations=13"}, "m.txt"), HasSubstr("more than the 12 rows"));
+  EXPECT_THAT(errorOf({"ensemble.realizations=2"}), HasSubstr("more than the single profile"));
+  EXPECT_THAT(errorOf({"surface.direction=along_y"}), HasSubstr("needs a topography"));
+  EXPECT_EQ(LineSource(scene({"surface.direction=along_y"}, "m.txt"), 1).measured()->rows(), 64);
+  const Line row = LineSource(scene({"surface.row=3"}, "m.txt"), 1).make(0);
+  EXPECT_EQ(row.height, LineSource(all, 1).make(2).height);
+}
+
+TEST_F(MeasuredScene, MeansAForceByItsNominalPressure) {
+  const Scene pressed =
+      scene({"load.kind=pressure", "load.nominal_pressure=2e5", "load.width=1e-4"});
+  const double force = 2e5 * 8e-3 * 1e-4;
+  Scene forced = scene();
+  forced.load.normalForce = force;
+  const Curve a = computeCurve(pressed), b = computeCurve(forced);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(a.points[i].mu / b.points[i].mu, 1, 1e-9);
+    EXPECT_NEAR(a.points[i].normalForce / force, 1, 1e-9);
+    EXPECT_NEAR(a.points[i].meanPressure * a.points[i].contactFraction, 2e5, 1e-3);
+  }
+  EXPECT_THAT(curveCsv(a.points), HasSubstr(",normal_force,nominal_pressure,mean_pressure"));
+  EXPECT_THAT(curveCsv(b.points), testing::Not(HasSubstr("nominal_pressure")));
+  const Scene square = scene({"load.kind=pressure", "load.nominal_pressure=2e5"});
+  EXPECT_NEAR(computeCurve(square).points[0].normalForce, 2e5 * 64e-6, 1e-6);
+  EXPECT_NEAR(explain(square, 1).normalForce, 2e5 * 64e-6, 1e-6);
+}
+
+TEST_F(MeasuredScene, IsPredictedAndReachesATarget) {
+  const Prediction prediction = predictCurve(scene({}, "m.txt"), 1);
+  EXPECT_EQ(prediction.lines, 12);
+  EXPECT_GT(prediction.seconds, 0);
+  const Curve one = computeCurve(scene({"accuracy.target_relative_error=0.01"}));
+  EXPECT_TRUE(one.isTargetMet);
+  const Curve plain = computeCurve(scene());
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(one.points[i].mu / plain.points[i].mu, 1, 0.02);
+  EXPECT_TRUE(computeCurve(scene({"accuracy.target_relative_error=0.1"}, "m.txt")).isTargetMet);
+}
+
+TEST_F(MeasuredScene, SaysWhatTheUserMustKnow) {
+  const auto notes = [&](const std::vector<std::string>& settings) {
+    return notesOf(LineSource(scene(settings), 1));
+  };
+  EXPECT_TRUE(notes({}).empty());
+  EXPECT_THAT(notes({"surface.seam=periodic", "surface.form=none"}).list(),
+              ElementsAre(Note::SeamJump));
+  EXPECT_THAT(notes({"surface.height_unit=mm"}).list(), ElementsAre(Note::SlopeAbove));
+  const Curve curve = computeCurve(scene({"surface.seam=periodic", "surface.form=none"}));
+  for (const CurvePoint& point : curve.points) EXPECT_THAT(notesOf(point), HasSubstr("seam_jump"));
+  EXPECT_THAT(curveCsv(curve.points), HasSubstr(",notes\n"));
+}
+
+TEST_F(MeasuredScene, IsWrittenAndReadBackWithAllItsKeys) {
+  const Scene full =
+      scene({"surface.seam=blend", "surface.blend_length=1e-4", "surface.form=parabola",
+             "surface.short_wave_cut=3e-5", "surface.line=isotropic_equivalent",
+             "surface.contact_side=valleys", "surface.height_unit=nm"});
+  const std::string text = writeScene(full);
+  EXPECT_EQ(readScene(text, "t", folder_.path()), full);
+  EXPECT_THAT(text, HasSubstr("\"blend_length\": 0.0001"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("hurst")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("seed")));
+  EXPECT_THAT(writeScene(Scene{}), testing::Not(HasSubstr("seam")));
+  // A kind of before takes the file's choices away, and only what has a meaning may be said.
+  EXPECT_EQ(readScene(text, "t", folder_.path(), {"surface.kind=sine"}).surface.processing.seam,
+            Seam::Mirror);
+  EXPECT_THROW(readScene(R"({"surface": {"kind": "sine", "seam": "blend"}})", "t"), InputError);
+  EXPECT_THROW(readScene(R"({"surface": {"blend_length": 1}})", "t"), InputError);
+  EXPECT_THROW(
+      readScene(R"({"surface": {"kind": "measured", "file": "p.txt", "blend_length": 1}})", "t"),
+      InputError);
+  EXPECT_THROW(readScene(R"({"ensemble": {"realizations": 0}})", "t"), InputError);
+  EXPECT_THROW(readScene(R"({"surface": {"kind": "spectrum", "file": "s.csv"}})", "t"), InputError);
+}
+
+TEST_F(MeasuredScene, KeepsTheDigestOfItsFileAndRefusesAnotherContent) {
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  const std::string answer = provenance("curve", scene()).dump();
+  EXPECT_THAT(answer, HasSubstr(sha256OfFile(folder_ / "p.txt")));
+  EXPECT_EQ(findScene(answer, "a.json", folder_.path()).scene, scene());
+  folder_.write("p.txt", profileText(2));
+  try {
+    findScene(answer, "a.json", folder_.path());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.json: surface.file: p.txt: it is another file now"));
+  }
+}
+
+TEST_F(MeasuredScene, OfASpectrumHasItsHeight) {
+  const Scene spectral = readScene(
+      R"({"surface": {"kind": "spectrum", "file": "s.csv", "spectrum_kind": "c1_two_sided"}})", "t",
+      folder_.path());
+  const LineSource source(spectral, 1);
+  EXPECT_NEAR(source.length(), 2 * std::numbers::pi / 1e3, 1e-12);
+  // Power laws q^-1 and q^-2 between the rows: 2 (1e-14 ln 10 + 1e-10 (1e-4 - 1e-5)).
+  const double square = 2 * (1e-14 * std::log(10) + 1e-10 * 9e-5);
+  EXPECT_NEAR(source.statistics().rmsHeight / std::sqrt(square), 1, 0.01);
+  EXPECT_NE(source.make(0).height, source.make(1).height);
+  EXPECT_EQ(source.lines(), 200);
+  EXPECT_EQ(provenance("curve", spectral)["seed"], 1);
+}
+
+TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
+  const Scene measured = scene();
+  const LineSource source(measured, 1);
+  const MeasuredSummary summary = measuredSummary(measured, source);
+  EXPECT_EQ(summary.columns, 400);
+  EXPECT_NEAR(summary.spacing, 1e-5, 1e-11);
+  EXPECT_GT(summary.raw.pq, 1.05 * summary.used.pq);  // the tilt
+  EXPECT_NEAR(summary.used.pdq / source.statistics().rmsSlope, 1, 0.05);
+  const Line line = source.make(0);
+  double mean = 0;
+  for (const double z : summary.profile.used) mean += z / 400;
+  for (std::size_t i = 0; i < 400; ++i)
+    EXPECT_NEAR(line.height[i], -(summary.profile.used[i] - mean), 2e-9);
+}
+
+}  // namespace
+}  // namespace asperity
