@@ -122,7 +122,7 @@ std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
 }
 
 Excitation excitationOf(const Scene& scene) {
-  return {scene, LineSource(scene, pointsPerElement(scene))};
+  return {scene, LineSource(scene, 1)};
 }
 
 }  // namespace asperity

@@ -53,7 +53,7 @@ Spectrum gathered(const FourierLine& modes) {
   return spectrum;
 }
 
-/// As the scene asks for it, before phases and summits.
+/// Returns the spectrum that the scene prescribes, before phases and summits.
 Spectrum wanted(const Scene& scene, const LineSource& source) {
   const Surface& surface = scene.surface;
   const double rollOff =

@@ -33,7 +33,7 @@ std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
 /// The same of a table of shifts, whose temperatures must rise from row to row.
 std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string& key);
 
-/// Numbers in the shortest form that reads back to the same value.
+/// Returns JSON text with numbers in the shortest form that reads back to the same value.
 std::string textOf(const std::vector<Arm>& arms);
 std::string textOf(const std::vector<ShiftPoint>& table);
 

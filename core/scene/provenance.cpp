@@ -1,6 +1,7 @@
 #include "core/scene/provenance.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <system_error>
 
@@ -97,14 +98,18 @@ Json inputsOf(const Scene& scene) {
 }
 
 /// Refuses a scene whose file has another content than the one that the result was made from. A
-/// missing file is reported by the command that needs it. A material does not matter here, because
-/// the scene holds all its values.
+/// missing file is reported by the command that needs it. A shipped material may have changed: the
+/// scene holds its values.
 void checkInputs(const Json& inputs, const Scene& scene) {
   if (!inputs.is_array()) return;
   eachInput(scene, [&](std::string_view key, const std::string& name, const Json& present) {
-    if (key != "surface.file" || !present.is_string()) return;
+    const bool isShipped =
+        key == "elastomer.material" && materialFile(name, scene.folder).empty();
+    if (isShipped || !present.is_string()) return;
     for (const Json& input : inputs) {
-      if (!input.is_object() || input.value("key", Json()) != Json(key)) continue;
+      if (!input.is_object() || input.value("key", Json()) != Json(key) ||
+          input.value("name", Json()) != Json(name))
+        continue;
       const Json made = input.value("sha256", Json());
       if (made.is_string() && made != present)
         throw InputError("", std::string(key),

@@ -4304,6 +4304,10 @@
         <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>
         <translation>&apos;%1&apos; ist kein Modul wie 2.3MPa</translation>
     </message>
+    <message>
+        <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
+        <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
