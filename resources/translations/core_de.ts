@@ -4282,6 +4282,10 @@
         <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>
         <translation>&apos;%1&apos; ist kein Modul wie 2.3MPa</translation>
     </message>
+    <message>
+        <source>Rubber A (unnamed)</source>
+        <translation>Gummi A (ohne Namen)</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
