@@ -40,6 +40,12 @@ struct Wish {
   bool tab = false, panel = false, quick = false;
 };
 
+/// Whether it came within patience; a picture that did not is taken as it is.
+template <class Condition>
+void waitFor(Condition condition) {
+  if (!QTest::qWaitFor(condition, kPatience)) std::fputs("not in time\n", stderr);
+}
+
 /// One window in one language, theme and size.
 class Photographer {
  public:
@@ -67,9 +73,9 @@ class Photographer {
   }
   void wait(ImportPage& page, const char* view) {
     page.resize(size_.boundedTo(QSize(1240, 820)) - QSize(40, 40));
-    QTest::qWaitFor([&] { return !page.isReading(); }, kPatience);
+    waitFor([&] { return !page.isReading(); });
     auto* sheet = page.findChild<DiagramView*>(view);
-    if (page.isReady()) QTest::qWaitFor([&] { return sheet->isPainted(); }, kPatience);
+    if (page.isReady()) waitFor([&] { return sheet->isPainted(); });
     std::printf("%s\n", qPrintable(page.complaint()));
   }
   void surface(const QString& file) {
@@ -87,7 +93,7 @@ class Photographer {
       if (wish_.quick && i != 1) continue;
       sheets->setCurrentIndex(i);
       QTest::qWait(500);
-      QTest::qWaitFor([&] { return sheet->isPainted(); }, kPatience);
+      waitFor([&] { return sheet->isPainted(); });
       save(page, QStringLiteral("moduli_%1").arg(i));
     }
     delete &page;
@@ -101,7 +107,7 @@ class Photographer {
     auto& view = *window_->findChild<DiagramView*>("materialView");
     tabs.setCurrentWidget(&view);
     QTest::qWait(2500);
-    QTest::qWaitFor([&] { return view.isPainted(); }, kPatience);
+    waitFor([&] { return view.isPainted(); });
     save(*window_, "tab");
   }
   /// The kinds that have new rows, each from its top.
