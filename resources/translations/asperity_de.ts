@@ -2649,6 +2649,10 @@
         <source>the profile and its spectrum, raw and used</source>
         <translation>das Profil und sein Spektrum, roh und verwendet</translation>
     </message>
+    <message>
+        <source>normal force %1 on one period of %2, F_N/L = %3</source>
+        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3</translation>
+    </message>
 </context>
 <context>
     <name>asperity::TopographyPicture</name>

@@ -4308,6 +4308,10 @@
         <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
         <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
     </message>
+    <message>
+        <source>Rubber A (unnamed)</source>
+        <translation>Gummi A (ohne Namen)</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

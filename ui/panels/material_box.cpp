@@ -13,7 +13,7 @@
 
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
-#include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -116,7 +116,8 @@ void MaterialBox::fill() {
   addItem(tr("own values"), QString());
   for (const ShippedMaterial& material : shippedMaterials()) {
     const QString name = shippedObject(material.json)["name"].toString();
-    addItem(name.isEmpty() ? fromUtf8(material.name) : name, fromUtf8(material.name));
+    addItem(name.isEmpty() ? fromUtf8(material.name) : translatedText(name.toStdString()),
+            fromUtf8(material.name));
   }
   const QString present = QString::fromStdString(elastomer_.material);
   if (findData(present) < 0) {

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 
 #include "core/base/carried_text.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
-#include "core/base/text.h"
+#include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 #include "core/material/material_library.h"

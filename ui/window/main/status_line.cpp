@@ -281,7 +281,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   fitFacts();
 }
 
-/// Shows that there is something to know, in a few letters; tooltip and menu have the sentences.
+/// Shows that there is something to know, in a few letters; tooltip and menu have all sentences.
 /// The sign comes and goes beside the readings, so that no view moves.
 void StatusLine::showNotes(const NoteSet& notes) {
   present_ = notes;
@@ -297,6 +297,7 @@ void StatusLine::showNotes(const NoteSet& notes) {
   notes_->setAccessibleName(tr("notes on how far the results hold"));
   notes_->setAccessibleDescription(sentences.join('\n'));
   notes_->setToolTip(wrappedTip(sentences.join(QStringLiteral(". "))));
+  if (!silence_->isActive()) fallSilent();
 }
 
 /// Shows each reading in full or not at all: in a narrow window the least important ones are left
@@ -354,8 +355,10 @@ void StatusLine::say(const QString& text) {
   fitFacts();
 }
 
+/// Where nothing else is said, the first note is, as far as there is room.
 void StatusLine::fallSilent() {
-  said_->clear();
+  const std::vector<Note> notes = present_.list();
+  said_->setText(notes.empty() ? QString() : translatedText(sentenceOf(notes.front())));
   fitFacts();
 }
 
