@@ -1322,6 +1322,10 @@
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ParameterRow</name>

@@ -4306,6 +4306,14 @@
         <source>Rubber A (unnamed)</source>
         <translation>Gummi A (ohne Namen)</translation>
     </message>
+    <message>
+        <source>%1 Hz is outside %2 to %3 Hz</source>
+        <translation>%1 Hz liegt außerhalb von %2 bis %3 Hz</translation>
+    </message>
+    <message>
+        <source>%1 Pa is outside %2 to %3 Pa; --modulus-unit says what the file means</source>
+        <translation>%1 Pa liegt außerhalb von %2 bis %3 Pa; --modulus-unit sagt, was die Datei meint</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
