@@ -2618,6 +2618,22 @@
         <source>Shifts</source>
         <translation>Verschiebungen</translation>
     </message>
+    <message>
+        <source>equilibrium modulus</source>
+        <translation>Gleichgewichtsmodul</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa where it is known from elsewhere</source>
+        <translation>Schubmodul in Pa, wenn er von anderswo bekannt ist</translation>
+    </message>
+    <message>
+        <source>may be liquid</source>
+        <translation>darf flüssig sein</translation>
+    </message>
+    <message>
+        <source>Whether there may be no equilibrium modulus</source>
+        <translation>Ob es keinen Gleichgewichtsmodul geben darf</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SurfaceImport</name>
