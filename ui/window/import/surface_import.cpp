@@ -178,6 +178,7 @@ void SurfaceImport::take(const Preview& preview) {
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
     for (QLabel* label : {facts_, values_, notes_}) label->clear();
+    for (DiagramView* view : {profile_, spectrum_}) view->show([] { return DiagramSheet{}; });
     return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text : text);
   }
   panel_->showLine(preview.line);

@@ -50,6 +50,10 @@ std::vector<double> patches(const Topography& topography, int width, int height)
   return means;
 }
 
+QString lengthText(double metres) {
+  return inLanguage(QString::fromStdString(printedQuantity(metres, "m", 3)));
+}
+
 }  // namespace
 
 TopographyImage topographyImage(const Topography& topography, bool isTurned, int mostPixels) {
@@ -90,6 +94,10 @@ void TopographyPicture::show(const TopographyImage& image, double row) {
   shown_ = image;
   row_ = row;
   setAccessibleName(tr("topography"));
+  if (!image.image.isNull())
+    setToolTip(tr("%1 × %2, heights over %3")
+                   .arg(lengthText(image.width), lengthText(image.height),
+                        lengthText(image.highest - image.lowest)));
   setVisible(!image.image.isNull());
   update();
 }
@@ -97,12 +105,8 @@ void TopographyPicture::show(const TopographyImage& image, double row) {
 void TopographyPicture::paintEvent(QPaintEvent*) {
   if (shown_.image.isNull()) return;
   QPainter painter(this);
-  const auto size = [](double metres) {
-    return inLanguage(QString::fromStdString(printedQuantity(metres, "m", 3)));
-  };
   const QString text =
-      tr("%1 × %2, heights over %3")
-          .arg(size(shown_.width), size(shown_.height), size(shown_.highest - shown_.lowest));
+      QStringLiteral("%1 × %2").arg(lengthText(shown_.width), lengthText(shown_.height));
   const int line = fontMetrics().height();
   // Very long and narrow surfaces are shown less narrow than they are.
   constexpr double kNarrowest = 4;
