@@ -227,45 +227,45 @@ class CommandLine {
         "FILE.png, .svg or .pdf; may repeat");
   }
   void addMaterial() {
-    CLI::App* verb = app_.add_subcommand(
+    CLI::App* command = app_.add_subcommand(
         "material", "A material for scenes from measured moduli or a ready Prony series");
     MaterialCommand& material = material_;
-    verb->add_option("FILE", material.common.scene,
+    command->add_option("FILE", material.common.scene,
                      "Table of moduli over frequency at one or more temperatures, or a Prony "
                      "series as finite-element programs write them; of a scene it is shown where "
                      "its rubber is used")
         ->required();
-    verb->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
+    command->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
         ->required();
     std::vector<CLI::Option*> fit;
     const auto text = [&](const char* option, std::string& value, const char* sentence) {
-      fit.push_back(verb->add_option(option, value, sentence));
+      fit.push_back(command->add_option(option, value, sentence));
       return fit.back();
     };
     text("--reference-temperature", material.referenceTemperature,
          "Temperature of the master curve, such as 20C (default: 25C where it was measured)");
-    fit.push_back(verb->add_option("--terms", material.terms,
+    fit.push_back(command->add_option("--terms", material.terms,
                                    "Number of relaxation times (default: as few as reach the "
                                    "smallest residual)"));
     limitWhole(fit.back(), 1, 64);
-    fit.push_back(verb->add_flag("--vertical-shifts", material.isVertical,
+    fit.push_back(command->add_flag("--vertical-shifts", material.isVertical,
                                  "Shift the moduli as well, which a scene does not use"));
     text("--shift", material.shift,
          "Shift with temperature in material.json: auto, wlf, arrhenius or table")
         ->capture_default_str();
     text("--modulus", material.modulus, "What was measured: auto (by the columns), shear or tension")
         ->capture_default_str();
-    fit.push_back(verb->add_option("--poisson-ratio", material.poissonRatio,
+    fit.push_back(command->add_option("--poisson-ratio", material.poissonRatio,
                                    "Of moduli of tension: G = E / (2 (1 + nu))")
                       ->capture_default_str());
     limit(fit.back(), 0, 0.5);
     text("--temperature", material.temperature,
          "Temperature of a file that does not state one, such as 20C");
-    fit.push_back(verb->add_option("--temperature-tolerance", material.temperatureTolerance,
+    fit.push_back(command->add_option("--temperature-tolerance", material.temperatureTolerance,
                                    "Rows closer in temperature are one isotherm")
                       ->capture_default_str());
     limit(fit.back(), 0.001, 100, "K");
-    fit.push_back(verb->add_option("--leave-out", material.leftOut,
+    fit.push_back(command->add_option("--leave-out", material.leftOut,
                                    "Temperature of an isotherm that is not used; may be repeated")
                       ->take_all()
                       ->allow_extra_args(false));
@@ -273,7 +273,7 @@ class CommandLine {
          "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
     text("--instantaneous-modulus", material.instantaneousModulus,
          "Shear modulus of a sudden deformation, of a series of relative moduli");
-    fit.push_back(verb->add_flag("--liquid", material.isLiquid,
+    fit.push_back(command->add_flag("--liquid", material.isLiquid,
                                  "Allow an equilibrium modulus of 0, with which nothing slides "
                                  "steadily"));
     DmaChoices& columns = material.columns;
@@ -288,12 +288,12 @@ class CommandLine {
     text("--frequency-unit", columns.frequencyUnit, "Hz or rad/s, instead of the file's");
     text("--temperature-unit", columns.temperatureUnit, "C, K or F, instead of the file's");
     text("--modulus-unit", columns.modulusUnit, "Pa, kPa, MPa or GPa, instead of the file's");
-    verb->add_option("--name", material.name, "Name of the material (default: that of the file)");
-    verb->add_option("--source", material.source,
+    command->add_option("--name", material.name, "Name of the material (default: that of the file)");
+    command->add_option("--source", material.source,
                      "Where the numbers come from, kept in material.json");
-    addPictureOptions(*verb, material.picture, "1200x800", "print");
-    addShared(*verb, material.common);
-    verb->callback([this, fit = std::move(fit)] {
+    addPictureOptions(*command, material.picture, "1200x800", "print");
+    addShared(*command, material.common);
+    command->callback([this, fit = std::move(fit)] {
       for (const CLI::Option* option : fit)
         for (const std::string& value : option->results())
           material_.written.emplace_back(option->get_name(), value);

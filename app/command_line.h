@@ -66,7 +66,7 @@ struct SurfaceCommand {
 struct MaterialCommand {
   CommonOptions common;  // its scene: a file of moduli, or a scene
   std::string output;    // folder
-  PictureChoice picture;
+  PictureArguments picture;
   DmaChoices columns;  // names and units
   std::string temperature, referenceTemperature, equilibriumModulus, instantaneousModulus;
   std::vector<std::string> leftOut;

@@ -113,7 +113,7 @@ struct OutputFile {
 
 class MaterialOutput {
  public:
-  MaterialOutput(const MaterialCommand& command, const PictureStyle& style)
+  MaterialOutput(const MaterialCommand& command, const PictureSettings& style)
       : command_(command), style_(style) {}
 
   void addText(const std::string& name, std::string bytes) {
@@ -162,7 +162,7 @@ class MaterialOutput {
   }
 
   const MaterialCommand& command_;
-  const PictureStyle& style_;
+  const PictureSettings& style_;
   std::vector<OutputFile> texts_;
   std::vector<NamedSheet> sheets_;
 };
@@ -172,7 +172,7 @@ void refuseSceneOptions(const MaterialCommand& command) {
     throw InputError("", "--set", "sets keys of a scene, and this file is a table of moduli");
 }
 
-int makeFromMeasurements(const MaterialCommand& command, const PictureStyle& style) {
+int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& style) {
   refuseSceneOptions(command);
   const MaterialChoices choices = choicesOf(command);
   const std::string& file = command.common.scene;
@@ -196,7 +196,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureStyle& sty
   return kDone;
 }
 
-int showInScene(const MaterialCommand& command, const PictureStyle& style) {
+int showInScene(const MaterialCommand& command, const PictureSettings& style) {
   const char* of = !command.name.empty()      ? "--name"
                    : !command.source.empty()  ? "--source"
                    : !command.written.empty() ? command.written.front().first.c_str()
@@ -227,7 +227,7 @@ int showInScene(const MaterialCommand& command, const PictureStyle& style) {
 
 int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
-  const PictureStyle style = styleOf(command.picture, kPictures);
+  const PictureSettings style = pictureSettings(command.picture, kPictures);
   return isScene(command.common.scene) ? showInScene(command, style)
                                        : makeFromMeasurements(command, style);
 }
