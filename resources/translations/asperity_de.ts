@@ -1513,7 +1513,7 @@
     </message>
     <message>
         <source>Open material</source>
-        <translation>Werkstoff öffnen</translation>
+        <translation>Material öffnen</translation>
     </message>
 </context>
 <context>
@@ -1576,7 +1576,7 @@
     </message>
     <message>
         <source>Material</source>
-        <translation>Werkstoff</translation>
+        <translation>Material</translation>
     </message>
 </context>
 <context>
@@ -2399,7 +2399,7 @@
     </message>
     <message>
         <source>Open material…</source>
-        <translation>Werkstoff öffnen …</translation>
+        <translation>Material öffnen …</translation>
     </message>
     <message>
         <source>Open surface</source>
@@ -2411,11 +2411,11 @@
     </message>
     <message>
         <source>Open material</source>
-        <translation>Werkstoff öffnen</translation>
+        <translation>Material öffnen</translation>
     </message>
     <message>
         <source>Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)</source>
-        <translation>Werkstoffe und gemessene Moduln (*.json *.csv *.txt *.dat *.inp);;Alle Dateien (*)</translation>
+        <translation>Materialien und gemessene Moduln (*.json *.csv *.txt *.dat *.inp);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -2449,18 +2449,18 @@
     </message>
     <message>
         <source>Open material…</source>
-        <translation>Werkstoff öffnen …</translation>
+        <translation>Material öffnen …</translation>
     </message>
 </context>
 <context>
     <name>asperity::MaterialImport</name>
     <message>
         <source>Save material</source>
-        <translation>Werkstoff speichern</translation>
+        <translation>Material speichern</translation>
     </message>
     <message>
         <source>Materials (*.json)</source>
-        <translation>Werkstoffe (*.json)</translation>
+        <translation>Materialien (*.json)</translation>
     </message>
     <message>
         <source>&amp;Save and use…</source>
@@ -2468,7 +2468,7 @@
     </message>
     <message>
         <source>Open material</source>
-        <translation>Werkstoff öffnen</translation>
+        <translation>Material öffnen</translation>
     </message>
     <message>
         <source>the measured moduli and their fit</source>
@@ -2564,7 +2564,7 @@
     </message>
     <message>
         <source>How the shifts stand in the material: as a formula, or as their table</source>
-        <translation>Wie die Verschiebungen im Werkstoff stehen: als Formel oder als ihre Tabelle</translation>
+        <translation>Wie die Verschiebungen im Material stehen: als Formel oder als ihre Tabelle</translation>
     </message>
     <message>
         <source>Prony series</source>
@@ -2584,7 +2584,7 @@
     </message>
     <message>
         <source>In the file of the material</source>
-        <translation>In der Datei des Werkstoffs</translation>
+        <translation>In der Datei des Materials</translation>
     </message>
     <message>
         <source>name</source>
@@ -2592,7 +2592,7 @@
     </message>
     <message>
         <source>Name of the material</source>
-        <translation>Name des Werkstoffs</translation>
+        <translation>Name des Materials</translation>
     </message>
     <message>
         <source>source</source>
@@ -2646,12 +2646,16 @@
         <translation>Oberfläche öffnen</translation>
     </message>
     <message>
-        <source>the profile and its spectrum, raw and used</source>
-        <translation>das Profil und sein Spektrum, roh und verwendet</translation>
-    </message>
-    <message>
         <source>normal force %1 on one period of %2, F_N/L = %3</source>
         <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3</translation>
+    </message>
+    <message>
+        <source>the profile, raw and used</source>
+        <translation>das Profil, roh und verwendet</translation>
+    </message>
+    <message>
+        <source>spectrum and distribution of the heights, raw and used</source>
+        <translation>Spektrum und Verteilung der Höhen, roh und verwendet</translation>
     </message>
 </context>
 <context>

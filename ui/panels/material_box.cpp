@@ -140,6 +140,11 @@ void MaterialBox::showPopup() {
   ChoiceBox::showPopup();
 }
 
+/// The pictures are in the open list alone: the box is as high as all others.
+QSize MaterialBox::minimumSizeHint() const {
+  return {ChoiceBox::minimumSizeHint().width(), sizeHint().height()};
+}
+
 void MaterialBox::pick(int index) {
   const bool asks = itemData(index, kAsksForFile).toBool();
   const QString name = itemData(index).toString();

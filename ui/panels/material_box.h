@@ -19,6 +19,7 @@ class MaterialBox : public ChoiceBox {
   void showTexts();
 
   void showPopup() override;
+  QSize minimumSizeHint() const override;
 
  signals:
   /// Emitted with a shipped material, a file as the scene names it, or an empty name.

@@ -128,11 +128,10 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     addChoice(*line, *choice);
   else if (isMaterial(parameter))
     addMaterials(*line);
-  else if (std::holds_alternative<TextField>(parameter.field) ||
-           std::holds_alternative<ShiftTableField>(parameter.field))
-    addText(*line);
   else if (std::holds_alternative<ArmsField>(parameter.field))
     addArms(*line, *column);
+  else if (std::holds_alternative<TextField>(parameter.field) || isList(parameter))
+    addText(*line);
   else
     addNumber(*line);
   addReset(*line);

@@ -29,6 +29,7 @@ bool isNumber(const Parameter& parameter) {
 QString controlOf(const Parameter& parameter) {
   if (std::holds_alternative<ChoiceField>(parameter.field)) return "choice:";
   if (std::holds_alternative<ArmsField>(parameter.field)) return "arms:";
+  if (parameter.key == "elastomer.material") return "material:";
   return parameter.key == "description" ? "text:" : "entry:";
 }
 
@@ -57,7 +58,8 @@ TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
   for (const Parameter& row : parameters()) {
     const QString key = fromUtf8(row.key);
     for (QWidget* widget : panel_.findChildren<QWidget*>(QRegularExpression(
-             "^(slider|entry|choice|arms|text):" + QRegularExpression::escape(key) + "$"))) {
+             "^(slider|entry|choice|arms|material|text):" + QRegularExpression::escape(key) +
+             "$"))) {
       EXPECT_TRUE(widget->accessibleName().startsWith(fromUtf8(row.label))) << row.key;
       EXPECT_TRUE(widget->accessibleName().contains(fromUtf8(row.unit))) << row.key;
       EXPECT_EQ(widget->accessibleDescription(), fromUtf8(row.sentence));

@@ -80,7 +80,7 @@ class Photographer {
   }
   void surface(const QString& file) {
     SurfaceImport& page = window_->imports().openSurface(file);
-    wait(page, "surfaceSheet");
+    wait(page, "surfaceSpectrum");
     save(page, "surface_" + QFileInfo(file).completeBaseName());
     delete &page;
   }

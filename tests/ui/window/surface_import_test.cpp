@@ -133,7 +133,7 @@ TEST_F(SurfaceImportTest, AStepIsShownAtOnce) {
   EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
   ASSERT_TRUE(waitForPage());
   EXPECT_NEAR(page_->summary()->used.pq, page_->summary()->raw.pq, 1e-9);
-  auto& sheet = inPage<DiagramView>("surfaceSheet");
+  auto& sheet = inPage<DiagramView>("surfaceProfile");
   EXPECT_TRUE(waitFor([&] { return sheet.isPainted(); }));
 }
 

@@ -49,6 +49,7 @@ bool isTheSame(const std::string& text) {
                                        "Gwyddion",
                                        "Arrhenius",
                                        "Matrix",
+                                       "Material",
                                        "Pause",
                                        "Software (OSMesa)",
                                        "software (OSMesa)",

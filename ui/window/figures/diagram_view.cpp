@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QTimer>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -34,6 +35,23 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
     sheet.title = messageOf(error);
     return sheet;
   }
+}
+
+/// The sheet as it can be read at this size: diagrams that would be too low below each other stand
+/// side by side, and the last ones are left out where that is too narrow.
+DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
+  constexpr float kLowest = 6;       // in heights of the numbers
+  constexpr float kNarrowest = 290;  // logical pixels of one diagram
+  const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
+  if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
+  const auto room =
+      static_cast<std::size_t>(static_cast<float>(options.width) / (kNarrowest * options.scale));
+  sheet.diagrams.resize(std::clamp<std::size_t>(room, 1, sheet.diagrams.size()));
+  sheet.columns = static_cast<int>(sheet.diagrams.size());
+  sheet.sharesAxis = false;
+  for (Diagram& diagram : sheet.diagrams) diagram.height = 1;
+  if (isLow()) sheet.note = {};
+  return sheet;
 }
 
 }  // namespace
@@ -75,7 +93,8 @@ void DiagramView::request() {
   ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
-        QImage image = renderImage(contextOfThread(), composeDiagrams(sheetOf(maker), options));
+        QImage image = renderImage(contextOfThread(),
+                                   composeDiagrams(readable(sheetOf(maker), options), options));
         image.setDevicePixelRatio(scale);
         return image;
       },

@@ -64,7 +64,9 @@ bool isMaterialText(const std::string& text) {
   }
   std::optional<TextTable> table;
   try {
-    table = readTextTable(text, "");
+    TextTableOptions options;
+    options.keepsTexts = true;
+    table = readTextTable(text, "", options);
   } catch (const InputError&) {
     return false;
   }

@@ -9,9 +9,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -92,7 +94,7 @@ void MaterialImport::buildViews(const Theme& theme) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedHeight(7 * fontMetrics().lineSpacing());
+  scroll->setFixedHeight(8 * fontMetrics().lineSpacing());
   views().addWidget(sheets_);
   views().addWidget(sheet_, 1);
   views().addWidget(scroll);
@@ -131,7 +133,7 @@ void MaterialImport::buildChoices() {
   auto* form = new QFormLayout(content);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(5);
-  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   const auto heading = [&](const QString& text) {
     auto* label = new QLabel("<b>" + text + "</b>");
     form->addRow(label);
@@ -185,7 +187,9 @@ void MaterialImport::buildChoices() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(330);
+  constexpr int kLeastWidth = 330;
+  scroll->setFixedWidth(std::max(kLeastWidth, content->minimumSizeHint().width() +
+                                                  scroll->verticalScrollBar()->sizeHint().width()));
   scroll->setObjectName("dmaChoices");
   content->setObjectName("parameterRows");
   scroll->setStyleSheet(panelStyleSheet(palette()));

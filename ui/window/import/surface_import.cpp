@@ -123,12 +123,17 @@ void SurfaceImport::buildViews(const Theme& theme) {
   head->addWidget(topography_);
   head->addWidget(values_);
   head->addWidget(scroll, 1);
-  sheet_ = new DiagramView;
-  sheet_->setObjectName("surfaceSheet");
-  sheet_->setTheme(theme);
-  sheet_->setAccessibleName(tr("the profile and its spectrum, raw and used"));
+  scroll->setFixedHeight(10 * fontMetrics().lineSpacing());  // the views below stay where they are
+  profile_ = new DiagramView;
+  profile_->setObjectName("surfaceProfile");
+  profile_->setAccessibleName(tr("the profile, raw and used"));
+  spectrum_ = new DiagramView;
+  spectrum_->setObjectName("surfaceSpectrum");
+  spectrum_->setAccessibleName(tr("spectrum and distribution of the heights, raw and used"));
+  for (DiagramView* view : {profile_, spectrum_}) view->setTheme(theme);
   views().addLayout(head);
-  views().addWidget(sheet_, 1);
+  views().addWidget(profile_, 4);
+  views().addWidget(spectrum_, 5);
 }
 
 /// Reads and processes in the background. The file is read once, because core keeps the last one.
@@ -199,7 +204,21 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   notes_->setText(notes.join('\n'));
   notes_->setVisible(!notes.isEmpty());
   values_->setText(valuesTable(summary));
-  sheet_->show([summary] { return measuredSheet(summary, {}); });
+  // The sheet of the command in two views: the profile over the whole width, the rest below. What
+  // its headings say stands beside it.
+  profile_->show([summary] {
+    DiagramSheet sheet = measuredSheet(summary, {});
+    sheet.diagrams.resize(sheet.diagrams.size() - 2);
+    sheet.title = sheet.subtitle = sheet.note = {};
+    return sheet;
+  });
+  spectrum_->show([summary] {
+    DiagramSheet sheet = measuredSheet(summary, {});
+    sheet.diagrams.erase(sheet.diagrams.begin(), sheet.diagrams.end() - 2);
+    sheet.title = sheet.subtitle = {};
+    sheet.columns = 2;
+    return sheet;
+  });
 }
 
 }  // namespace asperity

@@ -2,7 +2,8 @@
 // which can be changed; each step from its heights to the line; the profile, its spectrum and its
 // values before and after; and what a user must know about it. It is shown anew after each change.
 // Object names: those of ImportPage; "surfaceFacts", "surfaceValues", "surfaceNotes",
-// "surfaceSheet", "topographyPicture". GUI thread; deletes itself. Failure: one line on the page.
+// "surfaceProfile", "surfaceSpectrum", "topographyPicture". GUI thread; deletes itself. Failure:
+// one line on the page.
 #pragma once
 
 #include <optional>
@@ -47,7 +48,7 @@ class SurfaceImport : public ImportPage {
   std::optional<MeasuredSummary> summary_;
   ParameterPanel* panel_;
   TopographyPicture* topography_;
-  DiagramView* sheet_;
+  DiagramView *profile_, *spectrum_;
   QLabel *facts_, *values_, *notes_;
   // Last: its thread ends before other members are destroyed.
   BackgroundWork work_{Overtaking::StopsTheRunning};

@@ -31,7 +31,7 @@ class TopographyPicture : public QWidget {
   /// `row`: from 0 to 1 across the rows; below 0: all rows are taken.
   void show(const TopographyImage& image, double row);
 
-  QSize sizeHint() const override { return {220, 170}; }
+  QSize sizeHint() const override { return {170, 165}; }
   QSize minimumSizeHint() const override { return {140, 120}; }
 
  protected:

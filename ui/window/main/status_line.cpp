@@ -30,6 +30,7 @@ namespace {
 constexpr int kSaidFor = 5000;         // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
+constexpr int kLeastNote = 240;        // pixels in which a part of a sentence can be understood
 
 const QString kStopSign = QStringLiteral("✕"), kAgainSign = QStringLiteral("↻");
 
@@ -119,7 +120,9 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
 }
 
 QString ElidedLabel::shownText() const {
-  return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
+  const int room = contentsRect().width();
+  if (room < leastWidth_ && fontMetrics().horizontalAdvance(text()) > room) return {};
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, room);
 }
 
 bool ElidedLabel::event(QEvent* event) {
@@ -350,6 +353,7 @@ void StatusLine::showVelocity(const Frame& frame) {
 }
 
 void StatusLine::say(const QString& text) {
+  said_->setLeastWidth(0);
   said_->setText(text);
   silence_->start(kSaidFor);
   fitFacts();
@@ -358,6 +362,7 @@ void StatusLine::say(const QString& text) {
 /// Where nothing else is said, the first note is, as far as there is room.
 void StatusLine::fallSilent() {
   const std::vector<Note> notes = present_.list();
+  said_->setLeastWidth(kLeastNote);
   said_->setText(notes.empty() ? QString() : translatedText(sentenceOf(notes.front())));
   fitFacts();
 }
