@@ -106,6 +106,8 @@ const std::array kTable{
               ASPERITY_WORD(surface.reading, positionUnit, kSurfaceUnits)},
     Parameter{"surface.height_unit", "height unit", "", "", "Unit of heights; auto: as the file states.", kRebuild, {"surface.kind", "measured"},
               ASPERITY_WORD(surface.reading, heightUnit, kSurfaceUnits)},
+    Parameter{"surface.point_spacing", "point spacing", "", "m", "Distance between points where the file does not state one, as in a list of heights alone; 0: as the file states.", kRebuild, {"surface.kind", "measured"},
+              RealField{ASPERITY_MEMBER(surface.reading, pointSpacing), 0, 1e3, 1e-9, 1e-3, kNoneOrLog}, {}, kUnlessDefault},
     Parameter{"surface.position_column", "position column", "", "", "Column of positions, counted from 1; 0: the program finds it.", kRebuild, {"surface.kind", "measured"},
               IntegerField{ASPERITY_MEMBER(surface.reading, positionColumn), 0, 10000, 0, 10, kLin}},
     Parameter{"surface.height_column", "height column", "", "", "Column or channel of heights, counted from 1; 0: the program finds it.", kRebuild, {"surface.kind", "measured"},
