@@ -1322,6 +1322,10 @@
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ParameterRow</name>
@@ -2613,6 +2617,22 @@
     <message>
         <source>Shifts</source>
         <translation>Verschiebungen</translation>
+    </message>
+    <message>
+        <source>equilibrium modulus</source>
+        <translation>Gleichgewichtsmodul</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa where it is known from elsewhere</source>
+        <translation>Schubmodul in Pa, wenn er von anderswo bekannt ist</translation>
+    </message>
+    <message>
+        <source>may be liquid</source>
+        <translation>darf flüssig sein</translation>
+    </message>
+    <message>
+        <source>Whether there may be no equilibrium modulus</source>
+        <translation>Ob es keinen Gleichgewichtsmodul geben darf</translation>
     </message>
 </context>
 <context>

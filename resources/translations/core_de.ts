@@ -3217,6 +3217,8 @@
     <message>
         <source>the profile is too short, or too noisy, for a spectrum that can be relied on</source>
         <translation>das Profil ist zu kurz oder zu verrauscht für ein Spektrum, auf das man sich verlassen kann</translation>
+    </message>
+    <message>
         <source>is %1, not a table of numbers as text</source>
         <translation>ist %1, keine Zahlentabelle als Text</translation>
     </message>
@@ -3603,6 +3605,8 @@
     <message>
         <source>the positions along %1 are not uniform; surfaces need a uniform grid</source>
         <translation>die Orte längs %1 sind nicht gleichabständig; Flächen brauchen ein gleichabständiges Gitter</translation>
+    </message>
+    <message>
         <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
         <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
     </message>
@@ -4157,6 +4161,8 @@
     <message>
         <source>summits</source>
         <translation>Gipfel</translation>
+    </message>
+    <message>
         <source>interpolate</source>
         <translation>interpolieren</translation>
     </message>
@@ -4213,28 +4219,20 @@
         <translation>isotrop gleichwertig</translation>
     </message>
     <message>
-        <source>interpolate</source>
-        <translation>interpolieren</translation>
-    </message>
-    <message>
         <source>in</source>
         <translation>in</translation>
     </message>
     <message>
         <source>gwyddion</source>
         <translation>Gwyddion</translation>
+    </message>
+    <message>
         <source>gsf</source>
         <translation>GSF</translation>
     </message>
     <message>
         <source>gwy</source>
         <translation>GWY</translation>
-    </message>
-    <message>
-        <source>gsf</source>
-        <translation>GSF</translation>
-        <source>sur</source>
-        <translation>SUR</translation>
     </message>
     <message>
         <source>auto</source>
@@ -4313,12 +4311,16 @@
         <translation>&apos;%1&apos; ist kein Modul wie 2.3MPa</translation>
     </message>
     <message>
-        <source>%1 at %2 and %3 Hz is not above 0; leave such rows out, or correct the column</source>
-        <translation>%1 bei %2 und %3 Hz ist nicht über 0; solche Zeilen weglassen oder die Spalte berichtigen</translation>
-    </message>
-    <message>
         <source>Rubber A (unnamed)</source>
         <translation>Gummi A (ohne Namen)</translation>
+    </message>
+    <message>
+        <source>%1 Hz is outside %2 to %3 Hz</source>
+        <translation>%1 Hz liegt außerhalb von %2 bis %3 Hz</translation>
+    </message>
+    <message>
+        <source>%1 Pa is outside %2 to %3 Pa; --modulus-unit says what the file means</source>
+        <translation>%1 Pa liegt außerhalb von %2 bis %3 Pa; --modulus-unit sagt, was die Datei meint</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,7 @@ QString sectionTitle(const QString& section) {
       {"interface", ParameterPanel::tr("Interface")},
       {"sweep", ParameterPanel::tr("Friction curve")},
       {"accuracy", ParameterPanel::tr("Accuracy")},
+      {"comparison", ParameterPanel::tr("Comparison")},
   };
   if (titles.contains(section)) return titles[section];
   return section.left(1).toUpper() + section.mid(1);

@@ -4,9 +4,12 @@
 
 #include <QDialog>
 #include <QDockWidget>
+#include <QFile>
 #include <QScrollBar>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <algorithm>
+#include <cmath>
 
 #include "tests/core/elastomers.h"
 #include "tests/ui/window/qt_application.h"
@@ -17,6 +20,9 @@
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/import/import_commands.h"
+#include "ui/window/import/material_import.h"
+#include "ui/window/import/surface_import.h"
 #include "ui/window/main/menu_keys.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
@@ -134,7 +140,7 @@ TEST(GermanWindow, ShippedScenesSpeakGermanAndOthersAsTheyWereWritten) {
   auto* title = window->findChild<ValueEntry*>("entry:title");
   auto* description = window->findChild<TextBox*>("text:description");
   EXPECT_EQ(title->text(), "Gefüllte Laufflächenmischung: dreizehn Arme");
-  EXPECT_TRUE(description->toPlainText().startsWith("Relaxationszeiten von"));
+  EXPECT_TRUE(description->toPlainText().startsWith("Ein Beispiel ohne veröffentlichte Quelle"));
   EXPECT_TRUE(description->toPlainText().contains(QStringLiteral("10⁵ m/s")));
   // To look at it or to leave it changes nothing.
   description->setFocus();
@@ -196,6 +202,46 @@ TEST(GermanWindow, ARefusalIsGerman) {
   QTest::keyClick(entry, Qt::Key_Return);
   EXPECT_EQ(window->findChild<QLabel*>("error:load.normal_force")->text(),
             "0,5 kg ist eine Masse; gefragt ist eine Kraft, etwa 3,4 mN");
+}
+
+/// What a window with one of the pages shows, once the page has read its file.
+template <class Page>
+Texts textsWith(std::string_view code, Page& (*open)(MainWindow&, const QString&),
+                const QString& file, std::string& cutOff) {
+  WindowIn window(code);
+  Page& page = open(*window, file);
+  page.resize(984, 660);  // as on a small screen
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !page.isReading(); }, kWindowPatience));
+  EXPECT_TRUE(page.isReady()) << page.complaint().toStdString();
+  cutOff = cutOffIn(page);
+  return textsOf(*window);
+}
+
+TEST(GermanWindow, PagesOfMeasuredFilesAreGermanAndWhole) {
+  const QTemporaryDir folder;
+  const QString profile = folder.filePath("p.csv"), moduli = folder.filePath("m.csv");
+  QFile file(profile);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("x [mm];z [nm]\n");
+  for (int i = 0; i < 200; ++i)
+    file.write(QStringLiteral("%1;%2\n").arg(i).arg(100 * std::sin(0.1 * i)).toUtf8());
+  file.close();
+  ASSERT_TRUE(QFile::copy(ASPERITY_RESOURCES_DIR "/materials/measurements/epdm_70.csv", moduli));
+  constexpr auto kSurface = +[](MainWindow& window, const QString& name) -> SurfaceImport& {
+    return window.imports().openSurface(name);
+  };
+  constexpr auto kModuli = +[](MainWindow& window, const QString& name) -> MaterialImport& {
+    return window.imports().openModuli(name);
+  };
+  std::string cut;
+  const Texts surface = textsWith("de", kSurface, profile, cut);
+  EXPECT_EQ(cut, "");
+  EXPECT_THAT(leftOver(surface, textsWith("en", kSurface, profile, cut)), testing::IsEmpty());
+  EXPECT_EQ(cut, "");
+  const Texts material = textsWith("de", kModuli, moduli, cut);
+  EXPECT_EQ(cut, "");
+  EXPECT_THAT(leftOver(material, textsWith("en", kModuli, moduli, cut)), testing::IsEmpty());
+  EXPECT_EQ(cut, "");
 }
 
 }  // namespace

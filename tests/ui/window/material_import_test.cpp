@@ -115,6 +115,27 @@ TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
   EXPECT_FALSE(page_->complaint().contains('\n'));
 }
 
+/// Core speaks of options of the command; the page names its own controls.
+TEST_F(MaterialImportTest, AComplaintNamesTheControlThatHelps) {
+  QFile file(folder_.filePath("parts.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("tau (s),g\n0.001,0.3\n0.1,0.2\n");
+  file.close();
+  openPage(file.fileName());
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+  EXPECT_TRUE(page_->complaint().contains("instantaneous modulus”"))
+      << page_->complaint().toStdString();
+  EXPECT_FALSE(page_->complaint().contains("--")) << page_->complaint().toStdString();
+  enter("dmaInstantaneous", "10 MPa");
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->complaint().contains("measured at”")) << page_->complaint().toStdString();
+  enter("dmaTemperature", "20 °C");
+  ASSERT_TRUE(waitForPage());
+  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_NEAR(page_->material()->series.equilibriumModulus, 0.5 * 10e6, 1);
+}
+
 TEST_F(MaterialImportTest, DroppedFilesAreOpenedAsWhatTheyAre) {
   EXPECT_EQ(kindOfFile(kMeasurements.toStdString()), FileKind::Moduli);
   EXPECT_EQ(kindOfFile(ASPERITY_RESOURCES_DIR "/materials/epdm_70.json"), FileKind::Material);

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSpinBox>
@@ -53,6 +54,16 @@ double kelvins(const QString& text, const char* option) {
         "", option,
         message("'{}' is not a temperature such as 20C, 293.15K or 68F", text.toStdString()));
   return *temperature;
+}
+
+/// A modulus in Pa, or with a unit.
+double pascals(const QString& text, const char* option) {
+  bool isNumber = false;
+  const double value = inPlainUnit(withPoint(text), QStringLiteral("Pa")).toDouble(&isNumber);
+  if (!isNumber || !(value > 0) || !std::isfinite(value))
+    throw InputError("", option,
+                     message("'{}' is not a modulus such as 2.3MPa", text.toStdString()));
+  return value;
 }
 
 QString askForMaterial(QWidget* parent, const QString& proposed) {
@@ -163,6 +174,7 @@ void MaterialImport::buildChoices() {
   reference_->setPlaceholderText(tr("near 25 °C"));
   vertical_ = new QCheckBox(tr("vertical shifts, too"));
   vertical_->setObjectName("dmaVertical");
+  vertical_->setAccessibleName(tr("vertical shifts, too"));
   connect(vertical_, &QCheckBox::toggled, this, [this] { restart(); });
   form->addRow(QString(), vertical_);
   shift_ = addChoice(*form, "dmaShift", tr("shift"),
@@ -177,6 +189,15 @@ void MaterialImport::buildChoices() {
   terms_->setAccessibleName(tr("terms"));
   connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
   form->addRow(tr("terms"), terms_);
+  equilibrium_ = addEntry(*form, "dmaEquilibrium", tr("equilibrium modulus"),
+                          tr("Shear modulus in Pa where it is known from elsewhere"));
+  equilibrium_->setPlaceholderText(tr("as found"));
+  liquid_ = new QCheckBox(tr("may be liquid"));
+  liquid_->setObjectName("dmaLiquid");
+  liquid_->setAccessibleName(tr("may be liquid"));
+  liquid_->setToolTip(tr("Whether there may be no equilibrium modulus"));
+  connect(liquid_, &QCheckBox::toggled, this, [this] { restart(); });
+  form->addRow(QString(), liquid_);
   heading(tr("In the file of the material"));
   name_ = addEntry(*form, "dmaName", tr("name"), tr("Name of the material"));
   name_->setPlaceholderText(QFileInfo(file()).completeBaseName());
@@ -225,14 +246,12 @@ MaterialChoices MaterialImport::choices() const {
   }
   if (const QString typed = text(*temperature_, "--temperature"); !typed.isEmpty())
     made.columns.temperature = kelvins(typed, "--temperature");
-  if (const QString typed = text(*instantaneous_, "--instantaneous-modulus"); !typed.isEmpty()) {
-    bool isNumber = false;
-    made.instantaneousModulus =
-        inPlainUnit(withPoint(typed), QStringLiteral("Pa")).toDouble(&isNumber);
-    if (!isNumber || !(made.instantaneousModulus > 0))
-      throw InputError("", "--instantaneous-modulus",
-                       message("'{}' is not a modulus such as 2.3MPa", typed.toStdString()));
-  }
+  if (const QString typed = text(*instantaneous_, "--instantaneous-modulus"); !typed.isEmpty())
+    made.instantaneousModulus = pascals(typed, "--instantaneous-modulus");
+  if (const QString typed = text(*equilibrium_, "--equilibrium-modulus"); !typed.isEmpty())
+    made.series.equilibriumModulus = pascals(typed, "--equilibrium-modulus");
+  made.series.isLiquid = liquid_->isChecked();
+  if (made.series.isLiquid) written.emplace_back("--liquid", "true");
   if (const QString typed = text(*reference_, "--reference-temperature"); !typed.isEmpty())
     made.referenceTemperature = kelvins(typed, "--reference-temperature");
   made.isVertical = vertical_->isChecked();
@@ -249,22 +268,34 @@ MaterialChoices MaterialImport::choices() const {
   return made;
 }
 
-/// What the control of an option is called on the page.
-QString MaterialImport::labelOf(const std::string& option) const {
-  const std::pair<const char*, const QWidget*> controls[] = {
-      {"--frequency-unit", frequencyUnit_},
-      {"--temperature-unit", temperatureUnit_},
-      {"--modulus-unit", modulusUnit_},
-      {"--modulus", modulus_},
-      {"--poisson-ratio", poisson_},
-      {"--temperature", temperature_},
-      {"--instantaneous-modulus", instantaneous_},
-      {"--reference-temperature", reference_},
-      {"--shift", shift_},
-      {"--terms", terms_}};
-  for (const auto& [name, control] : controls)
-    if (option == name) return control->accessibleName();
-  return QString::fromStdString(option);
+/// The options of the command, and what stands for them on the page.
+std::vector<std::pair<const char*, const QWidget*>> MaterialImport::controls() const {
+  return {{"--frequency-unit", frequencyUnit_},
+          {"--temperature-unit", temperatureUnit_},
+          {"--modulus-unit", modulusUnit_},
+          {"--modulus", modulus_},
+          {"--poisson-ratio", poisson_},
+          {"--temperature", temperature_},
+          {"--instantaneous-modulus", instantaneous_},
+          {"--equilibrium-modulus", equilibrium_},
+          {"--liquid", liquid_},
+          {"--reference-temperature", reference_},
+          {"--vertical-shifts", vertical_},
+          {"--shift", shift_},
+          {"--terms", terms_}};
+}
+
+/// A complaint of core with the names of the page's controls in place of options.
+QString MaterialImport::inWordsOfThePage(const std::string& option, QString text) const {
+  QString subject = option.empty() ? QString() : translatedText(option);
+  for (const auto& [name, control] : controls()) {
+    const QString label = control->accessibleName();
+    if (option == name) subject = label;
+    // Not the beginning of a longer option.
+    text.replace(QRegularExpression(QLatin1String(name) + QStringLiteral("(?![a-z-])")),
+                 QStringLiteral("“%1”").arg(label));
+  }
+  return subject.isEmpty() ? text : subject + ": " + text;
 }
 
 void MaterialImport::begin() {
@@ -298,9 +329,8 @@ void MaterialImport::take(const Preview& preview) {
   material_ = preview.material;
   if (preview.fault) {
     const auto& [option, message] = *preview.fault;
-    const QString text = translatedText(message);
     summary_->clear();
-    return finish(option.empty() ? text : labelOf(option) + ": " + text);
+    return finish(inWordsOfThePage(option, translatedText(message)));
   }
   const std::vector<NamedSheet> sheets = materialSheets(*material_);
   const QString before = sheets_->tabData(sheets_->currentIndex()).toString();

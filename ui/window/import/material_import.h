@@ -3,8 +3,9 @@
 // Prony series is shown likewise. The material is written where the user says and becomes that of
 // the scene. Object names: those of ImportPage; "dmaReference", "dmaTerms", "dmaShift",
 // "dmaVertical", "dmaModulus", "dmaPoisson", "dmaFrequencyUnit", "dmaTemperatureUnit",
-// "dmaModulusUnit", "dmaTemperature", "dmaInstantaneous", "dmaName", "dmaSource", "dmaSheets",
-// "dmaSheet", "dmaSummary". GUI thread; deletes itself. Failure: one line on the page.
+// "dmaModulusUnit", "dmaTemperature", "dmaInstantaneous", "dmaEquilibrium", "dmaLiquid", "dmaName",
+// "dmaSource", "dmaSheets", "dmaSheet", "dmaSummary". GUI thread; deletes itself. Failure: one line
+// on the page.
 #pragma once
 
 #include <functional>
@@ -60,7 +61,8 @@ class MaterialImport : public ImportPage {
   QComboBox* addChoice(QFormLayout& form, const char* name, const QString& label,
                        const QString& tip, const QStringList& words);
   MaterialChoices choices() const;
-  QString labelOf(const std::string& option) const;
+  std::vector<std::pair<const char*, const QWidget*>> controls() const;
+  QString inWordsOfThePage(const std::string& option, QString text) const;
   void take(const Preview& preview);
   void showSheet();
 
@@ -71,11 +73,12 @@ class MaterialImport : public ImportPage {
   QTabBar* sheets_;
   QLabel* summary_;
   QLineEdit *reference_ = nullptr, *temperature_ = nullptr, *poisson_ = nullptr,
-            *instantaneous_ = nullptr, *name_ = nullptr, *source_ = nullptr;
+            *instantaneous_ = nullptr, *equilibrium_ = nullptr, *name_ = nullptr,
+            *source_ = nullptr;
   QComboBox *shift_ = nullptr, *modulus_ = nullptr, *frequencyUnit_ = nullptr,
             *temperatureUnit_ = nullptr, *modulusUnit_ = nullptr;
   QSpinBox* terms_ = nullptr;
-  QCheckBox* vertical_ = nullptr;
+  QCheckBox *vertical_ = nullptr, *liquid_ = nullptr;
   // Last: its thread ends before other members are destroyed.
   BackgroundWork work_{Overtaking::StopsTheRunning};
 };

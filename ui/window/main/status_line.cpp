@@ -183,6 +183,7 @@ QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name) {
 }
 
 void StatusLine::showTips() {
+  notes_->setAccessibleName(tr("notes on how far the results hold"));
   regime_->setToolTip(
       tr("Where the velocity lies on the friction curve: regions I to IV of the "
          "paper, found on the complete curve"));
@@ -297,7 +298,6 @@ void StatusLine::showNotes(const NoteSet& notes) {
     text = tr("⚠ %1 notes").arg(sentences.size());
   if (text == notes_->text() && sentences.join('\n') == notes_->accessibleDescription()) return;
   notes_->setText(text);
-  notes_->setAccessibleName(tr("notes on how far the results hold"));
   notes_->setAccessibleDescription(sentences.join('\n'));
   notes_->setToolTip(wrappedTip(sentences.join(QStringLiteral(". "))));
   if (!silence_->isActive()) fallSilent();
