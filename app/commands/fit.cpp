@@ -17,6 +17,7 @@
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
 

@@ -183,17 +183,24 @@ std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
   return rows;
 }
 
-/// Whether each field is a unit or empty, and one at least could be nothing else.
+bool isUnitField(const std::string& field) {
+  return isKnownUnit(field) || withoutBrackets(field).size() != trimmedField(field).size();
+}
+
+/// Whether each field is a unit or empty, and one at least could be nothing else. Among several
+/// units one word may be none, such as "bool" of a column that says what is valid.
 bool areUnits(const std::vector<std::string>& fields) {
-  bool anySure = false;
+  std::size_t sure = 0, others = 0;
   for (const std::string& field : fields) {
     if (trimmedField(field).empty()) continue;
     const std::string_view inner = withoutBrackets(field);
     const bool inBrackets = inner.size() != trimmedField(field).size();
-    if (!isKnownUnit(field) && !inBrackets) return false;
-    anySure = anySure || inBrackets || inner.size() > 1 || inner == "m";
+    if (!isUnitField(field))
+      ++others;
+    else if (inBrackets || inner.size() > 1 || inner == "m")
+      ++sure;
   }
-  return anySure;
+  return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
 std::vector<TextColumn> namedColumns(const std::vector<Line>& above, const TextDialect& dialect,
@@ -217,7 +224,8 @@ std::vector<TextColumn> namedColumns(const std::vector<Line>& above, const TextD
       named[i].unit = name.unit;
     }
     if (units != rows.end())
-      if (const std::string_view unit = withoutBrackets((*units)[i]); !unit.empty())
+      if (const std::string_view unit = withoutBrackets((*units)[i]);
+          !unit.empty() && isUnitField((*units)[i]))
         named[i].unit = unit;
   }
   return named;

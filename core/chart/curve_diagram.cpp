@@ -154,21 +154,27 @@ Message blankOf(const NamedCurve& curve, CurveAxes axes) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
-/// Thin lines, each with a stroke of its own, where the theories hold.
+/// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
+/// of a half-space, which is another model, has a colour.
 void addTheories(Diagram& diagram, const CurveSet& set) {
-  constexpr std::array strokes{SeriesStroke::Dashed, SeriesStroke::Dotted, SeriesStroke::Solid};
+  constexpr int kColourOfHalfSpace = kPinColours - 2;
   const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.theories.size(); ++k) {
     const TheoryCurve& theory = set.theories[k];
     DiagramSeries series;
     series.name = entryOf(theory.theory).name;
-    series.isTheory = true;
-    series.stroke = strokes[k % strokes.size()];
+    series.isTheory = theory.theory != Theory::PerssonHalfSpace;
+    series.stroke =
+        theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted : SeriesStroke::Dashed;
+    if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
     series.id = kTheoryCurves - static_cast<int>(k);
-    for (const TheoryPoint& point : theory.points)
-      series.points.push_back(
-          {point.velocity * velocity, point.isInRange ? point.mu * friction : kNotApplicable});
-    diagram.series.push_back(std::move(series));
+    bool isSeen = false;
+    for (const TheoryPoint& point : theory.points) {
+      const double mu = point.isInRange ? point.mu * friction : kNotApplicable;
+      series.points.push_back({point.velocity * velocity, mu});
+      isSeen |= std::isfinite(mu);
+    }
+    if (isSeen) diagram.series.push_back(std::move(series));
   }
 }
 

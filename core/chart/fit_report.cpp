@@ -26,6 +26,36 @@ std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
   return points;
 }
 
+/// Of the computed friction by the errors of the parameters, at a measured velocity.
+struct RelativeError {
+  double velocity = 0, value = 0;
+};
+
+/// In the order of rising velocities.
+std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
+  std::vector<RelativeError> errors;
+  std::size_t i = 0;
+  for (const MeasuredCurve& measured : set.measured)
+    for (const double velocity : measured.velocities) {
+      errors.push_back({velocity, fit.bandErrors[i] / totalMu(fit.computed[i])});
+      ++i;
+    }
+  std::ranges::sort(errors, {}, &RelativeError::velocity);
+  return errors;
+}
+
+/// Between two measured velocities, linear in their logarithm; NaN outside of them.
+double errorAt(const std::vector<RelativeError>& errors, double velocity) {
+  const auto above = std::ranges::lower_bound(errors, velocity, {}, &RelativeError::velocity);
+  if (above == errors.end()) return kNotApplicable;
+  if (above->velocity == velocity) return above->value;
+  if (above == errors.begin()) return kNotApplicable;
+  const RelativeError& below = *std::prev(above);
+  return std::lerp(
+      below.value, above->value,
+      std::log(velocity / below.velocity) / std::log(above->velocity / below.velocity));
+}
+
 }  // namespace
 
 nlohmann::ordered_json fitJson(const Fit& fit) {
@@ -90,7 +120,8 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
 
 Message fittedInWords(const FittedParameter& parameter) {
   const std::string unit(findParameter(parameter.key)->unit);
-  return message("{} = {}, {} to {}", parameter.key, PrintedNumber{printedQuantity(parameter.value, unit)},
+  return message("{} = {}, {} to {}", parameter.key,
+                 PrintedNumber{printedQuantity(parameter.value, unit)},
                  PrintedNumber{printedQuantity(parameter.low, unit)},
                  PrintedNumber{printedQuantity(parameter.high, unit)});
 }
@@ -101,19 +132,16 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   for (const FittedParameter& parameter : fit.parameters)
     values.push_back(fittedInWords(parameter));
   sheet.subtitle = listed(values);
-  // The band at the measured points, in the order of the axis.
   DiagramSeries band;
   band.name = "fit \u00B1 standard error";
   band.isBand = true;
   band.colour = 0;
-  std::size_t i = 0;
-  for (const MeasuredCurve& measured : set.measured)
-    for (const double velocity : measured.velocities) {
-      const double mu = totalMu(fit.computed[i]);
-      band.points.push_back({velocity, mu, mu - fit.bandErrors[i], mu + fit.bandErrors[i]});
-      ++i;
-    }
-  std::ranges::sort(band.points, {}, &DiagramPoint::x);
+  const std::vector<RelativeError> errors = relativeErrors(fit, set);
+  for (const CurvePoint& point : set.present.points) {
+    const double error = point.mu * errorAt(errors, point.velocity);
+    if (std::isfinite(error))
+      band.points.push_back({point.velocity, point.mu, point.mu - error, point.mu + error});
+  }
   Diagram& curves = sheet.diagrams.front();
   curves.series.insert(curves.series.begin(), std::move(band));
   return sheet;

@@ -98,10 +98,8 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
           message("is needed ({}): the file states no unit of positions, and in metres "
                   "it would be {:.3g} m long",
                   kUnits, length));
-    throw InputError(source.name, "surface.position_unit",
-                     message("is needed ({}): the file does not say how far its points are apart, "
-                             "and they are taken as one unit apart",
-                             kUnits));
+    throw InputError(source.name, "surface.point_spacing",
+                     "is needed (in m): the file does not say how far its points are apart");
   }
   if (!assumesX && !assumesZ) return;
   const double slope = rmsSlope(grid);

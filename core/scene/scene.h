@@ -28,7 +28,9 @@ struct SurfaceReading {
   std::string format = "auto";
   std::string positionUnit = "auto", heightUnit = "auto";
   std::int64_t positionColumn = 0, heightColumn = 0;  // counted from 1; 0: found by the reader
-  std::int64_t row = 0;                               // counted from 1; 0: all rows
+  double pointSpacing = 0;  // m, where the file does not say how far its points are apart; 0: as it
+                            // says
+  std::int64_t row = 0;     // counted from 1; 0: all rows
   ProfileDirection direction = ProfileDirection::AlongX;
 
   bool operator==(const SurfaceReading&) const = default;

@@ -59,8 +59,12 @@ class LastOne {
 };
 
 ReadingChoices choicesOf(const SurfaceReading& reading) {
-  return {reading.format, reading.positionUnit, reading.heightUnit,
-          static_cast<int>(reading.positionColumn), static_cast<int>(reading.heightColumn)};
+  return {reading.format,
+          reading.positionUnit,
+          reading.heightUnit,
+          static_cast<int>(reading.positionColumn),
+          static_cast<int>(reading.heightColumn),
+          reading.pointSpacing};
 }
 
 MeasuredFile readFile(const Scene& scene, const std::stop_token& stop,

@@ -3307,8 +3307,16 @@
         <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
     </message>
     <message>
-        <source>is needed (%1): the file does not say how far its points are apart, and they are taken as one unit apart</source>
-        <translation>wird gebraucht (%1): die Datei sagt nicht, wie weit ihre Punkte auseinander liegen, und es gilt eine Einheit</translation>
+        <source>is needed (in m): the file does not say how far its points are apart</source>
+        <translation>wird gebraucht (in m): die Datei sagt nicht, wie weit ihre Punkte auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>point spacing</source>
+        <translation>Punktabstand</translation>
+    </message>
+    <message>
+        <source>Distance between points where the file does not state one, as in a list of heights alone; 0: as the file states.</source>
+        <translation>Abstand der Punkte, wenn die Datei keinen angibt, etwa bei einer Liste nur von Höhen; 0: wie in der Datei.</translation>
     </message>
     <message>
         <source>is needed (%1): the file states no unit of heights, and in metres the rms slope would be %2</source>

@@ -224,6 +224,22 @@ TEST(TextTable, FindsNamesAndUnitsAboveTheNumbers) {
   }
 }
 
+/// Columns that count or say what is valid have no unit.
+TEST(TextTable, ARowOfUnitsMayLeaveColumnsWithoutOne) {
+  for (const std::string units :
+       {",mm,um,", "-,mm,um,", ",mm,um,-", ",mm,um,bool", ",[mm],[um],"}) {
+    const TextTable made =
+        read("No,X,Z,valid\n" + units + "\n0,0.5,1.5,1\n1,1.0,2.5,1\n2,1.5,3.5,0\n");
+    const TextBlock& block = made.largest();
+    ASSERT_EQ(block.columns.size(), 4u) << units;
+    EXPECT_EQ(block.columns[1].name, "X") << units;
+    EXPECT_EQ(block.columns[1].unit, "mm") << units;
+    EXPECT_EQ(block.columns[2].unit, "um") << units;
+    EXPECT_EQ(block.columns[3].name, "valid") << units;
+    EXPECT_EQ(block.columns[3].unit == "bool", false) << units;
+  }
+}
+
 TEST(TextTable, FindsKeysAndValues) {
   const TextTable made = read(
       "# Channel: Raw\n# Width: 10 \u00B5m\nDate = 2020-01-01\nPoints;512;\nLong remark without a "
