@@ -116,15 +116,27 @@ void writeSurface(const std::string& output, const Scene& scene, const LineSourc
     writePicture(output, scene, source, line);
 }
 
+/// An error of a file that is given itself names it once, and no key.
+template <class Work>
+void withFileContext(bool isFile, const std::string& file, const Work& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    const std::vector<Message>& parts = error.message().values;
+    if (!isFile || error.key() != "surface.file" || parts.size() != 2) throw;
+    throw InputError(file, "", parts[1]);
+  }
+}
+
 }  // namespace
 
 int runSurface(const SurfaceCommand& command) {
-  const Scene scene =
-      isSurfaceFile(command.common.scene) ? sceneOfFile(command.common) : sceneOf(command.common);
+  const bool isFile = isSurfaceFile(command.common.scene);
+  const Scene scene = isFile ? sceneOfFile(command.common) : sceneOf(command.common);
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
-  withSceneContext(command.common, [&] {
+  const auto run = [&] {
     // A line from a file is written with its elements alone: read as a profile it is the same line.
     const SurfaceKind kind = scene.surface.kind;
     const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
@@ -136,7 +148,8 @@ int runSurface(const SurfaceCommand& command) {
     for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
     printSummary(command.common.json, command.common.quiet, text);
     if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
-  });
+  };
+  withSceneContext(command.common, [&] { withFileContext(isFile, command.common.scene, run); });
   return kDone;
 }
 

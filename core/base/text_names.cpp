@@ -200,14 +200,12 @@ std::vector<std::string> splitAtBlanks(std::string_view line) {
   return fields;
 }
 
-/// Empty fields at the end count up to `columns`: the last columns may have no name.
-std::vector<std::string> splitAt(std::string_view line, TextDialect::Separator separator,
-                                 std::size_t columns) {
+std::vector<std::string> splitAt(std::string_view line, TextDialect::Separator separator) {
   std::vector<std::string_view> fields;
   splitFields(line, separator, fields);
   std::vector<std::string> names;
   for (const std::string_view field : fields) names.emplace_back(trimmedField(field));
-  while (names.size() > columns && names.back().empty()) names.pop_back();
+  while (names.size() > 1 && names.back().empty()) names.pop_back();
   return names;
 }
 
@@ -272,13 +270,13 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
       dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair;
   std::vector<std::vector<std::string>> ways;
   if (dialect.isExact())
-    ways.push_back(splitAt(line, hasPairs ? Separator::Comma : dialect.separator, columns));
+    ways.push_back(splitAt(line, hasPairs ? Separator::Comma : dialect.separator));
   if (line.find('\t') != std::string_view::npos)
-    ways.push_back(splitAt(line, Separator::Tab, columns));
+    ways.push_back(splitAt(line, Separator::Tab));
   ways.push_back(splitAtWideBlanks(line));
   ways.push_back(splitAtBlanks(line));
   for (const Separator separator : {Separator::Semicolon, Separator::Comma, Separator::Blanks})
-    ways.push_back(splitAt(line, separator, columns));
+    ways.push_back(splitAt(line, separator));
   for (std::vector<std::string>& way : ways)
     if (way.size() == columns) return std::move(way);
   return {};

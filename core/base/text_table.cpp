@@ -157,8 +157,15 @@ std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
   for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
     const std::string_view text = withoutMark(line->text, dialect);
     if (text.empty()) continue;
-    // A comma or a semicolon in front is an unnamed column, too: the mark alone was taken off.
+    // A comma or a semicolon in front is an unnamed column, too: the mark alone was taken off. So
+    // is one at the end.
     std::vector<std::string> fields = splitNames(text, dialect, columns);
+    if (fields.empty() && dialect.isExact()) {
+      std::vector<std::string_view> whole;
+      splitFields(text, dialect.separator, whole);
+      if (whole.size() == columns)
+        for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
+    }
     // Row numbers, which some programs write in front, have no name.
     if (fields.empty() && columns > 2 && (dialect.isExact() || text.starts_with('"'))) {
       fields = splitNames(text, dialect, columns - 1);

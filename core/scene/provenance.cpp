@@ -70,11 +70,12 @@ template <class Add>
 void eachInput(const Scene& scene, const Add& add) {
   const auto digested = [&](const char* key, const std::string& name, const auto& digest) {
     if (name.empty()) return;
+    Json found;
     try {
-      add(key, name, Json(digest()));
+      found = digest();
     } catch (const InputError&) {
-      add(key, name, Json());
     }
+    add(key, name, std::move(found));
   };
   if (hasSurfaceFile(scene.surface))
     digested("surface.file", scene.surface.file,
@@ -103,8 +104,7 @@ Json inputsOf(const Scene& scene) {
 void checkInputs(const Json& inputs, const Scene& scene) {
   if (!inputs.is_array()) return;
   eachInput(scene, [&](std::string_view key, const std::string& name, const Json& present) {
-    const bool isShipped =
-        key == "elastomer.material" && materialFile(name, scene.folder).empty();
+    const bool isShipped = key == "elastomer.material" && materialFile(name, scene.folder).empty();
     if (isShipped || !present.is_string()) return;
     for (const Json& input : inputs) {
       if (!input.is_object() || input.value("key", Json()) != Json(key) ||

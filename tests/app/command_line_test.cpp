@@ -94,7 +94,7 @@ TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
   expectRefused("curve s.json -o a.txt", 2, "is not one of .csv, .json, .png, .svg, .pdf");
   expectRefused("curve s.json -o a.csv -o b", 2, "is not one of");
   expectRefused("curve s.json -o /dev/full", 2, "not a plain file");
-  expectRefused("surface s.json -o a.pdf", 2, "is not one of");
+  expectRefused("surface s.json -o a.txt", 2, "is not one of");
   expectRefused("render s.json -o a.jpg", 2, "neither a folder nor a .png, .svg, .pdf");
   expectRefused("render s.json -o s.json/x", 2, "cannot be made one");
 }

@@ -48,7 +48,7 @@ TEST_F(SurfaceCommandTest, SaysWhatItTookAFileForAndWritesAll) {
   EXPECT_EQ(json["reading"]["columns"], 300);
   EXPECT_NEAR(json["reading"]["spacing"], 2e-6, 1e-12);
   EXPECT_GT(json["values"]["raw"]["Pq"], json["values"]["used"]["Pq"]);
-  EXPECT_EQ(json["files"]["surface.file"]["sha256"].get<std::string>().size(), 64U);
+  EXPECT_EQ(json["inputs"][0]["sha256"].get<std::string>().size(), 64U);
   EXPECT_TRUE(json["notes"].is_array());
   EXPECT_THAT(read("l.csv"), AllOf(StartsWith("# asperity: "), HasSubstr("\nposition,height\n")));
   EXPECT_THAT(read("p.svg"), HasSubstr("<svg"));

@@ -238,7 +238,10 @@ TEST_F(UsageTest, AFileOfAnotherKindIsNamedAndNotQuoted) {
   program.folder.write("utf16.txt", "\xFF\xFEx\0 \0(\0m\0m\0)\0\r\0\n\0"s);
   program.folder.write("heights.csv", "x,z\n0,1e-6\n1,2e-6\n2,1e-6\n");
   const std::string needed = "a measured line is a CSV file, which a scene names as surface.file";
-  for (const char* verb : {"surface", "check", "curve"}) {
+  // Only `surface` takes a measured file itself.
+  expectRefused("surface utf16.txt", 2, "utf16.txt: has no rows of numbers");
+  expectRefused("surface heights.csv", 2, "heights.csv: surface.position_unit: is needed");
+  for (const char* verb : {"check", "curve"}) {
     expectRefused(std::string(verb) + " utf16.txt", 2, "utf16.txt: is text in UTF-16; ");
     expectRefused(std::string(verb) + " utf16.txt", 2, needed);
     expectRefused(std::string(verb) + " heights.csv", 2, "heights.csv: is text that is not JSON; ");

@@ -29,7 +29,7 @@ constexpr int kGap = 5;  // pixels between the columns
 
 // These widths are in digits.
 constexpr double kEntryWidth = 8.2;
-constexpr double kUnitWidth = 4.9;
+constexpr double kUnitWidth = 5.6;
 constexpr double kResetWidth = 2.25;
 
 ParameterValue sliderValue(const Parameter& parameter, double value) {

@@ -74,7 +74,7 @@ TEST(FrictionData, SaysInWhichRowWhatIsWrong) {
               HasSubstr("row 3: has the velocity of row 2"));
   EXPECT_THAT(errorOf("velocity,mu,mu_error\n1,0.2,0.01\n2,0.3,\n"),
               HasSubstr("row 3: the error of the coefficient of friction is missing"));
-  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n2,\n"), HasSubstr("row 3"));
+  EXPECT_THAT(errorOf("velocity,mu\n1,0.2\n2,0.3\n3,\n"), HasSubstr("row 4"));
   EXPECT_THAT(errorOf("velocity,temperature\n1,20\n2,20\n"),
               HasSubstr("no column of the coefficient of friction"));
   EXPECT_THAT(errorOf("velocity,mu,temperature\n1,0.2,20\n2,0.3,20\n"), HasSubstr("name the unit"));

@@ -150,7 +150,7 @@ TEST(GsfFile, NamesWhatIsWrong) {
   EXPECT_THAT(errorOf(gsf("XRes = 7\nYRes = 5\n", false)), HasSubstr("ends too early"));
   EXPECT_THAT(errorOf(gsf("XRes = 4294967296\nYRes = 4294967296\n", false)), HasSubstr("at most"));
   // Without a size the points are metres apart, which is hardly meant.
-  EXPECT_THAT(errorOf(gsf("XRes = 7\nYRes = 4\n", false)), HasSubstr("surface.position_unit"));
+  EXPECT_THAT(errorOf(gsf("XRes = 7\nYRes = 4\n", false)), HasSubstr("surface.point_spacing"));
   ReadingChoices choices;
   choices.positionUnit = "um";
   EXPECT_NEAR(

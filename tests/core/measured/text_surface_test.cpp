@@ -341,12 +341,16 @@ TEST(TextMatrix, ReadsPositionsInFirstRowAndColumn) {
 }
 
 TEST(TextMatrix, AsksHowFarThePointsAreApart) {
-  EXPECT_THAT(errorOf(matrix(" ", 1, false)), HasSubstr("surface.position_unit: is needed"));
+  EXPECT_THAT(errorOf(matrix(" ", 1, false)), HasSubstr("surface.point_spacing: is needed"));
   ReadingChoices choices;
   choices.positionUnit = choices.heightUnit = "um";
   const MeasuredFile file = read(matrix(" ", 1, false), choices);
   EXPECT_EQ(file.topography.columns, kColumns);
   EXPECT_NEAR(file.topography.rowSpacing, 1e-6, 1e-18);
+  ReadingChoices stated;
+  stated.spacing = 3e-6;
+  stated.heightUnit = "um";
+  EXPECT_NEAR(read(matrix(" ", 1, false), stated).topography.columnSpacing, 3e-6, 1e-18);
 }
 
 // ---- Points ------------------------------------------------------------------------------------
