@@ -271,8 +271,7 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
   std::vector<std::vector<std::string>> ways;
   if (dialect.isExact())
     ways.push_back(splitAt(line, hasPairs ? Separator::Comma : dialect.separator));
-  if (line.find('\t') != std::string_view::npos)
-    ways.push_back(splitAt(line, Separator::Tab));
+  if (line.find('\t') != std::string_view::npos) ways.push_back(splitAt(line, Separator::Tab));
   ways.push_back(splitAtWideBlanks(line));
   ways.push_back(splitAtBlanks(line));
   for (const Separator separator : {Separator::Semicolon, Separator::Comma, Separator::Blanks})

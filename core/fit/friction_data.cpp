@@ -31,9 +31,8 @@ const std::array<QuantityNames, 8>& knownNames() {
         "geschwindigkeit", "gleitgeschwindigkeit"}},
       {Quantity::Mu,
        "coefficient of friction",
-       {"mu", "\u00B5", "\u03BC", "cof", "friction", "frictioncoefficient",
-        "coefficientoffriction", "coefficient", "reibwert", "reibungszahl", "reibbeiwert",
-        "reibungskoeffizient"}},
+       {"mu", "\u00B5", "\u03BC", "cof", "friction", "frictioncoefficient", "coefficientoffriction",
+        "coefficient", "reibwert", "reibungszahl", "reibbeiwert", "reibungskoeffizient"}},
       {Quantity::Force,
        "normal force",
        {"normalforce", "fn", "force", "load", "normalload", "w", "n", "normalkraft", "last"}},
@@ -41,9 +40,7 @@ const std::array<QuantityNames, 8>& knownNames() {
        "nominal pressure",
        {"nominalpressure", "pressure", "contactpressure", "p", "p0", "sigma0", "\u03C30", "druck",
         "fl\u00E4chenpressung", "nenndruck"}},
-      {Quantity::Temperature,
-       "temperature",
-       {"temperature", "temp", "t", "temperatur"}},
+      {Quantity::Temperature, "temperature", {"temperature", "temp", "t", "temperatur"}},
       {Quantity::Label,
        "label",
        {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
@@ -66,8 +63,8 @@ std::string plainWord(std::string_view text) {
 std::optional<std::string> withoutError(std::string word) {
   for (const std::string_view sign :
        {"standarderror", "standarddeviation", "uncertainty", "error", "stdev", "stddev", "sigma",
-        "unsicherheit", "abweichung", "fehler", "err", "std", "dev", "sd", "se", "\u00B1",
-        "\u03C3", "delta", "\u0394"}) {
+        "unsicherheit", "abweichung", "fehler", "err", "std", "dev", "sd", "se", "\u00B1", "\u03C3",
+        "delta", "\u0394"}) {
     const std::size_t place = word.find(sign);
     // Two letters at the end of a word mean it only there: "sets" has no error.
     if (place == std::string::npos) continue;
@@ -161,9 +158,10 @@ class Reader {
         block_.columns, [](const TextColumn& column) { return !column.name.empty(); });
     if (!hasNames) {
       if (count != 2 && count != 3)
-        refuse(message("has {} columns without names; name them: velocity, mu, and where there are "
-                       "some mu_error, normal_force, nominal_pressure, temperature, label",
-                       count));
+        refuse(
+            message("has {} columns without names; name them: velocity, mu, and where there are "
+                    "some mu_error, normal_force, nominal_pressure, temperature, label",
+                    count));
       add(Quantity::Velocity, 0);
       add(Quantity::Mu, 1);
       if (count == 3) add(Quantity::MuError, 2);
@@ -173,8 +171,8 @@ class Reader {
       if (const auto quantity = quantityOf(block_.columns[i].name)) add(*quantity, i);
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!find(needed))
-        refuse(message("has no column of the {}; its columns are {}",
-                       Message(meaningOf(needed)), Message::name(namesOfColumns())));
+        refuse(message("has no column of the {}; its columns are {}", Message(meaningOf(needed)),
+                       Message::name(namesOfColumns())));
     if (find(Quantity::Force) && find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
   }
@@ -262,10 +260,10 @@ class Reader {
     point.normalForce = valueAt(row, Quantity::Force);
     point.nominalPressure = valueAt(row, Quantity::Pressure);
     point.temperature = valueAt(row, Quantity::Temperature);
-    for (const auto& [quantity, value] :
-         {std::pair{Quantity::MuError, point.muError}, {Quantity::Force, point.normalForce},
-          {Quantity::Pressure, point.nominalPressure},
-          {Quantity::Temperature, point.temperature}})
+    for (const auto& [quantity, value] : {std::pair{Quantity::MuError, point.muError},
+                                          {Quantity::Force, point.normalForce},
+                                          {Quantity::Pressure, point.nominalPressure},
+                                          {Quantity::Temperature, point.temperature}})
       if (find(quantity)) needPositive(point, value, quantity);
     if (find(Quantity::VelocityError) && !std::isnan(point.velocityError) &&
         !(point.velocityError >= 0))

@@ -1,5 +1,5 @@
-// Measured coefficients of friction, as a person brings them in a table: columns of velocity and mu,
-// and where there are some of their errors, the normal force or the nominal pressure, the
+// Measured coefficients of friction, as a person brings them in a table: columns of velocity and
+// mu, and where there are some of their errors, the normal force or the nominal pressure, the
 // temperature and a label, recognized by name and unit.
 // Pure; any thread. Failure: InputError that names the file and the row.
 #pragma once

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/scene/list_text.h"
 #include "core/measured/measured_file.h"
+#include "core/scene/list_text.h"
 
 namespace asperity {
 namespace {

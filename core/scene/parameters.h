@@ -92,7 +92,8 @@ struct Parameter {
   std::string_view sentence;  // one sentence for a user
   Change change;
   Applicability applies;
-  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField, ListField>
+  std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField,
+               ListField>
       field;
   /// It applies where this holds as well. An empty choiceKey: nowhere else.
   Applicability alsoApplies{};

@@ -59,7 +59,8 @@ TEST_F(UsageTest, WordsBeforeAVerbAreNotPassedOver) {
 }
 
 TEST_F(UsageTest, AWordTooManyOrNoneIsTold) {
-  expectRefused("check s.json step.json", 2, "unexpected argument 'step.json' for 'asperity check'");
+  expectRefused("check s.json step.json", 2,
+                "unexpected argument 'step.json' for 'asperity check'");
   expectRefused("curve s.json -o a.csv b.csv", 2, "unexpected argument 'b.csv'");
   expectRefused("check ''", 2, "SCENE: is empty");
   expectRefused("figure -o out", 2, "NAME is required");
@@ -200,26 +201,18 @@ TEST_F(UsageTest, MessagesQuotePrintableCharactersOnly) {
   program.folder.write("b.json",
                        R"({"schema":"asperity-batch/1","entries":[{"scene":"\u001b[31m"}]})");
   const std::string escape = "$(printf '\\033[31m')", bytes = "$(printf '\\377\\233')";
-  for (const std::string& arguments :
-       std::vector<std::string>{"check title.json",
-                                "explain title.json",
-                                "check key.json",
-                                "check bytes.json",
-                                "batch b.json -o out",
-                                "check \"" + escape + "\"",
-                                "check \"" + bytes + ".json\"",
-                                "check s.json --set \"" + escape + "=1\"",
-                                "check s.json --set \"surface.hurst=" + bytes + "\"",
-                                "check s.json --set \"surface.kind=" + escape + "\"",
-                                "check s.json --\"" + escape + "\"",
-                                "check s.json \"" + escape + "\"",
-                                "curve s.json -o \"no" + escape + "/a.csv\"",
-                                "curve s.json -o \"" + escape + ".csv\"",
-                                "render s.json -o \"" + bytes + ".png\"",
-                                "check s.json --threads \"" + escape + "\"",
-                                "check s.json --language \"" + bytes + "\"",
-                                "render s.json -o a.png --theme \"" + escape + "\"",
-                                "figure \"" + escape + "\" -o out"}) {
+  for (const std::string& arguments : std::vector<std::string>{
+           "check title.json", "explain title.json", "check key.json", "check bytes.json",
+           "batch b.json -o out", "check \"" + escape + "\"", "check \"" + bytes + ".json\"",
+           "check s.json --set \"" + escape + "=1\"",
+           "check s.json --set \"surface.hurst=" + bytes + "\"",
+           "check s.json --set \"surface.kind=" + escape + "\"",
+           "check s.json --\"" + escape + "\"", "check s.json \"" + escape + "\"",
+           "curve s.json -o \"no" + escape + "/a.csv\"", "curve s.json -o \"" + escape + ".csv\"",
+           "render s.json -o \"" + bytes + ".png\"", "check s.json --threads \"" + escape + "\"",
+           "check s.json --language \"" + bytes + "\"",
+           "render s.json -o a.png --theme \"" + escape + "\"",
+           "figure \"" + escape + "\" -o out"}) {
     const Said said = program.run(arguments);
     for (const std::string& text : {said.out, said.err})
       for (std::size_t i = 0; i < text.size(); ++i) {

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tests/ui/contact/sample_frame.h"
 #include "tests/ui/chart/sample_sheets.h"
+#include "tests/ui/contact/sample_frame.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
 
