@@ -313,6 +313,16 @@ class Reader {
 
 }  // namespace
 
+bool isFrictionTable(const TextTable& table) {
+  bool hasVelocity = false, hasMu = false;
+  for (const TextColumn& column : table.largest().columns) {
+    const std::optional<Quantity> quantity = quantityOf(column.name);
+    hasVelocity = hasVelocity || quantity == Quantity::Velocity;
+    hasMu = hasMu || quantity == Quantity::Mu;
+  }
+  return hasVelocity && hasMu;
+}
+
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
   TextTableOptions options;
   options.keepsTexts = true;

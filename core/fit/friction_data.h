@@ -15,6 +15,8 @@
 
 namespace asperity {
 
+struct TextTable;
+
 /// One row. What the table does not give is NaN, and the scene's own value is meant.
 struct MeasuredPoint {
   double velocity = 0;  // m/s, above 0
@@ -41,6 +43,9 @@ struct FrictionData {
 /// Celsius or Fahrenheit with their unit. `label` replaces the file's name.
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
+
+/// Whether the table has named columns of a velocity and of a coefficient of friction.
+bool isFrictionTable(const TextTable& table);
 
 /// The scene as it was when the point was measured: steady, at its velocity, and with the force,
 /// pressure and temperature that the table gives.

@@ -412,7 +412,7 @@
         <translation>F_N = %1 N auf eine Periode; Ergebnisse hängen von der Breite ab</translation>
     </message>
     <message>
-        <source>F_N = %1 on one period of %2, which is twice the file's; F_N / L = %3</source>
+        <source>F_N = %1 on one period of %2, which is twice the file&apos;s; F_N / L = %3</source>
         <translation>F_N = %1 auf eine Periode von %2, die zweimal die der Datei ist; F_N / L = %3</translation>
     </message>
     <message>
@@ -602,6 +602,24 @@
     </message>
 </context>
 <context>
+    <name>asperity::ChartLegend</name>
+    <message>
+        <source>legend of the chart</source>
+        <translation>Legende des Diagramms</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click to unpin this curve</source>
+        <translation>Klicken, um diese Kurve zu lösen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ClaimsTable</name>
     <message>
         <source>Measured: %1.</source>
@@ -762,6 +780,29 @@
     <message>
         <source>at rest</source>
         <translation>in Ruhe</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::DiagramView</name>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save diagram…</source>
+        <translation>Diagramm speichern …</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg *.pdf)</source>
+        <translation>Bilder (*.png *.svg *.pdf)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save diagram</source>
+        <translation>Diagramm speichern</translation>
     </message>
 </context>
 <context>
@@ -988,6 +1029,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::FrictionChartModel</name>
+    <message>
+        <source>v = %1 m/s</source>
+        <translation>v = %1 m/s</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>Eq. (11): %1</source>
+        <translation>Gl. (11): %1</translation>
+    </message>
+    <message>
+        <source>difference %1</source>
+        <translation>Unterschied %1</translation>
+    </message>
+    <message>
+        <source>with %1</source>
+        <translation>mit %1</translation>
+    </message>
+    <message>
+        <source>computed: %1</source>
+        <translation>berechnet: %1</translation>
+    </message>
+</context>
+<context>
     <name>asperity::GalleryPage</name>
     <message>
         <source>Figures of the paper, computed here and now</source>
@@ -1119,6 +1187,56 @@
     </message>
 </context>
 <context>
+    <name>asperity::ImportCommands</name>
+    <message>
+        <source>Open surface…</source>
+        <translation>Oberfläche öffnen …</translation>
+    </message>
+    <message>
+        <source>Open material…</source>
+        <translation>Material öffnen …</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;All files (*)</source>
+        <translation>Gemessene Oberflächen (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open material</source>
+        <translation>Material öffnen</translation>
+    </message>
+    <message>
+        <source>Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)</source>
+        <translation>Materialien und gemessene Moduln (*.json *.csv *.txt *.dat *.inp);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ImportPage</name>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Read the file again</source>
+        <translation>Die Datei noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>Stop reading</source>
+        <translation>Lesen anhalten</translation>
+    </message>
+    <message>
+        <source>Reading was stopped</source>
+        <translation>Das Lesen wurde angehalten</translation>
+    </message>
+</context>
+<context>
     <name>asperity::MainWindow</name>
     <message>
         <source>Parameters</source>
@@ -1239,6 +1357,196 @@
     <message>
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MaterialBox</name>
+    <message>
+        <source>own values</source>
+        <translation>eigene Werte</translation>
+    </message>
+    <message>
+        <source>Open material…</source>
+        <translation>Material öffnen …</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MaterialImport</name>
+    <message>
+        <source>Save material</source>
+        <translation>Material speichern</translation>
+    </message>
+    <message>
+        <source>Materials (*.json)</source>
+        <translation>Materialien (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Save and use…</source>
+        <translation>&amp;Speichern und verwenden …</translation>
+    </message>
+    <message>
+        <source>Open material</source>
+        <translation>Material öffnen</translation>
+    </message>
+    <message>
+        <source>the measured moduli and their fit</source>
+        <translation>die gemessenen Moduln und ihre Anpassung</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>wie gefunden</translation>
+    </message>
+    <message>
+        <source>What the file is</source>
+        <translation>Was die Datei ist</translation>
+    </message>
+    <message>
+        <source>frequency in</source>
+        <translation>Frequenz in</translation>
+    </message>
+    <message>
+        <source>Unit of the frequencies</source>
+        <translation>Einheit der Frequenzen</translation>
+    </message>
+    <message>
+        <source>temperature in</source>
+        <translation>Temperatur in</translation>
+    </message>
+    <message>
+        <source>Unit of the temperatures</source>
+        <translation>Einheit der Temperaturen</translation>
+    </message>
+    <message>
+        <source>modulus in</source>
+        <translation>Modul in</translation>
+    </message>
+    <message>
+        <source>Unit of the moduli</source>
+        <translation>Einheit der Moduln</translation>
+    </message>
+    <message>
+        <source>deformation</source>
+        <translation>Verformung</translation>
+    </message>
+    <message>
+        <source>Whether the moduli are of shear (G) or of tension (E)</source>
+        <translation>Ob die Moduln für Schub (G) oder für Zug (E) gelten</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio</source>
+        <translation>Querkontraktionszahl</translation>
+    </message>
+    <message>
+        <source>Turns moduli of tension into those of shear: G = E / (2 (1 + ν))</source>
+        <translation>Macht aus Zugmoduln Schubmoduln: G = E / (2 (1 + ν))</translation>
+    </message>
+    <message>
+        <source>measured at</source>
+        <translation>gemessen bei</translation>
+    </message>
+    <message>
+        <source>Temperature of a file that does not state one, such as 20 °C</source>
+        <translation>Temperatur einer Datei, die keine nennt, etwa 20 °C</translation>
+    </message>
+    <message>
+        <source>instantaneous modulus</source>
+        <translation>Anfangsmodul</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa of a series that gives parts of it</source>
+        <translation>Schubmodul in Pa zu einer Reihe, die Anteile davon nennt</translation>
+    </message>
+    <message>
+        <source>Master curve</source>
+        <translation>Masterkurve</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Temperature to which all isotherms are shifted, such as 20 °C</source>
+        <translation>Temperatur, zu der alle Isothermen verschoben werden, etwa 20 °C</translation>
+    </message>
+    <message>
+        <source>near 25 °C</source>
+        <translation>nahe 25 °C</translation>
+    </message>
+    <message>
+        <source>vertical shifts, too</source>
+        <translation>auch senkrecht schieben</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>How the shifts stand in the material: as a formula, or as their table</source>
+        <translation>Wie die Verschiebungen im Material stehen: als Formel oder als ihre Tabelle</translation>
+    </message>
+    <message>
+        <source>Prony series</source>
+        <translation>Prony-Reihe</translation>
+    </message>
+    <message>
+        <source>as few as do</source>
+        <translation>so wenige wie nötig</translation>
+    </message>
+    <message>
+        <source>Relaxation times, evenly spaced in their logarithm</source>
+        <translation>Relaxationszeiten mit gleichen Abständen im Logarithmus</translation>
+    </message>
+    <message>
+        <source>terms</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>In the file of the material</source>
+        <translation>In der Datei des Materials</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Name des Materials</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Where the measurements come from, so that a reader can look it up</source>
+        <translation>Woher die Messungen stammen, sodass Leser nachsehen können</translation>
+    </message>
+    <message>
+        <source>Isotherms</source>
+        <translation>Isothermen</translation>
+    </message>
+    <message>
+        <source>Loss tangent</source>
+        <translation>Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>Shifts</source>
+        <translation>Verschiebungen</translation>
+    </message>
+    <message>
+        <source>equilibrium modulus</source>
+        <translation>Gleichgewichtsmodul</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa where it is known from elsewhere</source>
+        <translation>Schubmodul in Pa, wenn er von anderswo bekannt ist</translation>
+    </message>
+    <message>
+        <source>may be liquid</source>
+        <translation>darf flüssig sein</translation>
+    </message>
+    <message>
+        <source>Whether there may be no equilibrium modulus</source>
+        <translation>Ob es keinen Gleichgewichtsmodul geben darf</translation>
     </message>
 </context>
 <context>
@@ -1518,6 +1826,10 @@
     <message>
         <source>Open material</source>
         <translation>Material öffnen</translation>
+    </message>
+    <message>
+        <source>Add measured friction</source>
+        <translation>Gemessene Reibung hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -1822,6 +2134,60 @@
     <message>
         <source>notes on how far the results hold</source>
         <translation>Hinweise, wie weit die Ergebnisse gelten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SurfaceImport</name>
+    <message>
+        <source>What the file is</source>
+        <translation>Was die Datei ist</translation>
+    </message>
+    <message>
+        <source>From heights to a profile</source>
+        <translation>Von Höhen zum Profil</translation>
+    </message>
+    <message>
+        <source>From the profile to the line</source>
+        <translation>Vom Profil zur Linie</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>roh</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>verwendet</translation>
+    </message>
+    <message>
+        <source>&amp;Use this surface</source>
+        <translation>Diese Oberfläche &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Open surface</source>
+        <translation>Oberfläche öffnen</translation>
+    </message>
+    <message>
+        <source>normal force %1 on one period of %2, F_N/L = %3</source>
+        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3</translation>
+    </message>
+    <message>
+        <source>the profile, raw and used</source>
+        <translation>das Profil, roh und verwendet</translation>
+    </message>
+    <message>
+        <source>spectrum and distribution of the heights, raw and used</source>
+        <translation>Spektrum und Verteilung der Höhen, roh und verwendet</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::TopographyPicture</name>
+    <message>
+        <source>topography</source>
+        <translation>Topographie</translation>
+    </message>
+    <message>
+        <source>%1 × %2, heights over %3</source>
+        <translation>%1 × %2, Höhen über %3</translation>
     </message>
 </context>
 <context>
@@ -2329,364 +2695,6 @@
     <message>
         <source>evaluations</source>
         <translation>Auswertungen</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::FrictionChartModel</name>
-    <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
-    </message>
-    <message>
-        <source>in contact %1 %</source>
-        <translation>in Kontakt %1 %</translation>
-    </message>
-    <message>
-        <source>Eq. (11): %1</source>
-        <translation>Gl. (11): %1</translation>
-    </message>
-    <message>
-        <source>difference %1</source>
-        <translation>Unterschied %1</translation>
-    </message>
-    <message>
-        <source>with %1</source>
-        <translation>mit %1</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::ChartLegend</name>
-    <message>
-        <source>legend of the chart</source>
-        <translation>Legende des Diagramms</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>und %n weitere</numerusform>
-            <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Click to unpin this curve</source>
-        <translation>Klicken, um diese Kurve zu lösen</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::DiagramView</name>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Save diagram…</source>
-        <translation>Diagramm speichern …</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg *.pdf)</source>
-        <translation>Bilder (*.png *.svg *.pdf)</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Save diagram</source>
-        <translation>Diagramm speichern</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::ImportCommands</name>
-    <message>
-        <source>Open surface…</source>
-        <translation>Oberfläche öffnen …</translation>
-    </message>
-    <message>
-        <source>Open material…</source>
-        <translation>Material öffnen …</translation>
-    </message>
-    <message>
-        <source>Open surface</source>
-        <translation>Oberfläche öffnen</translation>
-    </message>
-    <message>
-        <source>Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;All files (*)</source>
-        <translation>Gemessene Oberflächen (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open material</source>
-        <translation>Material öffnen</translation>
-    </message>
-    <message>
-        <source>Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)</source>
-        <translation>Materialien und gemessene Moduln (*.json *.csv *.txt *.dat *.inp);;Alle Dateien (*)</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::ImportPage</name>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>progress of reading</source>
-        <translation>Fortschritt des Lesens</translation>
-    </message>
-    <message>
-        <source>Read the file again</source>
-        <translation>Die Datei noch einmal lesen</translation>
-    </message>
-    <message>
-        <source>Stop reading</source>
-        <translation>Lesen anhalten</translation>
-    </message>
-    <message>
-        <source>Reading was stopped</source>
-        <translation>Das Lesen wurde angehalten</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::MaterialBox</name>
-    <message>
-        <source>own values</source>
-        <translation>eigene Werte</translation>
-    </message>
-    <message>
-        <source>Open material…</source>
-        <translation>Material öffnen …</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::MaterialImport</name>
-    <message>
-        <source>Save material</source>
-        <translation>Material speichern</translation>
-    </message>
-    <message>
-        <source>Materials (*.json)</source>
-        <translation>Materialien (*.json)</translation>
-    </message>
-    <message>
-        <source>&amp;Save and use…</source>
-        <translation>&amp;Speichern und verwenden …</translation>
-    </message>
-    <message>
-        <source>Open material</source>
-        <translation>Material öffnen</translation>
-    </message>
-    <message>
-        <source>the measured moduli and their fit</source>
-        <translation>die gemessenen Moduln und ihre Anpassung</translation>
-    </message>
-    <message>
-        <source>as found</source>
-        <translation>wie gefunden</translation>
-    </message>
-    <message>
-        <source>What the file is</source>
-        <translation>Was die Datei ist</translation>
-    </message>
-    <message>
-        <source>frequency in</source>
-        <translation>Frequenz in</translation>
-    </message>
-    <message>
-        <source>Unit of the frequencies</source>
-        <translation>Einheit der Frequenzen</translation>
-    </message>
-    <message>
-        <source>temperature in</source>
-        <translation>Temperatur in</translation>
-    </message>
-    <message>
-        <source>Unit of the temperatures</source>
-        <translation>Einheit der Temperaturen</translation>
-    </message>
-    <message>
-        <source>modulus in</source>
-        <translation>Modul in</translation>
-    </message>
-    <message>
-        <source>Unit of the moduli</source>
-        <translation>Einheit der Moduln</translation>
-    </message>
-    <message>
-        <source>deformation</source>
-        <translation>Verformung</translation>
-    </message>
-    <message>
-        <source>Whether the moduli are of shear (G) or of tension (E)</source>
-        <translation>Ob die Moduln für Schub (G) oder für Zug (E) gelten</translation>
-    </message>
-    <message>
-        <source>Poisson&apos;s ratio</source>
-        <translation>Querkontraktionszahl</translation>
-    </message>
-    <message>
-        <source>Turns moduli of tension into those of shear: G = E / (2 (1 + ν))</source>
-        <translation>Macht aus Zugmoduln Schubmoduln: G = E / (2 (1 + ν))</translation>
-    </message>
-    <message>
-        <source>measured at</source>
-        <translation>gemessen bei</translation>
-    </message>
-    <message>
-        <source>Temperature of a file that does not state one, such as 20 °C</source>
-        <translation>Temperatur einer Datei, die keine nennt, etwa 20 °C</translation>
-    </message>
-    <message>
-        <source>instantaneous modulus</source>
-        <translation>Anfangsmodul</translation>
-    </message>
-    <message>
-        <source>Shear modulus in Pa of a series that gives parts of it</source>
-        <translation>Schubmodul in Pa zu einer Reihe, die Anteile davon nennt</translation>
-    </message>
-    <message>
-        <source>Master curve</source>
-        <translation>Masterkurve</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>Bezug</translation>
-    </message>
-    <message>
-        <source>Temperature to which all isotherms are shifted, such as 20 °C</source>
-        <translation>Temperatur, zu der alle Isothermen verschoben werden, etwa 20 °C</translation>
-    </message>
-    <message>
-        <source>near 25 °C</source>
-        <translation>nahe 25 °C</translation>
-    </message>
-    <message>
-        <source>vertical shifts, too</source>
-        <translation>auch senkrecht schieben</translation>
-    </message>
-    <message>
-        <source>shift</source>
-        <translation>Verschiebung</translation>
-    </message>
-    <message>
-        <source>How the shifts stand in the material: as a formula, or as their table</source>
-        <translation>Wie die Verschiebungen im Material stehen: als Formel oder als ihre Tabelle</translation>
-    </message>
-    <message>
-        <source>Prony series</source>
-        <translation>Prony-Reihe</translation>
-    </message>
-    <message>
-        <source>as few as do</source>
-        <translation>so wenige wie nötig</translation>
-    </message>
-    <message>
-        <source>Relaxation times, evenly spaced in their logarithm</source>
-        <translation>Relaxationszeiten mit gleichen Abständen im Logarithmus</translation>
-    </message>
-    <message>
-        <source>terms</source>
-        <translation>Glieder</translation>
-    </message>
-    <message>
-        <source>In the file of the material</source>
-        <translation>In der Datei des Materials</translation>
-    </message>
-    <message>
-        <source>name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Name of the material</source>
-        <translation>Name des Materials</translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation>Quelle</translation>
-    </message>
-    <message>
-        <source>Where the measurements come from, so that a reader can look it up</source>
-        <translation>Woher die Messungen stammen, sodass Leser nachsehen können</translation>
-    </message>
-    <message>
-        <source>Isotherms</source>
-        <translation>Isothermen</translation>
-    </message>
-    <message>
-        <source>Loss tangent</source>
-        <translation>Verlustfaktor</translation>
-    </message>
-    <message>
-        <source>Shifts</source>
-        <translation>Verschiebungen</translation>
-    </message>
-    <message>
-        <source>equilibrium modulus</source>
-        <translation>Gleichgewichtsmodul</translation>
-    </message>
-    <message>
-        <source>Shear modulus in Pa where it is known from elsewhere</source>
-        <translation>Schubmodul in Pa, wenn er von anderswo bekannt ist</translation>
-    </message>
-    <message>
-        <source>may be liquid</source>
-        <translation>darf flüssig sein</translation>
-    </message>
-    <message>
-        <source>Whether there may be no equilibrium modulus</source>
-        <translation>Ob es keinen Gleichgewichtsmodul geben darf</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::SurfaceImport</name>
-    <message>
-        <source>What the file is</source>
-        <translation>Was die Datei ist</translation>
-    </message>
-    <message>
-        <source>From heights to a profile</source>
-        <translation>Von Höhen zum Profil</translation>
-    </message>
-    <message>
-        <source>From the profile to the line</source>
-        <translation>Vom Profil zur Linie</translation>
-    </message>
-    <message>
-        <source>raw</source>
-        <translation>roh</translation>
-    </message>
-    <message>
-        <source>used</source>
-        <translation>verwendet</translation>
-    </message>
-    <message>
-        <source>&amp;Use this surface</source>
-        <translation>Diese Oberfläche &amp;verwenden</translation>
-    </message>
-    <message>
-        <source>Open surface</source>
-        <translation>Oberfläche öffnen</translation>
-    </message>
-    <message>
-        <source>normal force %1 on one period of %2, F_N/L = %3</source>
-        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3</translation>
-    </message>
-    <message>
-        <source>the profile, raw and used</source>
-        <translation>das Profil, roh und verwendet</translation>
-    </message>
-    <message>
-        <source>spectrum and distribution of the heights, raw and used</source>
-        <translation>Spektrum und Verteilung der Höhen, roh und verwendet</translation>
-    </message>
-</context>
-<context>
-    <name>asperity::TopographyPicture</name>
-    <message>
-        <source>topography</source>
-        <translation>Topographie</translation>
-    </message>
-    <message>
-        <source>%1 × %2, heights over %3</source>
-        <translation>%1 × %2, Höhen über %3</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/chart/curve_words.h"
+#include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/motion.h"
 #include "ui/draw/ticks.h"
@@ -191,6 +192,11 @@ void FrictionChartModel::showDifference(std::optional<CurveDifference> differenc
   difference_ = std::move(difference);
 }
 
+void FrictionChartModel::showComparisons(const Scene& scene, CurveSet comparisons) {
+  compared_ = scene;
+  comparisons_ = std::move(comparisons);
+}
+
 bool FrictionChartModel::isDifferenceStale() const {
   return difference_ && (isStale() || !haveSameCurve(*difference_->scene, present()));
 }
@@ -204,6 +210,11 @@ CurveSet FrictionChartModel::curves(const Scene& present) const {
   for (const PinnedCurve& pinned : pinned_)
     set.pinned.push_back({englishNameOf(pinned, present), *pinned.curve->scene,
                           pinned.curve->points, pinned.place, pinned.id});
+  if (compared_ && haveSameCurve(*compared_, *curve_->scene)) {
+    set.theories = comparisons_.theories;
+    set.measured = comparisons_.measured;
+    set.isReduced = comparisons_.isReduced;
+  }
   return set;
 }
 
@@ -221,8 +232,8 @@ DiagramSheet FrictionChartModel::sheet() const {
     for (auto* spans : {&diagram.spans, &diagram.shades})
       for (DiagramSpan& span : *spans) span.isFaded = true;
   }
-  if (sheet.diagrams.size() > 1)
-    for (DiagramSeries& series : sheet.diagrams[1].series) {
+  if (set.difference)
+    for (DiagramSeries& series : sheet.diagrams.back().series) {
       series.isFaded = isDifferenceStale();
       if (difference_->done < difference_->total && !series.name.empty())
         series.name =
@@ -266,12 +277,28 @@ QString FrictionChartModel::describe(int id, int row) const {
   if (id == kDifferenceCurve)
     return difference_ && place < difference_->points.size() ? reading(difference_->points[place])
                                                              : QString();
+  const auto table = static_cast<std::size_t>(kMeasuredCurves - id);
+  if (id <= kMeasuredCurves && table < comparisons_.measured.size())
+    return describeMeasured(comparisons_.measured[table], place);
   const CurveUpdate* curve = find(id);
   if (!curve || place >= curve->points.size()) return {};
   const QString text = reading(curve->points[place]);
   if (id == kPresentCurve) return text;
   const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
   return nameOf(*pinned) + '\n' + text;
+}
+
+QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
+                                             std::size_t place) const {
+  if (place >= measured.data.points.size()) return {};
+  const MeasuredPoint& point = measured.data.points[place];
+  const QString name = QString::fromStdString(measured.data.name);
+  QStringList lines{point.label.empty() ? name : name + ", " + QString::fromStdString(point.label)};
+  lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
+  lines += withError(QStringLiteral("μ"), point.mu, point.muError);
+  if (place < measured.computed.size())
+    lines += tr("computed: %1").arg(readingLabel(totalMu(measured.computed[place])));
+  return lines.join('\n');
 }
 
 QString FrictionChartModel::reading(const CurvePoint& point) const {

@@ -71,6 +71,9 @@ class FrictionChartModel {
   /// Sets the difference of two settings, shown below while it belongs to this curve; none: no
   /// strip.
   void showDifference(std::optional<CurveDifference> difference);
+  /// Sets the theories and the measured friction of this scene; they are shown while the curve
+  /// belongs to it.
+  void showComparisons(const Scene& scene, CurveSet comparisons);
   const std::optional<CurveDifference>& difference() const { return difference_; }
   /// Returns whether the difference belongs to another curve than the present scene's.
   bool isDifferenceStale() const;
@@ -95,6 +98,7 @@ class FrictionChartModel {
 
  private:
   const CurveUpdate* find(int id) const;
+  QString describeMeasured(const MeasuredCurve& measured, std::size_t place) const;
   QString reading(const CurvePoint& point) const;
   QString reading(const DifferencePoint& point) const;
   Message englishNameOf(const PinnedCurve& pinned, const Scene& present) const;
@@ -109,6 +113,8 @@ class FrictionChartModel {
   std::vector<PinnedCurve> pinned_;
   int lastId_ = 0;
   std::optional<CurveDifference> difference_;
+  std::optional<Scene> compared_;  // the scene of the comparisons
+  CurveSet comparisons_;           // its theories and measured curves
   CurveAxes axes_ = CurveAxes::Physical;
   std::optional<DiagramMarker> marker_, dimensionlessMarker_;
   double markerFactor_ = 1;  // for the frame's line, from m/s to the dimensionless axis

@@ -11,6 +11,7 @@
 #include "core/base/regular_file.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
+#include "core/fit/friction_data.h"
 #include "core/material/dma_columns.h"
 #include "core/material/material_library.h"
 #include "core/material/prony_file.h"
@@ -56,11 +57,12 @@ bool hasModuli(const TextTable& table) {
   return false;
 }
 
-bool isMaterialText(const std::string& text) {
+/// What a table of numbers is about; anything that is none of these is a surface.
+FileKind kindOfText(const std::string& text) {
   try {
-    if (readPronyFile(text, nullptr, "", {})) return true;
+    if (readPronyFile(text, nullptr, "", {})) return FileKind::Moduli;
   } catch (const InputError&) {
-    return true;  // a series with a fault, which its page explains
+    return FileKind::Moduli;  // a series with a fault, which its page explains
   }
   std::optional<TextTable> table;
   try {
@@ -68,13 +70,14 @@ bool isMaterialText(const std::string& text) {
     options.keepsTexts = true;
     table = readTextTable(text, "", options);
   } catch (const InputError&) {
-    return false;
+    return FileKind::Surface;
   }
-  if (hasModuli(*table)) return true;
+  if (isFrictionTable(*table)) return FileKind::Friction;
+  if (hasModuli(*table)) return FileKind::Moduli;
   try {
-    return readPronyFile(text, &*table, "", {}).has_value();
+    return readPronyFile(text, &*table, "", {}) ? FileKind::Moduli : FileKind::Surface;
   } catch (const InputError&) {
-    return true;
+    return FileKind::Moduli;
   }
 }
 
@@ -92,9 +95,8 @@ FileKind kindOfFile(const std::filesystem::path& file) {
     if (isPicture(file) || isJson(carriedText(beginning))) return FileKind::Scene;
     const bool mayBeText = beginning.find('\0') == beginning.npos ||
                            beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF");
-    if (mayBeText && opened.size() <= kLargestTable &&
-        isMaterialText(opened.read(0, static_cast<std::size_t>(kLargestTable))))
-      return FileKind::Moduli;
+    if (mayBeText && opened.size() <= kLargestTable)
+      return kindOfText(opened.read(0, static_cast<std::size_t>(kLargestTable)));
     return FileKind::Surface;
   } catch (const InputError&) {
     return FileKind::Scene;

@@ -11,6 +11,7 @@ enum class FileKind {
   Scene,     // a scene, or what the program made from one; also what cannot be read at all
   Material,  // material.json
   Moduli,    // measured moduli, or a ready Prony series
+  Friction,  // measured coefficients of friction
   Surface,   // anything else
 };
 

@@ -4,10 +4,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
+#include <algorithm>
 #include <exception>
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/fit/friction_data.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
@@ -115,6 +117,24 @@ void ImportCommands::takeMaterial(const QString& file) {
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
 }
 
+/// Puts measured friction beside the curve; a table that stands there already is read again.
+void ImportCommands::takeFriction(const QString& file) {
+  Scene scene = parts_.document.scene();
+  const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
+  try {
+    readFrictionData(path);
+  } catch (const std::exception& error) {
+    return parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+  }
+  const std::string name = nameInScene(scene, path);
+  if (std::ranges::find(scene.comparison.data, name, &DataFile::file) ==
+      scene.comparison.data.end())
+    scene.comparison.data.push_back({name, {}});
+  parts_.messages.end(MessageBar::Failure::Files);
+  parts_.document.edit(scene,
+                       QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
+}
+
 void ImportCommands::openDropped(const QString& file) {
   work_.request([file](const BackgroundWork::Run&) { return kindOfFile(file.toStdString()); },
                 [this, file](FileKind kind) {
@@ -126,6 +146,8 @@ void ImportCommands::openDropped(const QString& file) {
                     case FileKind::Moduli:
                       openModuli(file);
                       return;
+                    case FileKind::Friction:
+                      return takeFriction(file);
                     case FileKind::Surface:
                       openSurface(file);
                       return;

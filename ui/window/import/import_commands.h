@@ -54,6 +54,7 @@ class ImportCommands : public QObject {
   void askMaterial();
   void takeSurface(Scene scene, const QString& file);
   void takeMaterial(const QString& file);
+  void takeFriction(const QString& file);
   void closePages();
   QString folder() const;
 

@@ -28,6 +28,7 @@
 #include "ui/window/curve/curve_comparison.h"
 #include "ui/window/curve/curve_display.h"
 #include "ui/window/curve/curve_reading.h"
+#include "ui/window/curve/scene_comparisons.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
@@ -387,6 +388,12 @@ void MainWindow::connectCurve() {
   });
   connect(comparison, &CurveComparison::shown, this,
           [this] { messages_->end(MessageBar::Failure::Comparison); });
+  auto* beside = new SceneComparisons(*session_, this);
+  connect(beside, &SceneComparisons::failed, this, [this](const QString& reason) {
+    messages_->showFailure(MessageBar::Failure::Files, reason);
+  });
+  connect(beside, &SceneComparisons::shown, this,
+          [this] { messages_->end(MessageBar::Failure::Files); });
 }
 
 // ---- Language, dropped files, closing
