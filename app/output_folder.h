@@ -17,7 +17,7 @@ class OutputFolder {
                const PictureSettings& settings);
 
   void addText(const std::string& name, std::string bytes);
-  /// As NAME.png, NAME.svg and NAME.pdf.
+  /// Adds a chart that is written as NAME.png, NAME.svg and NAME.pdf.
   void addSheet(const std::string& name, DiagramSheet sheet);
 
   /// Everything is known by now, so that only whole files stand in the folder. The first text,

@@ -140,7 +140,7 @@ std::string_view lineBefore(const Sample& sample, std::size_t firstRow) {
   return {};
 }
 
-/// Of whole numbers between commas: whether each comma, or every second one, is a decimal mark.
+/// Returns whether each comma between whole numbers, or every second one, is a decimal mark.
 TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   const TextDialect comma{Separator::Comma, '.'};
   if (fit.columns % 2 != 0) return comma;
@@ -148,7 +148,8 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   std::vector<std::string_view> fields;
   splitFields(names, Separator::Comma, fields);
   if (fields.size() == fit.columns) return comma;
-  // As many names as halves; a single one counts if it has a unit, else it may be any title.
+  // There may be as many names as halves; a single one counts if it has a unit, else it may be any
+  // title.
   const bool isNamed = fields.size() == fit.columns / 2 &&
                        (fields.size() > 1 || (names.find_first_of("([") != std::string_view::npos &&
                                               names.find_first_of(":=") == std::string_view::npos));
@@ -206,7 +207,7 @@ void splitFields(std::string_view line, Separator separator,
 
 TextDialect detectDialect(std::string_view text) {
   const Sample sample = sampleOf(text);
-  // Of equal fits the first one is taken.
+  // The first one of equal fits is taken.
   constexpr std::array<TextDialect, 11> kCandidates{{{Separator::Semicolon, '.'},
                                                      {Separator::Semicolon, ','},
                                                      {Separator::Tab, '.'},

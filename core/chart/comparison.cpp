@@ -16,22 +16,14 @@ double temperatureOf(const MeasuredPoint& point, const Scene& scene) {
   return std::isnan(point.temperature) ? scene.elastomer.temperature : point.temperature;
 }
 
-/// By which measured velocities are multiplied to stand at the temperature of the scene.
+/// Returns the factor that shifts a measured velocity to the temperature of the scene.
 double shiftToScene(const MeasuredPoint& point, const Scene& scene) {
   Elastomer there = scene.elastomer;
   there.temperature = temperatureOf(point, scene);
   return temperatureShift(there) / temperatureShift(scene.elastomer);
 }
 
-}  // namespace
-
-std::vector<FrictionData> readComparisonData(const Scene& scene) {
-  std::vector<FrictionData> data;
-  for (const DataFile& table : scene.comparison.data)
-    data.push_back(readFrictionData(scene.folder / table.file, table.label));
-  return data;
-}
-
+/// Returns the theories other than Eq. (11) over the velocities of the scene's sweep.
 std::vector<TheoryCurve> theoryCurves(const Scene& scene) {
   std::vector<TheoryCurve> curves;
   const std::vector<Theory>& theories = scene.comparison.theory;
@@ -45,6 +37,15 @@ std::vector<TheoryCurve> theoryCurves(const Scene& scene) {
     if (theory != Theory::Eq11)
       curves.push_back({theory, theoryCurve(theory, scene, source, velocities)});
   return curves;
+}
+
+}  // namespace
+
+std::vector<FrictionData> readComparisonData(const Scene& scene) {
+  std::vector<FrictionData> data;
+  for (const DataFile& table : scene.comparison.data)
+    data.push_back(readFrictionData(scene.folder / table.file, table.label));
+  return data;
 }
 
 void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOptions& options) {

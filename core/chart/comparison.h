@@ -1,10 +1,9 @@
-// What a scene wants beside its friction curve: theories, and tables of measured friction with the
-// computed friction at their points.
-// Threading: functions of their arguments; computing uses several threads. Failure: InputError for
-// a table that does not read (core/fit/friction_data.h), with the key of the scene that names it.
+// The theories and the measured friction that a scene names beside its friction curve, with the
+// computed friction at each measured point.
+// Threading: functions of their arguments; computing uses several threads. Failure: InputError that
+// names the file and the row where a table cannot be read (core/fit/friction_data.h).
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "core/chart/curve_set.h"
@@ -15,12 +14,9 @@ namespace asperity {
 /// The tables that the scene names, in its order.
 std::vector<FrictionData> readComparisonData(const Scene& scene);
 
-/// The theories that the scene names, but for Eq. (11), which the curve has itself, over the
-/// velocities of its sweep.
-std::vector<TheoryCurve> theoryCurves(const Scene& scene);
-
-/// Adds both to a set whose present curve is that of its scene. Where `options.stop` was requested
-/// the computed values are missing.
+/// Adds the theories, except for Eq. (11), which is part of the curve, and the measured friction to
+/// a set whose present curve is that of its scene. The computed values are missing where
+/// `options.stop` was requested.
 void addComparisons(CurveSet& set, std::vector<FrictionData> data,
                     const StateOptions& options = {});
 

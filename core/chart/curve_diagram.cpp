@@ -7,6 +7,7 @@
 
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/fit/derivatives.h"
 #include "core/scene/effects.h"
 
 namespace asperity {
@@ -223,9 +224,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
     DiagramSeries series = measuredSeries(set, k);
     series.name = {};
     for (std::size_t i = 0; i < measured.computed.size(); ++i) {
-      const CurvePoint& computed = measured.computed[i];
-      const double whole =
-          computed.mu + (std::isnan(computed.muInterface) ? 0 : computed.muInterface);
+      const double whole = totalMu(measured.computed[i]);
       const MeasuredPoint& point = measured.data.points[i];
       series.points.push_back({measured.velocities[i] * factor, point.mu / whole,
                                (point.mu - point.muError) / whole,

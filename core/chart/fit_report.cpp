@@ -26,7 +26,7 @@ std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
   return points;
 }
 
-/// Of the computed friction by the errors of the parameters, at a measured velocity.
+/// The relative error of computed friction that follows from the errors of the parameters.
 struct RelativeError {
   double velocity = 0, value = 0;
 };

@@ -57,7 +57,7 @@ double tangentOf(const DynamicModulus& modulus) {
   return modulus.loss / modulus.storage;
 }
 
-/// As measured: a line with marks for each temperature.
+/// Returns the measured values: a line with marks for each temperature.
 Diagram isothermDiagram(const Material& material, Message title, const char* unit,
                         Reading reading) {
   Diagram diagram;

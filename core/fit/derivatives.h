@@ -75,7 +75,8 @@ struct Sensitivity {
   Estimate slope;  // its error is that of the mean over the lines
 };
 
-/// Of every number that has a meaning in the scene and changes its friction at one velocity.
+/// Returns one for every number that has a meaning in the scene and changes its friction at one
+/// velocity.
 std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& options = {});
 
 }  // namespace asperity

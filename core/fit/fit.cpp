@@ -35,7 +35,6 @@ class Objective {
   }
 
   std::size_t size() const { return points_.size(); }
-  const MeasuredPoint& point(std::size_t i) const { return points_[i]; }
   const VariedParameter& parameter(int k) const { return parameters_[static_cast<std::size_t>(k)]; }
   double deviation(std::size_t i) const { return deviations_[i]; }
   int evaluations() const { return evaluations_; }
@@ -54,10 +53,12 @@ class Objective {
     ++evaluations_;
     std::vector<VariedParameter> some;
     for (const int k : varied) some.push_back(parameters_[static_cast<std::size_t>(k)]);
-    StateOptions options;
-    options.threads = options_.threads;
-    options.stop = options_.stop;
-    return frictionWithDerivatives(statesAt(places), some, options);
+    return frictionWithDerivatives(statesAt(places), some, stateOptions());
+  }
+
+  /// Returns computed minus measured friction at a point, over the point's error.
+  double residual(const FrictionWithDerivatives& found, std::size_t i) const {
+    return (meanOf(found.muOfLines[i]) - points_[i].mu) / deviations_[i];
   }
 
   void report(double chiSquared) const {
@@ -76,10 +77,8 @@ class Objective {
     weighWithErrors();
     const std::vector<Scene> states = statesAt(places);
     const VariedParameter velocity("sliding.velocity", states.front());
-    StateOptions options;
-    options.threads = options_.threads;
-    options.stop = options_.stop;
-    const FrictionWithDerivatives found = frictionWithDerivatives(states, {&velocity, 1}, options);
+    const FrictionWithDerivatives found =
+        frictionWithDerivatives(states, {&velocity, 1}, stateOptions());
     for (std::size_t i = 0; i < size(); ++i) {
       if (std::isnan(points_[i].velocityError)) continue;
       const double relative = points_[i].velocityError / points_[i].velocity;
@@ -89,6 +88,13 @@ class Objective {
   }
 
  private:
+  StateOptions stateOptions() const {
+    StateOptions options;
+    options.threads = options_.threads;
+    options.stop = options_.stop;
+    return options;
+  }
+
   void weighWithErrors() {
     deviations_.clear();
     for (const MeasuredPoint& point : points_)
@@ -136,7 +142,7 @@ class Residuals : public ceres::CostFunction {
       double chiSquared = 0;
       for (std::size_t i = 0; i < objective_.size(); ++i) {
         const double deviation = objective_.deviation(i);
-        residuals[i] = (meanOf(found.muOfLines[i]) - objective_.point(i).mu) / deviation;
+        residuals[i] = objective_.residual(found, i);
         chiSquared += residuals[i] * residuals[i];
         if (!wantsSlopes) continue;
         for (std::size_t j = 0; j < free_.size(); ++j)
@@ -385,8 +391,7 @@ class Fitting {
     const FrictionWithDerivatives found = objective_.evaluate(places, {});
     Minimum minimum{places, 0, true};
     for (std::size_t i = 0; i < objective_.size(); ++i) {
-      const double residual =
-          (meanOf(found.muOfLines[i]) - objective_.point(i).mu) / objective_.deviation(i);
+      const double residual = objective_.residual(found, i);
       minimum.chiSquared += residual * residual;
     }
     return minimum;

@@ -67,16 +67,17 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   return mu * (averages.normalizedMu.mean() / sampled);
 }
 
-/// Of measured lines under a force on Kelvin elements: whether what a free element climbs while a
-/// period passes is small against the roughness (region IV; core/chart/curve_regions.h).
+/// Returns whether the height that a free element climbs during a period is small against the
+/// roughness (region IV; core/chart/curve_regions.h). It is asked of measured lines under a force
+/// on Kelvin elements; the other lines have no such note.
 bool LawColumns::hasFewContacts(double velocity) const {
   constexpr double kFew = 0.1;  // rms heights
-  const ElementLaw law = lawOf(scene_.elastomer);
   if (!hasSurfaceFile(scene_.surface) || scene_.surface.kind == SurfaceKind::Profile ||
-      scene_.load.kind == LoadKind::Indentation || law.kind() != ElementKind::Kelvin)
+      scene_.load.kind == LoadKind::Indentation)
     return false;
-  return loadOn(scene_.load, length_).normalForce <
-         4 * law.viscosity * velocity * kFew * rmsHeight_;
+  const ElementLaw law = lawOf(scene_.elastomer);
+  return law.kind() == ElementKind::Kelvin && loadOn(scene_.load, length_).normalForce <
+                                                  4 * law.viscosity * velocity * kFew * rmsHeight_;
 }
 
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {

@@ -45,7 +45,7 @@ NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double sha
 
 class Excitation {
  public:
-  /// Of the scene's first line; elastomer and load may be any.
+  /// Uses the scene's first line; elastomer and load may be any.
   Excitation(const Scene& scene, const LineSource& source);
 
   /// Nothing where nothing is dissipated: at rest, without roughness, in an elastic body.
@@ -74,7 +74,7 @@ class Excitation {
   std::optional<FrequencyRange> measured_;
 };
 
-/// Of the first line of a scene, which is made for it.
+/// Makes the first line of a scene and returns its excitation.
 Excitation excitationOf(const Scene& scene);
 
 }  // namespace asperity

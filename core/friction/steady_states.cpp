@@ -166,8 +166,8 @@ class States {
     group.members.push_back(member);
   }
 
-  /// The result of a group, in the units of a member.
-  SteadyResult inUnitsOf(const Member& member, SteadyResult result) const {
+  /// Returns a result of the group in the units of a member. length: the period, m.
+  SteadyResult inUnitsOf(const Member& member, double length, SteadyResult result) const {
     result.mu *= member.height;
     result.indentation *= member.height;
     result.rmsSlopeContact *= member.height;
@@ -177,20 +177,19 @@ class States {
     const Scene& scene = states_[member.state];
     if (result.muInterface != 0)
       result.muInterface = localFriction(interfaceAt(scene, scene.sliding.velocity),
-                                         result.normalForce, result.contactFraction * length_);
+                                         result.normalForce, result.contactFraction * length);
     return result;
   }
 
   bool slide(const Group& group, double done, double part, SteadyStates& found) {
     const LineSource source(group.scene, group.points);
-    length_ = source.length();
     const std::int64_t total = source.isRandom() ? group.scene.ensemble.realizations : 1;
     std::vector<CurveAverages> averages(group.members.size());
     const RealizationTask task{group.scene, source, group.cases, 0};
     const auto take = [&](std::span<const SteadyResult> results) {
       for (std::size_t i = 0; i < group.members.size(); ++i) {
         const Member& member = group.members[i];
-        const SteadyResult result = inUnitsOf(member, results[member.result]);
+        const SteadyResult result = inUnitsOf(member, source.length(), results[member.result]);
         averages[i].add(result);
         if (options_.keepsLines)
           found.muOfLines[member.state].push_back(result.mu + result.muInterface);
@@ -218,7 +217,6 @@ class States {
   std::span<const Scene> states_;
   const StateOptions& options_;
   std::vector<Group> groups_;
-  double length_ = 0;  // m, of the group that slides
 };
 
 }  // namespace

@@ -103,7 +103,7 @@ class Reader {
     if (isSaid(choices_.frequencyColumn)) columns.places.erase(ReducedFrequency);
   }
 
-  /// Of a table that has both, the shear moduli are read unless the user wants the others.
+  /// Where a table has both, the shear moduli are read unless the user wants the others.
   ModulusKind kindToRead(const std::vector<DmaColumn>& found) const {
     if (choices_.modulus != ModulusKind::Unknown) return choices_.modulus;
     const auto hasBoth = [&](ModulusKind kind) {
@@ -166,7 +166,7 @@ class Reader {
     return isUsed;
   }
 
-  /// Of the lines in front of a block: "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
+  /// Reads the lines in front of a block: "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
   std::optional<double> statedTemperature(const TextBlock& block) const {
     const TextBlock* place = &block;
     while (true) {

@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-/// Of one sweep, within which frequencies count as one.
+/// Frequencies of one sweep that differ by a smaller part than this count as one.
 constexpr double kSameFrequency = 1e-4;
 
 void checkRow(const MeasuredModulus& row) {

@@ -292,7 +292,7 @@ std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep&
               celsius(colder.temperature), celsius(warmer.temperature)));
 }
 
-/// Of both moduli, and of each alone, starting from the first.
+/// The shifts that follow from both moduli, and from each alone; the latter start from the first.
 struct NeighbourShifts {
   Overlap both;
   Estimate storage{kNaN, kNaN}, loss{kNaN, kNaN};

@@ -351,7 +351,7 @@ FourierLine MeasuredLines::modes(std::int64_t number) const {
   }
   line = measuredModes(number);
   if (surface_.line == LineKind::AsMeasured) return line;
-  // Of one profile by the Abel relation, on the very waves that are then strengthened.
+  // One profile uses the Abel relation, on the very waves that are then strengthened.
   EquivalentSpectra ofProfile;
   if (!equivalent_) {
     std::vector<double> powers{0};

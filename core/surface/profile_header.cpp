@@ -5,6 +5,8 @@
 #include <cctype>
 #include <vector>
 
+#include "core/base/text_number.h"
+
 namespace asperity {
 namespace {
 
@@ -17,13 +19,6 @@ bool isDigit(char letter) {
 bool isLetter(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
   return byte >= 0x80 || std::isalpha(byte) != 0;
-}
-
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return lower;
 }
 
 template <std::size_t count>

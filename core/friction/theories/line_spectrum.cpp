@@ -18,11 +18,7 @@ double WaveSpectrum::meanSquareSlope() const {
 }
 
 WaveSpectrum waveSpectrum(const LineSource& source) {
-  FourierLine modes = source.spectrum(0);
-  if (modes.coefficients.empty()) {
-    const Line line = source.make(0);
-    modes = FourierTransform(line.nodes()).analyse(line.height, line.length);
-  }
+  const FourierLine modes = modesOf(source);
   WaveSpectrum spectrum;
   for (std::size_t i = 0; i < modes.coefficients.size(); ++i)
     spectrum.waves.push_back({2 * std::numbers::pi * static_cast<double>(i + 1) / modes.length,

@@ -22,8 +22,8 @@ struct WaveSpectrum {
   double meanSquareSlope() const;   // <z'^2>
 };
 
-/// Of realization 0; random lines differ in their phases alone, unless the scene has a summit
-/// correlation. Lines given by a formula are analysed at their nodes.
+/// Returns the spectrum of realization 0. Random lines differ only in their phases, unless the
+/// scene has a summit correlation. A line given by a formula is analysed at its nodes.
 WaveSpectrum waveSpectrum(const LineSource& source);
 
 }  // namespace asperity
