@@ -37,7 +37,7 @@ struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 11> kExtraColumns{{
+constexpr std::array<ExtraColumn, 12> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -52,13 +52,25 @@ constexpr std::array<ExtraColumn, 11> kExtraColumns{{
     {"normal_force", [](const CurvePoint& point) { return point.normalForce; }},
     {"nominal_pressure", [](const CurvePoint& point) { return point.nominalPressure; }},
     {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; }},
+    {"contact_spots",
+     [](const CurvePoint& point) {
+       return point.listsContacts ? point.contactSpots : kNotApplicable;
+     }},
 }};
 
 constexpr ColumnName kNotesColumn = "notes";
 
+/// Whether a point has a note that its table has to say. Few contacts alone add no column to the
+/// tables of scenes that do not list contacts.
+bool hasNote(const CurvePoint& point) {
+  NoteSet onlyFew;
+  onlyFew.add(Note::FewContacts);
+  const NoteSet notes = noteSetOf(point);
+  return !notes.empty() && (point.listsContacts || notes != onlyFew);
+}
+
 bool hasNotes(const std::vector<CurvePoint>& points) {
-  return std::ranges::any_of(points,
-                             [](const CurvePoint& point) { return !notesOf(point).empty(); });
+  return std::ranges::any_of(points, hasNote);
 }
 
 std::string withoutLineEnd(std::string row) {

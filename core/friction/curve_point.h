@@ -52,8 +52,25 @@ struct CurvePoint {
   /// 1 where friction rests on frequencies at which the elastomer was not measured, else 0; not
   /// applicable where these are not known (core/friction/excitation.h).
   double extrapolated = kNotApplicable;
+  /// Mean number of separate stretches in contact in one period; not applicable where nothing was
+  /// slid, as beside a law.
+  double contactSpots = kNotApplicable;
+  /// Whether a table has the column `contact_spots` and, for few contacts alone, the column
+  /// `notes`: tables of scenes without any key that came with measured surfaces and materials keep
+  /// their columns.
+  bool listsContacts = false;
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
+
+/// Whether so few separate stretches carry the load that friction is that of single summits: fewer
+/// than kFewContacts in a period that is less than half in contact. Beyond half of it stretches are
+/// few because they have grown together. Each of n contacts of random size has its own part, so
+/// that friction scatters by about 1 / sqrt(n) from line to line.
+inline constexpr double kFewContacts = 10;
+bool areContactsFew(double contactSpots, double contactFraction);
+
+/// Whether tables of the scene's curves have a column `contact_spots`.
+bool listsContacts(const Scene& scene);
 
 /// Mean and variance of a stream of numbers (Welford's recurrence).
 class RunningMean {
@@ -91,7 +108,7 @@ class RunningMean {
 /// Averages of all columns of a row except for mu's standard error.
 struct CurveAverages {
   RunningMean mu, muInterface, contactFraction, rmsSlopeContact, indentation, normalForce,
-      tangentialForce, marginalShare;
+      tangentialForce, marginalShare, contactSpots;
   RunningMean rmsSlope, normalizedMu;  // of the whole line, and mu over that of the same line
 
   /// Adds a result. A line without normal force has no coefficient and does not count.
@@ -115,7 +132,6 @@ class LawColumns {
 
  private:
   double normalized(double mu, const CurveAverages& averages) const;
-  bool hasFewContacts(double velocity) const;
 
   Scene scene_;
   std::shared_ptr<const Excitation> excitation_;  // null where nothing is known to be measured
@@ -123,6 +139,7 @@ class LawColumns {
   double rmsSlope_;
   bool hasLaw_, hasArms_, hasInterface_;
   bool slopesDiffer_;  // from line to line
+  bool isRough_;       // has many summits, of which few may carry the load
   NoteSet notes_;      // of the lines
 };
 

@@ -98,6 +98,10 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "curve, curves"},
     {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",
      "p_0 L/L_c", "curve, curves"},
+    {"contact_spots", "",
+     "Separate stretches in contact in one period: mean over the realizations; only in scenes with "
+     "a measured surface or spectrum, a nominal pressure, or a measured material.",
+     "", "curve, curves"},
     {"series", "", "Which curve a row belongs to.", "", "curves"},
     {"relative_difference", "", "Difference from the present curve over that curve.",
      "mu_compared/mu - 1", "curves"},
