@@ -60,17 +60,9 @@ constexpr std::array<ExtraColumn, 12> kExtraColumns{{
 
 constexpr ColumnName kNotesColumn = "notes";
 
-/// Whether a point has a note that its table has to say. Few contacts alone add no column to the
-/// tables of scenes that do not list contacts.
-bool hasNote(const CurvePoint& point) {
-  NoteSet onlyFew;
-  onlyFew.add(Note::FewContacts);
-  const NoteSet notes = noteSetOf(point);
-  return !notes.empty() && (point.listsContacts || notes != onlyFew);
-}
-
 bool hasNotes(const std::vector<CurvePoint>& points) {
-  return std::ranges::any_of(points, hasNote);
+  return std::ranges::any_of(points,
+                             [](const CurvePoint& point) { return !notesOf(point).empty(); });
 }
 
 std::string withoutLineEnd(std::string row) {
@@ -121,7 +113,10 @@ NoteSet noteSetOf(const CurvePoint& point) {
 }
 
 std::string notesOf(const CurvePoint& point) {
-  return noteSetOf(point).words();
+  NoteSet said;
+  for (const Note note : noteSetOf(point).list())
+    said.add(note, note != Note::FewContacts || point.listsContacts);
+  return said.words();
 }
 
 CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {

@@ -55,18 +55,19 @@ struct CurvePoint {
   /// Mean number of separate stretches in contact in one period; not applicable where nothing was
   /// slid, as beside a law.
   double contactSpots = kNotApplicable;
-  /// Whether a table has the column `contact_spots` and, for few contacts alone, the column
-  /// `notes`: tables of scenes without any key that came with measured surfaces and materials keep
-  /// their columns.
+  /// Whether a table has the column `contact_spots`, and the word `few_contacts` in its notes:
+  /// tables of scenes without any key that came with measured surfaces and materials stay as they
+  /// are.
   bool listsContacts = false;
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
 /// Whether so few separate stretches carry the load that friction is that of single summits: fewer
 /// than kFewContacts in a period that is less than half in contact. Beyond half of it stretches are
-/// few because they have grown together. Each of n contacts of random size has its own part, so
-/// that friction scatters by about 1 / sqrt(n) from line to line.
-inline constexpr double kFewContacts = 10;
+/// few because they have grown together. With four of them friction scatters by about half its
+/// value from line to line, and on the lines of Fig. 2 of Li et al. it begins to leave its plateau,
+/// as it does in region IV (core/chart/curve_regions.h).
+inline constexpr double kFewContacts = 4;
 bool areContactsFew(double contactSpots, double contactFraction);
 
 /// Whether tables of the scene's curves have a column `contact_spots`.
