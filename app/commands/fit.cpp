@@ -82,10 +82,10 @@ std::string summaryOf(const Fit& fit) {
 int runFit(const FitCommand& command) {
   checkFolderName(command.output);
   const PictureSettings settings = pictureSettings(command.picture, kPictures);
-  Scene scene = sceneOf(command.common);
   CurveArguments beside;
   beside.data = command.data;
-  scene = withComparisons(scene, beside);
+  const ComparedScene compared = withComparisons(sceneOf(command.common), beside);
+  const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
@@ -94,7 +94,7 @@ int runFit(const FitCommand& command) {
       throw InputError("", "accuracy.target_relative_error",
                        "a fit needs the same lines everywhere, not a target");
     const std::vector<VariedParameter> varied = variedFrom(command.varied, scene);
-    const std::vector<FrictionData> data = readComparisonData(scene);
+    const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
     std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);
     for (const DataFile& table : scene.comparison.data) inputs.push_back(scene.folder / table.file);
     FitOptions options;

@@ -347,7 +347,6 @@ class ArmElement {
         loss = mulAdd(mode[ArmVectors::Stiffness] * a, gone * (One::all(2) - lost), loss);
     }
     sums.depth += sumOf(volume) * length;
-    sums.freeStretches += 1;
     if constexpr (Everything) sums.dissipation += 0.5 * sumOf(loss);
     // This is what slow arms yield.
     for (std::size_t k = 0; k < slowLanes_; k += One::kLanes) {

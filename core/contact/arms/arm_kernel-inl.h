@@ -307,6 +307,8 @@ class ArmKernel {
   void endArc(double position) {
     const double length = std::max(position - arcStart_, 0.0);
     work_.addLength(length);
+    if (separatesContacts(contactStart_, arcStart_, length, line_.spacing))
+      sums_.freeStretches += 1;
     element_.template endArc<Everything>(length, sums_);
   }
 

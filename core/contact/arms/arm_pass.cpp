@@ -229,7 +229,7 @@ void ArmPass::gatherArc(double position) {
       yieldChange_[i] += coefficients_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
   }
   sums_.depth += volume * length;
-  sums_.freeStretches += 1;
+  if (separatesContacts(contactStart_, arcStart_, length, line_.spacing)) sums_.freeStretches += 1;
 }
 
 void ArmPass::enter(double position, double height) {

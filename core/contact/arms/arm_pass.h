@@ -27,6 +27,14 @@ struct ArmShape {
 /// Where the slope of a cubic or its curvature changes sign inside (0, 1), in order of travel.
 Few<4> breakpoints(const Cubic& cubic, bool onwards);
 
+/// Whether a free arc of this length and the contact before it are two stretches (all m). Where
+/// pressure is 0 to rounding as contact begins, it ends and begins again within a few digits of the
+/// place. The contact at the beginning of the line goes on from that at its end.
+inline bool separatesContacts(double contactStart, double arcStart, double arc, double spacing) {
+  const double least = 1e-6 * spacing;
+  return arc > least && (contactStart <= 0 || arcStart - contactStart > least);
+}
+
 class ArmPass {
  public:
   ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients);

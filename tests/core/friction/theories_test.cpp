@@ -234,6 +234,35 @@ TEST(Theories, Equation11IsThatOfTheCurve) {
   for (std::size_t i = 0; i < law.size(); ++i) EXPECT_EQ(law[i].mu, curve.points[i].muLaw);
 }
 
+/// A nominal pressure over the period's own width is the force over the period's square; of a
+/// narrower line the half-space keeps the pressure, the line has less force.
+TEST(Theories, TakeANominalPressureAsItIs) {
+  Scene forced = sceneOfSize(300, 2, 1);
+  forced.surface.rollOffWavelength = forced.surface.length / 20;
+  const LineSource source(forced, 1);
+  const double length = forced.surface.length;
+  Scene pressed = forced;
+  pressed.load.kind = LoadKind::Pressure;
+  pressed.load.nominalPressure = forced.load.normalForce / (length * length);
+  pressed.load.normalForce = 1e-9;  // has no meaning beside a pressure
+  pressed.load.width = 0;
+  const std::vector<double> velocities{1e-6, 1e-3};
+  const auto at = [&](Theory theory, const Scene& scene) {
+    return theoryCurve(theory, scene, source, velocities).back();
+  };
+  for (const Theory theory :
+       {Theory::GaussianFoundation, Theory::CompleteContact, Theory::PerssonHalfSpace}) {
+    EXPECT_NEAR(at(theory, pressed).mu / at(theory, forced).mu, 1, 1e-12);
+    EXPECT_NEAR(at(theory, pressed).contactFraction / at(theory, forced).contactFraction, 1, 1e-12);
+  }
+  Scene narrow = pressed;
+  narrow.load.width = length / 10;
+  EXPECT_EQ(at(Theory::PerssonHalfSpace, narrow).contactFraction,
+            at(Theory::PerssonHalfSpace, pressed).contactFraction);
+  EXPECT_LT(at(Theory::GaussianFoundation, narrow).contactFraction,
+            at(Theory::GaussianFoundation, pressed).contactFraction);
+}
+
 TEST(Theories, AnIndentationFixesNoForce) {
   Scene scene = sceneOfSize(300, 2, 1);
   scene.load.kind = LoadKind::Indentation;

@@ -146,7 +146,9 @@ void SurfaceImport::begin() {
           const auto progress = [&](double part) {
             run.tell([this, part] { showProgress(part); });
           };
-          const auto file = readMeasuredSurface(scene, run.stop(), progress);
+          // What follows goes on from where reading has left off.
+          const auto file =
+              readMeasuredSurface(scene, run.stop(), [&](double part) { progress(0.5 * part); });
           preview.image = topographyImage(
               file->topography, scene.surface.reading.direction == ProfileDirection::AlongY);
           const auto lines = MeasuredLines::of(scene, run.stop(), progress);
