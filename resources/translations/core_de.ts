@@ -4846,6 +4846,26 @@
         <translation>Schuh auf Beton</translation>
     </message>
     <message>
+        <source>Foundation and half-space</source>
+        <translation>Bettung und Halbraum</translation>
+    </message>
+    <message>
+        <source>What the model leaves out</source>
+        <translation>Was das Modell auslässt</translation>
+    </message>
+    <message>
+        <source>The same roughness, rubber and load in two models. Points: separate elements, as everywhere in this program. Coloured line: Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
+        <translation>Dieselbe Rauheit, derselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
+    </message>
+    <message>
+        <source>Contact fraction over velocity</source>
+        <translation>Kontaktanteil über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>contact fraction</source>
+        <translation>Kontaktanteil</translation>
+    </message>
+    <message>
         <source>Everyday surfaces</source>
         <translation>Oberflächen des Alltags</translation>
     </message>
