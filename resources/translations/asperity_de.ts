@@ -2605,6 +2605,10 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
+        <source>parts of the surface</source>
+        <translation>Teile der Oberfläche</translation>
+    </message>
+    <message>
         <source>lines compared</source>
         <translation>verglichene Linien</translation>
     </message>
