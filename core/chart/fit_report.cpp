@@ -51,6 +51,24 @@ std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   return errors;
 }
 
+/// The value with its range and the name that charts use.
+Message labelled(const FittedParameter& parameter) {
+  const Parameter& row = *findParameter(parameter.key);
+  const std::string unit(row.unit);
+  return message("{} = {}, {} to {}", Message(std::string(row.label)),
+                 PrintedNumber{printedQuantity(parameter.value, unit)},
+                 PrintedNumber{printedQuantity(parameter.low, unit)},
+                 PrintedNumber{printedQuantity(parameter.high, unit)});
+}
+
+/// A logarithmic axis of little more than a decade would have one number or none.
+AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& profile) {
+  constexpr double kWide = 30;
+  if (!parameter.isLogarithmic || profile.values.empty()) return AxisScale::Linear;
+  const auto [low, high] = std::ranges::minmax(profile.values);
+  return high > kWide * low ? AxisScale::Logarithmic : AxisScale::Linear;
+}
+
 /// Between two measured velocities, linear in their logarithm; NaN outside of them.
 double errorAt(const std::vector<RelativeError>& errors, double velocity) {
   const auto above = std::ranges::lower_bound(errors, velocity, {}, &RelativeError::velocity);
@@ -151,8 +169,7 @@ Message fittedInWords(const FittedParameter& parameter) {
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   DiagramSheet sheet = curveSheet(set);
   std::vector<Message> values;
-  for (const FittedParameter& parameter : fit.parameters)
-    values.push_back(fittedInWords(parameter));
+  for (const FittedParameter& parameter : fit.parameters) values.push_back(labelled(parameter));
   sheet.subtitle = listed(values);
   DiagramSeries band;
   band.name = "fit \u00B1 standard error";
@@ -178,8 +195,7 @@ DiagramSheet profileSheet(const Fit& fit) {
     const ObjectiveProfile& profile = fit.profiles[k];
     const Parameter& row = *findParameter(profile.key);
     Diagram diagram;
-    diagram.x = {Message(row.label), std::string(row.unit),
-                 fit.parameters[k].isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
+    diagram.x = {Message(row.label), std::string(row.unit), scaleOf(fit.parameters[k], profile)};
     diagram.y = {"chi squared above its least", "", AxisScale::Linear};
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
@@ -189,7 +205,7 @@ DiagramSheet profileSheet(const Fit& fit) {
     DiagramMarker best;
     best.x = fit.parameters[k].value;
     best.isFixed = true;
-    best.label = fittedInWords(fit.parameters[k]);
+    best.label = labelled(fit.parameters[k]);
     diagram.marker = best;
     sheet.diagrams.push_back(std::move(diagram));
   }

@@ -14,6 +14,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "ui/chart/chart_panel.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
@@ -38,10 +39,11 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
 }
 
 /// The sheet as it can be read at this size: diagrams that would be too low below each other stand
-/// side by side, and the last ones are left out where that is too narrow.
+/// side by side, with symbols in place of the names in their legends and the subtitle in place of
+/// both headings; the last ones are left out where that is too narrow.
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
-  constexpr float kNarrowest = 290;  // logical pixels of one diagram
+  constexpr float kNarrowest = 190;  // logical pixels of one diagram
   const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
   if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
   const auto room =
@@ -49,7 +51,14 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   sheet.diagrams.resize(std::clamp<std::size_t>(room, 1, sheet.diagrams.size()));
   sheet.columns = static_cast<int>(sheet.diagrams.size());
   sheet.sharesAxis = false;
-  for (Diagram& diagram : sheet.diagrams) diagram.height = 1;
+  sheet = translated(std::move(sheet));
+  for (Diagram& diagram : sheet.diagrams) {
+    diagram.height = 1;
+    for (DiagramSeries& series : diagram.series)
+      if (const std::string symbol = symbolOf(series.name.text); !symbol.empty())
+        series.name = Message::name(symbol);
+  }
+  if (!sheet.subtitle.empty()) sheet.title = {};
   if (isLow()) sheet.note = {};
   return sheet;
 }

@@ -59,7 +59,8 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
   column->addWidget(heading(tr("Vary")));
   column->addWidget(keys_, 3);
   column->addWidget(heading(tr("Measured friction")));
-  column->addWidget(tables_, 1);
+  column->addWidget(tables_);
+  tables_->setFixedHeight(3 * (fontMetrics().lineSpacing() + 4) + 4);
   auto* form = new QFormLayout;
   form->setContentsMargins(0, 0, 0, 0);
   form->addRow(tr("random lines"), lines_);
@@ -95,6 +96,12 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
     emit changed();
   });
   connect(tables_, &QListWidget::itemChanged, this, &FitChoices::changed);
+  // Boxes to tick take their outline from this colour, which is faint on a dark base.
+  for (QWidget* list : std::initializer_list<QWidget*>{keys_, tables_}) {
+    QPalette outlined = list->palette();
+    outlined.setColor(QPalette::Window, outlined.color(QPalette::PlaceholderText));
+    list->setPalette(outlined);
+  }
 }
 
 void FitChoices::fillKeys() {

@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
@@ -33,7 +34,7 @@ namespace {
 
 constexpr QSize kUsual(1180, 760);  // pixels
 constexpr int kAround = 40;         // pixels of the screen that stay free
-constexpr int kChoicesWidth = 390;  // pixels
+constexpr int kChoicesWidth = 340;  // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
 
