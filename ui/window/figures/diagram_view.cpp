@@ -39,8 +39,8 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
 }
 
 /// The sheet as it can be read at this size: diagrams that would be too low below each other stand
-/// side by side, with symbols in place of the names in their legends and the subtitle in place of
-/// both headings; the last ones are left out where that is too narrow.
+/// side by side, with symbols at the curves in place of a legend and the subtitle in place of both
+/// headings; the last ones are left out where that is too narrow.
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
   constexpr float kNarrowest = 190;  // logical pixels of one diagram
@@ -54,9 +54,13 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   sheet = translated(std::move(sheet));
   for (Diagram& diagram : sheet.diagrams) {
     diagram.height = 1;
-    for (DiagramSeries& series : diagram.series)
-      if (const std::string symbol = symbolOf(series.name.text); !symbol.empty())
-        series.name = Message::name(symbol);
+    for (DiagramSeries& series : diagram.series) {
+      const std::string symbol = symbolOf(series.name.text);
+      if (symbol.empty() || series.points.empty()) continue;
+      const DiagramPoint& at = series.points[series.points.size() / 4];
+      diagram.labels.push_back({Message::name(symbol), at.x, at.y});
+      series.name = {};
+    }
   }
   if (!sheet.subtitle.empty()) sheet.title = {};
   if (isLow()) sheet.note = {};

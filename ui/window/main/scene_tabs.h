@@ -67,6 +67,10 @@ class SceneTabs : public QTabWidget {
   void saved(const QString& file);
   void failed(const QString& reason);
 
+ protected:
+  /// Qt would paint the foot of a tab bar beside the tabs, which have none.
+  void paintEvent(QPaintEvent*) override {}
+
  private:
   void showTexts();
   void bringToFront(int index);
