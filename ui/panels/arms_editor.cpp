@@ -95,6 +95,7 @@ PairEditor::Texts ArmsEditor::texts() const {
   return {{tr("modulus") + "&nbsp; " + symbolHtml("G_i"),
            tr("relaxation time") + "&nbsp; " + symbolHtml("tau_i")},
           {tr("modulus of arm %1 (%2)"), tr("relaxation time of arm %1 (%2)")},
+          tr("one"),
           tr("Add arm"),
           tr("One more arm, with ten times the longest relaxation time"),
           tr("Paste table"),

@@ -310,7 +310,7 @@ void PairEditor::showFold() {
   table_->setVisible(!pairs_.empty());
   fold_->setArrowType(isOpen() ? Qt::UpArrow : Qt::DownArrow);
   QString text = tr("none");
-  if (pairs_.size() == 1) text = tr("one");
+  if (pairs_.size() == 1) text = texts().one;
   if (pairs_.size() > 1) {
     const auto end = [this](const Pair& pair) {
       return inLanguage(QString::fromStdString(printedQuantity(

@@ -108,6 +108,7 @@ PairEditor::Texts ShiftEditor::texts() const {
   return {
       {tr("temperature") + "&nbsp; " + symbolHtml("T"), "log<sub>10</sub> " + symbolHtml("a_T")},
       {tr("temperature of row %1 (%2)"), tr("log10 of the shift of row %1")},
+      tr("one"),
       tr("Add row"),
       tr("One more row, 10 K above the highest temperature"),
       tr("Paste table"),

@@ -314,18 +314,19 @@ void FitPage::saveReport() {
   if (folder.isEmpty()) return;
   isSaving_ = true;
   showState();
-  files_.request([folder = folder.toStdString(), fitted = fitted_](
-                     const BackgroundWork::Run&) { return writeFitReport(folder, *fitted); },
-                 [this, folder](const QStringList& files) {
-                   isSaving_ = false;
-                   finish(tr("Saved %n files in %1", nullptr, static_cast<int>(files.size()))
-                              .arg(QDir::toNativeSeparators(folder)));
-                   emit reportSaved(folder);
-                 },
-                 [this](const QString& reason) {
-                   isSaving_ = false;
-                   finish(reason);
-                 });
+  files_.request(
+      [folder = folder.toStdString(), fitted = fitted_](const BackgroundWork::Run&) {
+        return writeFitReport(folder, *fitted);
+      },
+      [this, folder](const QStringList& files) {
+        isSaving_ = false;
+        finish(tr("Saved %1 files in %2").arg(files.size()).arg(QDir::toNativeSeparators(folder)));
+        emit reportSaved(folder);
+      },
+      [this](const QString& reason) {
+        isSaving_ = false;
+        finish(reason);
+      });
 }
 
 /// Return in an entry ends the entry, not the page.

@@ -1,6 +1,5 @@
 #include "ui/window/fit/fit_text.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -11,14 +10,11 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/window/fit/fit_page.h"
 
 namespace asperity {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("asperity::FitPage", text);
-}
 
 QString number(double value, int digits) {
   return inLanguage(QString::fromStdString(printedNumber(value, digits)));
@@ -43,9 +39,9 @@ QString errorText(const FittedParameter& parameter) {
 }
 
 QString stateText(const FittedParameter& parameter) {
-  if (!parameter.isDetermined) return QStringLiteral("⚠ ") + tr("not determined");
-  if (parameter.isAtLimit) return QStringLiteral("⚠ ") + tr("at its limit");
-  return tr("determined");
+  if (!parameter.isDetermined) return QStringLiteral("⚠ ") + FitPage::tr("not determined");
+  if (parameter.isAtLimit) return QStringLiteral("⚠ ") + FitPage::tr("at its limit");
+  return FitPage::tr("determined");
 }
 
 /// The symbol, or the name where there is none.
@@ -77,7 +73,7 @@ QString combinationText(const Fit& fit) {
     if (std::abs(exponent - 1) >= kNothing) factor += "<sup>" + number(exponent, 2) + "</sup>";
     factors += factor;
   }
-  return tr("best determined together: %1 (± %2 %)")
+  return FitPage::tr("best determined together: %1 (± %2 %)")
       .arg(factors.join(QStringLiteral(" · ")), number(100 * best.standardError, 2));
 }
 
@@ -88,12 +84,12 @@ QString fittedTable(const Fit& fit) {
     return QStringLiteral("<td align=%1 style='padding-right:10px'>%2</td>").arg(align, text);
   };
   const bool hasOthers = fit.parameters.size() > 1;
-  QString rows = "<tr>" + cell(tr("parameter"), "left") +
-                 cell("<b>" + tr("best value") + "</b>", "right") +
-                 cell(tr("standard error"), "right") + cell(QString(), "left");
+  QString rows = "<tr>" + cell(FitPage::tr("parameter"), "left") +
+                 cell("<b>" + FitPage::tr("best value") + "</b>", "right") +
+                 cell(FitPage::tr("standard error"), "right") + cell(QString(), "left");
   if (hasOthers)
     for (const FittedParameter& other : fit.parameters)
-      rows += cell(tr("corr. %1").arg(shortName(other)), "right");
+      rows += cell(FitPage::tr("corr. %1").arg(shortName(other)), "right");
   rows += "</tr>";
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
     const FittedParameter& parameter = fit.parameters[k];
@@ -119,12 +115,12 @@ QString fittedTable(const Fit& fit) {
 
 QString fittedNotes(const Fit& fit) {
   QStringList lines;
-  lines += tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
+  lines += FitPage::tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
                .arg(number(fit.chiSquared, 4))
                .arg(fit.freedom)
                .arg(fit.evaluations);
   if (fit.relativeScatter > 0)
-    lines += tr("the points have no errors; they scatter by %1 % about the fit")
+    lines += FitPage::tr("the points have no errors; they scatter by %1 % about the fit")
                  .arg(number(100 * fit.relativeScatter, 2));
   const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);
   const bool areFactors = std::ranges::all_of(fit.parameters, &FittedParameter::isLogarithmic);
