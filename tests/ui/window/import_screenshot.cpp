@@ -5,7 +5,9 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileInfo>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
@@ -14,6 +16,8 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <algorithm>
 #include <cstdio>
 
 #include "core/scene/scene_file.h"
@@ -86,8 +90,26 @@ class Photographer {
     std::printf("%s\n", qPrintable(page.complaint()));
   }
   void surface(const QString& file) {
+    // How long the window answers nobody, and how often the bar moves.
+    QElapsedTimer whole, since;
+    qint64 longest = 0;
+    QTimer pulse;
+    QObject::connect(&pulse, &QTimer::timeout,
+                     [&] { longest = std::max(longest, since.restart()); });
+    whole.start();
+    since.start();
+    pulse.start(1);
     SurfaceImport& page = window_->imports().openSurface(file);
+    int moves = 0;
+    QObject::connect(page.findChild<QProgressBar*>("importProgress"), &QProgressBar::valueChanged,
+                     [&](int value) {
+                       ++moves;
+                       if (wish_.quick) std::printf("%lld ms: %d\n", whole.elapsed(), value);
+                     });
     wait(page, "surfaceSpectrum");
+    pulse.stop();
+    std::printf("%s: %lld ms, the window waited at most %lld ms, %d steps of progress\n",
+                qPrintable(file), whole.elapsed(), longest, moves);
     save(page, "surface_" + QFileInfo(file).completeBaseName());
     delete &page;
   }

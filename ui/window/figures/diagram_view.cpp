@@ -44,6 +44,7 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
   constexpr float kNarrowest = 190;  // logical pixels of one diagram
+  constexpr double kAside = 4;       // from a curve to its name, as a factor
   const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
   if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
   const auto room =
@@ -54,11 +55,14 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   sheet = translated(std::move(sheet));
   for (Diagram& diagram : sheet.diagrams) {
     diagram.height = 1;
+    // The first curve is named above it, the others below them.
+    double aside = diagram.y.scale == AxisScale::Logarithmic ? kAside : 1;
     for (DiagramSeries& series : diagram.series) {
       const std::string symbol = symbolOf(series.name.text);
       if (symbol.empty() || series.points.empty()) continue;
       const DiagramPoint& at = series.points[series.points.size() / 4];
-      diagram.labels.push_back({Message::name(symbol), at.x, at.y});
+      diagram.labels.push_back({Message::name(symbol), at.x, aside * at.y});
+      aside = std::min(aside, 1 / aside);
       series.name = {};
     }
   }

@@ -34,7 +34,7 @@ namespace {
 
 constexpr QSize kUsual(1180, 760);  // pixels
 constexpr int kAround = 40;         // pixels of the screen that stay free
-constexpr int kChoicesWidth = 340;  // pixels
+constexpr int kChoicesWidth = 330;  // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
 
@@ -108,7 +108,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   scroll->setWidget(texts);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFixedHeight(9 * fontMetrics().lineSpacing());
+  scroll->setFixedHeight(10 * fontMetrics().lineSpacing());
   right->addWidget(scroll);
   right->addWidget(sheets_);
   right->addWidget(sheet_, 1);

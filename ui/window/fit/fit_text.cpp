@@ -88,8 +88,11 @@ QString fittedTable(const Fit& fit) {
                  cell("<b>" + FitPage::tr("best value") + "</b>", "right") +
                  cell(FitPage::tr("standard error"), "right") + cell(QString(), "left");
   if (hasOthers)
-    for (const FittedParameter& other : fit.parameters)
-      rows += cell(FitPage::tr("corr. %1").arg(shortName(other)), "right");
+    for (const FittedParameter& other : fit.parameters) {
+      const QString name = shortName(other);
+      rows += cell(&other == &fit.parameters.front() ? FitPage::tr("corr. %1").arg(name) : name,
+                   "right");
+    }
   rows += "</tr>";
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
     const FittedParameter& parameter = fit.parameters[k];
