@@ -61,7 +61,8 @@ class PairRow {
     const PairEditor::Texts texts = editor_.texts();
     for (std::size_t k = 0; k < entries_.size(); ++k) {
       const NumberRule& rule = editor_.kind_.rules[k];
-      entries_[k]->setAccessibleName(texts.cells[k].arg(index_ + 1).arg(rule.unit));
+      const QString name = texts.cells[k].arg(index_ + 1);
+      entries_[k]->setAccessibleName(rule.unit.isEmpty() ? name : name.arg(rule.unit));
       entries_[k]->setToolTip(allowedInWords(rule));
     }
     remove_->setToolTip(texts.removeTip);

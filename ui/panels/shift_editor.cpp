@@ -40,7 +40,11 @@ bool isFactor(const std::string& name) {
 }
 
 TemperatureUnit unitOf(const TextBlock& block, std::size_t column, const std::string& name) {
-  const std::string& stated = block.columns[column].unit;
+  std::string stated = block.columns[column].unit;
+  // A unit that no table knows stays in the name.
+  const std::string& title = block.columns[column].name;
+  if (const auto open = title.find_first_of("(["); stated.empty() && open != title.npos)
+    stated = title.substr(open + 1, title.find_first_of(")]", open) - open - 1);
   if (!stated.empty()) {
     if (const auto unit = temperatureUnit(stated)) return *unit;
     throw InputError(name, "", message("'{}' is no unit of temperature", stated));
