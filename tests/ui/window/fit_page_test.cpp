@@ -199,12 +199,12 @@ TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {
 }
 
 TEST_F(FitPageTest, TheoriesAreChosenByNameAndUndone) {
-  auto& theory = action("theory:complete_contact");
+  auto& theory = action("theory:persson_half_space");
   EXPECT_TRUE(action("theory:eq_11").isChecked());
   EXPECT_FALSE(theory.isChecked());
-  EXPECT_TRUE(theory.toolTip().contains("complete contact"));
+  EXPECT_TRUE(theory.toolTip().contains("Persson (2001)"));
   theory.trigger();
-  EXPECT_EQ(scene().comparison.theory, (std::vector{Theory::Eq11, Theory::CompleteContact}));
+  EXPECT_EQ(scene().comparison.theory, (std::vector{Theory::Eq11, Theory::PerssonHalfSpace}));
   const auto isDrawn = [&] {
     return std::ranges::any_of(chart().series, [](const DiagramSeries& series) {
       return series.id <= kTheoryCurves && series.id > kMeasuredCurves;
@@ -212,7 +212,7 @@ TEST_F(FitPageTest, TheoriesAreChosenByNameAndUndone) {
   };
   EXPECT_TRUE(waitFor(isDrawn));
   action("theory:eq_11").trigger();
-  EXPECT_EQ(scene().comparison.theory, (std::vector{Theory::CompleteContact}));
+  EXPECT_EQ(scene().comparison.theory, (std::vector{Theory::PerssonHalfSpace}));
   window_.document().history().undo();
   EXPECT_TRUE(action("theory:eq_11").isChecked());
   window_.document().history().undo();

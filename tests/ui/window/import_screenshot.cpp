@@ -94,12 +94,17 @@ class Photographer {
     QElapsedTimer whole, since;
     qint64 longest = 0;
     QTimer pulse;
-    QObject::connect(&pulse, &QTimer::timeout,
-                     [&] { longest = std::max(longest, since.restart()); });
+    QObject::connect(&pulse, &QTimer::timeout, [&] {
+      const qint64 gap = since.restart();
+      if (gap > 40) std::printf("%lld ms: waited %lld ms\n", whole.elapsed(), gap);
+      longest = std::max(longest, gap);
+    });
     whole.start();
     since.start();
     pulse.start(1);
     SurfaceImport& page = window_->imports().openSurface(file);
+    std::printf("the page stands after %lld ms\n", whole.elapsed());
+    since.restart();
     int moves = 0;
     QObject::connect(page.findChild<QProgressBar*>("importProgress"), &QProgressBar::valueChanged,
                      [&](int value) {
