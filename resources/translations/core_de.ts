@@ -4035,6 +4035,46 @@
         <translation>Verlustmodul G''</translation>
     </message>
     <message>
+        <source>evaluation</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>chi squared</source>
+        <translation>Chi-Quadrat</translation>
+    </message>
+    <message>
+        <source>a fit</source>
+        <translation>eine Anpassung</translation>
+    </message>
+    <message>
+        <source>moduli G', G''</source>
+        <translation>Moduln G', G''</translation>
+    </message>
+    <message>
+        <source>'%1' is no unit of temperature</source>
+        <translation>'%1' ist keine Einheit der Temperatur</translation>
+    </message>
+    <message>
+        <source>has %1 rows; allowed is 1 to %2</source>
+        <translation>hat %1 Zeilen; erlaubt sind 1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2; allowed is %3 to %4</source>
+        <translation>%1 ist %2; erlaubt ist %3 bis %4</translation>
+    </message>
+    <message>
+        <source>has %1 K twice</source>
+        <translation>hat %1 K zweimal</translation>
+    </message>
+    <message>
+        <source>needs two columns: temperature and log10 of the shift</source>
+        <translation>braucht zwei Spalten: Temperatur und log10 der Verschiebung</translation>
+    </message>
+    <message>
+        <source>holds a shift factor that is not above 0</source>
+        <translation>enthält einen Verschiebungsfaktor, der nicht über 0 ist</translation>
+    </message>
+    <message>
         <source>modulus G', G''</source>
         <translation>Modul G', G''</translation>
     </message>

@@ -14,6 +14,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "ui/chart/chart_panel.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
@@ -38,10 +39,12 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
 }
 
 /// The sheet as it can be read at this size: diagrams that would be too low below each other stand
-/// side by side, and the last ones are left out where that is too narrow.
+/// side by side, with symbols at the curves in place of a legend and the subtitle in place of both
+/// headings; the last ones are left out where that is too narrow.
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
-  constexpr float kNarrowest = 290;  // logical pixels of one diagram
+  constexpr float kNarrowest = 190;  // logical pixels of one diagram
+  constexpr double kAside = 4;       // from a curve to its name, as a factor
   const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
   if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
   const auto room =
@@ -49,7 +52,21 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   sheet.diagrams.resize(std::clamp<std::size_t>(room, 1, sheet.diagrams.size()));
   sheet.columns = static_cast<int>(sheet.diagrams.size());
   sheet.sharesAxis = false;
-  for (Diagram& diagram : sheet.diagrams) diagram.height = 1;
+  sheet = translated(std::move(sheet));
+  for (Diagram& diagram : sheet.diagrams) {
+    diagram.height = 1;
+    // The first curve is named above it, the others below them.
+    double aside = diagram.y.scale == AxisScale::Logarithmic ? kAside : 1;
+    for (DiagramSeries& series : diagram.series) {
+      const std::string symbol = symbolOf(series.name.text);
+      if (symbol.empty() || series.points.empty()) continue;
+      const DiagramPoint& at = series.points[series.points.size() / 4];
+      diagram.labels.push_back({Message::name(symbol), at.x, aside * at.y});
+      aside = std::min(aside, 1 / aside);
+      series.name = {};
+    }
+  }
+  if (!sheet.subtitle.empty()) sheet.title = {};
   if (isLow()) sheet.note = {};
   return sheet;
 }

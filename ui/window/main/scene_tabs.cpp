@@ -104,10 +104,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     wanted_ += action;
   }
   keepTranslated(*this, [this] { showTexts(); });
-  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, [this] {
-    // Two plots need more room than one.
-    plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
-  });
+  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::keepRoomForPlots);
   for (DiagramView* view : {spectrum_, statistics_, material_}) {
     connect(view, &DiagramView::saved, this, &SceneTabs::saved);
     connect(view, &DiagramView::failed, this, &SceneTabs::failed);
@@ -157,6 +154,12 @@ void SceneTabs::addMenu(QMenu& menu) {
   tabs->addActions(wanted_);
 }
 
+/// Two plots need more room than one.
+void SceneTabs::keepRoomForPlots() {
+  const bool hasTwo = accuracy_->comparison() || hasMeasuredFriction_;
+  plot_->setMinimumHeight(hasTwo ? kTwoPlots : kOnePlot);
+}
+
 void SceneTabs::setWanted(int index, bool isWanted) {
   setTabVisible(index, isWanted && wanted_.at(index)->isVisible());
   const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
@@ -191,6 +194,8 @@ void SceneTabs::showScene(const Scene& scene) {
   setTabVisible(kMotionTab, moves && action.isChecked());
   if (moves && !moved) setCurrentIndex(kMotionTab);
   if (moves) strips_->setSheet(transientSheet(scene, {}));
+  hasMeasuredFriction_ = !scene.comparison.data.empty();
+  keepRoomForPlots();
   plan_->showScene(scene);
   spectrum_->show([scene] { return spectrumSheet(scene); },
                   {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});

@@ -67,11 +67,16 @@ class SceneTabs : public QTabWidget {
   void saved(const QString& file);
   void failed(const QString& reason);
 
+ protected:
+  /// Qt would paint the foot of a tab bar beside the tabs, which have none.
+  void paintEvent(QPaintEvent*) override {}
+
  private:
   void showTexts();
   void bringToFront(int index);
   void setWanted(int index, bool isWanted);
   void showMeasuredCurve();
+  void keepRoomForPlots();
 
   Session& session_;
   ChartView *plot_, *strips_;
@@ -79,9 +84,10 @@ class SceneTabs : public QTabWidget {
   AccuracyPanel* accuracy_;
   PlanList* plan_;
   Commands* commands_ = nullptr;
-  QList<QAction*> wanted_;      // one for each tab, checkable
-  std::optional<Scene> timed_;  // the scene whose curve is timed
-  QElapsedTimer curveTime_;     // since the request for the curve; invalid once it is complete
+  QList<QAction*> wanted_;            // one for each tab, checkable
+  std::optional<Scene> timed_;        // the scene whose curve is timed
+  bool hasMeasuredFriction_ = false;  // whose ratio to the curve is a plot of its own
+  QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
   /// Results for the present curve; errors are relative, root mean square.
   struct Measured {
     double seconds, standardError, interval;
