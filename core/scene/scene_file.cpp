@@ -33,16 +33,8 @@ struct Assignment {
   bool fromFile = true;
 };
 
-const Parameter& rowOf(const std::string& key) {
-  if (const Parameter* row = findParameter(key)) return *row;
-  const std::string_view nearest = nearestKey(key);
-  throw InputError("", shortened(key),
-                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
-                                   : message("unknown key; the nearest known one is {}", nearest));
-}
-
 ParameterValue valueFrom(const std::string& key, const Json& json) {
-  const Parameter& row = rowOf(key);
+  const Parameter& row = knownParameter(key);
   if (json.is_number_unsigned() && json.get<std::uint64_t>() > std::uint64_t{1} << 62)
     return json.get<double>();
   if (json.is_number_integer()) return json.get<std::int64_t>();
@@ -106,16 +98,16 @@ Assignment parseAssignment(const std::string& text) {
   if (equals == std::string::npos || equals == 0)
     throw InputError("--set", "", message("'{}' is not KEY=VALUE", shortened(text)));
   Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
-  rowOf(assignment.key);
+  knownParameter(assignment.key);
   return assignment;
 }
 
 bool isChoice(const Assignment& assignment) {
-  return std::holds_alternative<ChoiceField>(rowOf(assignment.key).field);
+  return std::holds_alternative<ChoiceField>(knownParameter(assignment.key).field);
 }
 
 void apply(const Assignment& assignment, Scene& scene) {
-  const Parameter& row = rowOf(assignment.key);
+  const Parameter& row = knownParameter(assignment.key);
   if (assignment.typed)
     setValue(row, scene, assignment.value);
   else
@@ -255,7 +247,7 @@ void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
   if (!last.fromFile && namesMaterial(last)) {
     std::erase_if(assignments, [](const Assignment& assignment) {
       return assignment.fromFile &&
-             (assignment.key == kRheology || rowOf(assignment.key).rule.isOfMaterial);
+             (assignment.key == kRheology || knownParameter(assignment.key).rule.isOfMaterial);
     });
     changedKinds.insert({kRheology, "elastomer.shift.kind"});
   }
@@ -275,7 +267,7 @@ void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
     if (isChoice(value)) apply(value, scene);
   // A key beside the material may choose another shift, for which the material's has no meaning.
   std::erase_if(values, [&](const Assignment& value) {
-    return isChoice(value) || !isApplicable(rowOf(value.key), scene);
+    return isChoice(value) || !isApplicable(knownParameter(value.key), scene);
   });
   assignments.insert(assignments.begin(), values.begin(), values.end());
 }
@@ -298,7 +290,7 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
   chooseMaterial(assignments, scene, changedKinds);
   for (const Assignment& assignment : assignments) {
     if (!isChoice(assignment)) continue;
-    if (!assignment.fromFile) changedKinds.insert(rowOf(assignment.key).key);
+    if (!assignment.fromFile) changedKinds.insert(knownParameter(assignment.key).key);
     apply(assignment, scene);
   }
   addMaterialValues(assignments, scene, folder);
@@ -311,7 +303,7 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
     scene.ensemble.realizations = 0;
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
-    const Parameter& row = rowOf(assignment.key);
+    const Parameter& row = knownParameter(assignment.key);
     const bool applies = isApplicable(row, scene);
     if (applies && !isChoice(assignment) && !isEveryRow(assignment, row, scene, changedKinds))
       apply(assignment, scene);
