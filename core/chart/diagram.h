@@ -92,15 +92,15 @@ struct DiagramRamp {
 /// A line along which a field has one value.
 struct DiagramContour {
   double value = 0;
-  std::string label{};                             // on the line: "0.02"
+  Message label{};                                 // on the line: "0.02"
   std::vector<std::vector<DiagramPoint>> lines{};  // of x and y alone
 };
 
 /// A quantity over the plane of the axes, as colours under everything else, with a colour bar.
 struct DiagramField {
-  DiagramAxis colours{};             // title, unit, scale and range of the quantity
-  std::vector<double> x{}, y{};      // places of the grid's columns and rows, rising on their axes
-  std::vector<double> values{};      // x fastest; NaN: not known, and left blank
+  DiagramAxis colours{};         // title, unit, scale and range of the quantity
+  std::vector<double> x{}, y{};  // places of the grid's columns and rows, rising on their axes
+  std::vector<double> values{};  // x fastest; NaN: not known, and left blank
   std::vector<DiagramContour> contours{};
 };
 

@@ -26,7 +26,4 @@ DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity);
 /// row or column of the map that is nearest to it.
 Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX);
 
-/// Returns "normal force F_N" of a key; the title of an axis.
-Message titleOfKey(std::string_view key);
-
 }  // namespace asperity

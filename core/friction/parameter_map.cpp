@@ -24,22 +24,11 @@ using Json = nlohmann::ordered_json;
 constexpr ColumnName kExponent = "exponent";
 constexpr std::size_t kCoarse = 16;  // points along a side of the first stage
 
-bool isNumber(const Parameter& row) {
-  return std::holds_alternative<RealField>(row.field) ||
-         std::holds_alternative<IntegerField>(row.field);
-}
-
-/// Whether steady friction at one velocity may depend on the key; the others say how it is computed
-/// and shown.
+/// Whether steady friction at one velocity may depend on the key.
 bool isOfState(std::string_view key) {
   const std::string_view section = key.substr(0, key.find('.'));
   return section == "surface" || section == "elastomer" || section == "load" ||
          section == "interface" || key == "sliding.velocity" || key == "accuracy.oversampling";
-}
-
-Scale scaleOf(const Parameter& row) {
-  if (const auto* real = std::get_if<RealField>(&row.field)) return real->scale;
-  return std::get<IntegerField>(row.field).scale;
 }
 
 void setNumber(const Parameter& row, Scene& scene, double value) {
@@ -59,7 +48,7 @@ double numberOf(const Parameter& row, const Scene& scene) {
 MapAxis coarse(const MapAxis& axis) {
   const std::size_t count = axis.values.size();
   if (count <= kCoarse) return axis;
-  MapAxis few{axis.key, {}, axis.isLogarithmic};
+  MapAxis few{axis.range, {}};
   for (std::size_t i = 0; i < kCoarse; ++i)
     few.values.push_back(axis.values[(i * (count - 1) + (kCoarse - 1) / 2) / (kCoarse - 1)]);
   return few;
@@ -69,8 +58,8 @@ MapAxis coarse(const MapAxis& axis) {
 Scene cellScene(const Scene& scene, const MapAxis& x, double xValue, const MapAxis& y,
                 double yValue) {
   Scene cell = scene;
-  setNumber(x.row(), cell, xValue);
-  setNumber(y.row(), cell, yValue);
+  setNumber(*x.range.row, cell, xValue);
+  setNumber(*y.range.row, cell, yValue);
   return cell;
 }
 
@@ -130,14 +119,14 @@ std::vector<double> exponents(const std::vector<double>& x, std::vector<double> 
   return slopes;
 }
 
-std::string lastWord(const std::string& key) {
-  return key.substr(key.rfind('.') + 1);
+std::string lastWord(std::string_view key) {
+  return std::string(key.substr(key.rfind('.') + 1));
 }
 
 /// The names of the two first columns.
 std::array<std::string, 2> keyColumns(const ParameterMap& map) {
-  std::array<std::string, 2> names{lastWord(map.x.key), lastWord(map.y.key)};
-  if (names[0] == names[1]) names = {map.x.key, map.y.key};
+  std::array<std::string, 2> names{lastWord(map.x.key()), lastWord(map.y.key())};
+  if (names[0] == names[1]) names = {std::string(map.x.key()), std::string(map.y.key())};
   return names;
 }
 
@@ -148,125 +137,74 @@ CurveTable tableOf(const ParameterMap& map) {
 }
 
 Json axisJson(const MapAxis& axis) {
-  return {{"key", axis.key},
+  return {{"key", axis.key()},
           {"from", axis.values.front()},
           {"to", axis.values.back()},
           {"points", axis.values.size()},
-          {"scale", axis.isLogarithmic ? "log" : "linear"}};
+          {"scale", axis.range.isLogarithmic ? "log" : "linear"}};
 }
 
 }  // namespace
 
-const Parameter& mapParameter(const Scene& scene, std::string_view key) {
-  const Parameter* row = findParameter(key);
-  if (!row) {
-    const std::string_view nearest = nearestKey(key);
-    throw InputError("", std::string(key),
-                     nearest.empty() ? message("unknown key")
-                                     : message("unknown key; did you mean {}?", nearest));
-  }
-  if (!isNumber(*row))
-    throw InputError("", std::string(key), "is not a number, which alone can be a side of a map");
+bool isMapParameter(const Parameter& row, const Scene& scene) {
+  return allowedRange(row) && isOfState(row.key) && isApplicable(row, scene);
+}
+
+MapAxis mapAxis(const Scene& scene, const ParameterRange& range) {
+  const std::string key(range.key());
   if (!isOfState(key))
-    throw InputError("", std::string(key),
+    throw InputError("", key,
                      "says how friction is computed or shown, and cannot be a side of a map");
-  if (!isApplicable(*row, scene))
-    throw InputError("", std::string(key), "has no meaning in this scene");
-  return *row;
-}
-
-std::vector<std::string_view> mapKeys(const Scene& scene) {
-  std::vector<std::string_view> keys;
-  for (const Parameter& row : parameters())
-    if (isNumber(row) && isOfState(row.key) && isApplicable(row, scene)) keys.push_back(row.key);
-  return keys;
-}
-
-MapAxis mapAxis(const Scene& scene, std::string_view key, const MapRange& range) {
-  const Parameter& row = mapParameter(scene, key);
-  const std::string name(key);
+  checkRange(range, scene);
   if (range.points < 2 || range.points > kMostMapPoints)
     throw InputError(
-        "", name,
+        "", key,
         message("a map has 2 to {} points along each side, not {}", kMostMapPoints, range.points));
-  const AllowedRange allowed = *allowedRange(row);
-  for (const double end : {range.from, range.to})
-    if (!std::isfinite(end) || end < allowed.minimum || end > allowed.maximum)
-      throw InputError("", name, message("{} is outside {}", plain(end), allowedText(row)));
-  if (range.from == range.to)
-    throw InputError("", name, message("the range begins and ends at {}", plain(range.from)));
-  MapAxis axis{name, {}, range.isLogarithmic.value_or(scaleOf(row) != Scale::Linear)};
-  const bool canBeLogarithmic = range.from > 0 && range.to > 0;
-  if (axis.isLogarithmic && !canBeLogarithmic)
-    throw InputError("", name,
-                     message("a logarithmic range from {} to {} would go through 0; "
-                             "FROM:TO:N:linear is a linear one",
+  MapAxis axis{range, valuesOf(range)};
+  if (axis.values.size() < 2 || axis.values.front() == axis.values.back())
+    throw InputError("", key,
+                     message("{} to {} is only one value; a side of a map needs two",
                              plain(range.from), plain(range.to)));
-  if (axis.isLogarithmic) {
-    axis.values = logSpaced(range.from, range.to, range.points);
-  } else {
-    const auto last = static_cast<double>(range.points - 1);
-    for (std::int64_t i = 0; i < range.points; ++i)
-      axis.values.push_back(range.from + (range.to - range.from) * static_cast<double>(i) / last);
-    axis.values.back() = range.to;
-  }
-  if (std::holds_alternative<IntegerField>(row.field)) {
-    for (double& value : axis.values) value = std::round(value);
-    axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
-    if (axis.values.size() < 2)
-      throw InputError("", name,
-                       message("a whole number, of which {} to {} has only one", plain(range.from),
-                               plain(range.to)));
-  }
   return axis;
 }
 
-MapRange usualMapRange(const Scene& scene, std::string_view key, std::int64_t points) {
-  const Parameter& row = mapParameter(scene, key);
+ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points) {
+  constexpr double kFactor = 100;  // two decades to each side
   const AllowedRange allowed = *allowedRange(row);
-  double from = 0, to = 0;
-  if (const auto* real = std::get_if<RealField>(&row.field)) {
-    from = real->sliderFrom;
-    to = real->sliderTo;
-  } else {
-    const auto& whole = std::get<IntegerField>(row.field);
-    from = static_cast<double>(whole.sliderFrom);
-    to = static_cast<double>(whole.sliderTo);
-  }
   const double now = numberOf(row, scene);
-  const bool isLogarithmic = scaleOf(row) != Scale::Linear && now > 0;
-  if (key == "sliding.velocity") {
-    // The curve's own range, which people have chosen for their rubber.
-    from = scene.sweep.velocityFrom;
-    to = scene.sweep.velocityTo;
-    if (now > 0 && (now < from || now > to)) {
-      from = std::min(from, now);
-      to = std::max(to, now);
-    }
-  } else if (isLogarithmic) {
-    constexpr double kDecades = 100;  // two to each side
-    from = std::max(from, now / kDecades);
-    to = std::min(to, now * kDecades);
-    if (!(from < to)) {  // the value lies beyond its slider
-      from = now / kDecades;
-      to = now * kDecades;
-    }
-    from = std::min(from, now);
-    to = std::max(to, now);
-  } else {
-    from = std::min(from, now);
-    to = std::max(to, now);
+  ParameterRange range{&row, 0, 0, points, hasLogarithmicSlider(row) && now > 0};
+  std::visit(
+      [&](const auto& field) {
+        if constexpr (requires { field.sliderFrom; }) {
+          range.from = static_cast<double>(field.sliderFrom);
+          range.to = static_cast<double>(field.sliderTo);
+        }
+      },
+      row.field);
+  if (row.key == "sliding.velocity" && now > 0) {
+    range.from = scene.sweep.velocityFrom;
+    range.to = scene.sweep.velocityTo;
+  } else if (range.isLogarithmic) {
+    range.from = std::max(range.from, now / kFactor);
+    range.to = std::min(range.to, now * kFactor);
   }
-  return {std::max(from, allowed.minimum), std::min(to, allowed.maximum), points, isLogarithmic};
+  if (range.isLogarithmic && !(range.from < range.to)) {  // the value lies beyond its slider
+    range.from = now / kFactor;
+    range.to = now * kFactor;
+  }
+  range.from = std::max(std::min(range.from, now), allowed.minimum);
+  range.to = std::min(std::max(range.to, now), allowed.maximum);
+  return range;
 }
 
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options) {
-  if (x.key == y.key)
-    throw InputError("", y.key, "is both sides of the map; they need two different keys");
+  if (x.range.row == y.range.row)
+    throw InputError("", std::string(y.key()),
+                     "is both sides of the map; they need two different keys");
   const auto cells = static_cast<std::int64_t>(x.values.size() * y.values.size());
   if (cells > kMostMapCells)
-    throw InputError("", y.key,
+    throw InputError("", std::string(y.key()),
                      message("{} times {} points are more than {} cells", x.values.size(),
                              y.values.size(), kMostMapCells));
   if (choosesAccuracy(scene))

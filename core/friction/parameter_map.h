@@ -15,52 +15,40 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/message.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/parameters.h"
+#include "core/scene/range.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
 
 /// The values of a parameter along one side of a map.
 struct MapAxis {
-  std::string key;
+  ParameterRange range;
   std::vector<double> values;  // strictly rising or falling
-  bool isLogarithmic = false;  // whether they are spaced so
 
-  const Parameter& row() const { return *findParameter(key); }
-};
-
-/// What is asked for along a side; `isLogarithmic` left out: as the key's slider.
-struct MapRange {
-  double from = 0, to = 0;
-  std::int64_t points = 0;
-  std::optional<bool> isLogarithmic;
+  std::string_view key() const { return range.key(); }
 };
 
 inline constexpr std::int64_t kMostMapPoints = 1000;  // along a side
 inline constexpr std::int64_t kMostMapCells = 100000;
 
-/// Returns the row of a number that steady friction may depend on. Throws InputError with the key
-/// where it is unknown, no number, or without meaning in the scene.
-const Parameter& mapParameter(const Scene& scene, std::string_view key);
+/// Whether the row is a number that steady friction in this scene may depend on. The others say how
+/// friction is computed and shown.
+bool isMapParameter(const Parameter& row, const Scene& scene);
 
-/// Returns the keys of all such numbers, in the order of the table.
-std::vector<std::string_view> mapKeys(const Scene& scene);
+/// Returns the values of a range. Throws InputError with the key where it is no such number, has no
+/// meaning in the scene, or the range has fewer than 2 different values.
+MapAxis mapAxis(const Scene& scene, const ParameterRange& range);
 
-/// Returns the values of a range; those of a whole number are rounded, and repeats left out. Throws
-/// InputError with the key.
-MapAxis mapAxis(const Scene& scene, std::string_view key, const MapRange& range);
-
-/// Returns a range for a key where none is asked for: a part of the slider around the scene's
-/// value, as wide as people look at.
-MapRange usualMapRange(const Scene& scene, std::string_view key, std::int64_t points);
+/// Returns a range for a row where none is asked for: that part of its slider around the scene's
+/// value that people look at, and for the velocity that of the curve.
+ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points);
 
 struct ParameterMap {
   Scene scene;  // the state at the crosshair; both keys have its own values
