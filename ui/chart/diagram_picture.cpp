@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ui/chart/diagram_annotations.h"
+#include "ui/chart/diagram_bars.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
@@ -74,6 +75,7 @@ class Panel {
     addDiagramFrame(list, axes_, sizes_, theme_,
                     above);  // marks at the frame's edge are drawn over it
     addMarkerLine(list);
+    addBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
     addBlank(list);
     addLabels(list, labels_, sizes_, theme_);
@@ -171,7 +173,9 @@ class Panel {
     Box& box = axes_.box;
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
-    axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
+    axes_.yAxis = diagram_.bars.empty()
+                      ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)
+                      : barAxis(diagram_, 0.45F * cell_.width, sizes_);
     float bar = 0;
     if (diagram_.field) {
       colours_ = colourAxis(*diagram_.field, box.height, sizes_);
