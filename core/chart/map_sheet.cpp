@@ -46,12 +46,6 @@ constexpr std::array kTitles{
     QuantityTitle{"exponent", "exponent d ln \u03BC / d ln x"},
 };
 
-Message titleOfQuantity(std::string_view quantity) {
-  for (const QuantityTitle& one : kTitles)
-    if (one.quantity == quantity) return one.title;
-  return Message::name(std::string(quantity));
-}
-
 AxisScale scaleOf(const MapAxis& axis) {
   return axis.range.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear;
 }
@@ -118,7 +112,7 @@ std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale)
 
 /// Scale and range of the colours.
 DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quantity) {
-  DiagramAxis axis{titleOfQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
+  DiagramAxis axis{titleOfMapQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
                    AxisScale::Linear};
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : values) {
@@ -281,6 +275,12 @@ std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& dia
 }
 
 }  // namespace
+
+Message titleOfMapQuantity(std::string_view quantity) {
+  for (const QuantityTitle& one : kTitles)
+    if (one.quantity == quantity) return one.title;
+  return Message::name(std::string(quantity));
+}
 
 DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
   DiagramSheet sheet;

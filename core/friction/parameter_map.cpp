@@ -22,7 +22,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr ColumnName kExponent = "exponent";
-constexpr std::size_t kCoarse = 16;  // points along a side of the first stage
+constexpr std::int64_t kFewLines = 10;  // of a stage before many lines
+constexpr std::size_t kCoarse = 16;     // points along a side of the first stage
 
 /// Whether steady friction at one velocity may depend on the key.
 bool isOfState(std::string_view key) {
@@ -213,19 +214,24 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
                      "ensemble.realizations instead of a target");
   StateOptions work{options.threads, options.stop, {}, false};
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
-  const auto show = [&](const MapAxis& alongX, const MapAxis& alongY) {
+  const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
     if (!options.preview || options.stop.stop_requested()) return;
-    ParameterMap stage = stageOf(scene, alongX, alongY, 1, work);
+    ParameterMap stage = stageOf(scene, alongX, alongY, lines, work);
     if (stage.isComplete) options.preview(std::move(stage));
   };
   const MapAxis fewX = coarse(x), fewY = coarse(y);
   const bool isLarge = fewX.values.size() < x.values.size() || fewY.values.size() < y.values.size();
-  if (isLarge) show(fewX, fewY);
-  if (hasManyLines) show(x, y);
+  if (isLarge) show(fewX, fewY, 1);
+  if (hasManyLines) show(x, y, 1);
+  if (hasManyLines && scene.ensemble.realizations > 2 * kFewLines) show(x, y, kFewLines);
   work.progress = options.progress;
   ParameterMap map = stageOf(scene, x, y, 0, work);
   map.isFinal = map.isComplete;
   return map;
+}
+
+Scene sceneAt(const ParameterMap& map, double x, double y) {
+  return cellScene(map.scene, map.x, x, map.y, y);
 }
 
 Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j) {

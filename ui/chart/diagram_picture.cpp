@@ -44,6 +44,24 @@ class Panel {
     arrange();
   }
 
+  DiagramFrame place() const {
+    const AxisRange &x = axes_.xAxis.range, &y = axes_.yAxis.range;
+    const auto value = [](AxisScale scale, double at) {
+      return scale == AxisScale::Logarithmic ? std::pow(10, at) : at;
+    };
+    const Box& box = axes_.box;
+    return {box.x,
+            box.y,
+            box.width,
+            box.height,
+            axes_.xAxis.scale,
+            axes_.yAxis.scale,
+            value(axes_.xAxis.scale, x.from),
+            value(axes_.xAxis.scale, x.to),
+            value(axes_.yAxis.scale, y.from),
+            value(axes_.yAxis.scale, y.to)};
+  }
+
   float frameHeight() const { return axes_.box.height; }
 
   /// Returns whether the title of the y-axis fits.
@@ -366,6 +384,45 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   for (const Panel& panel : panelsOf(sheet, options, list))
     lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
   return lowest / sizesFor(sheet, options).tick;
+}
+
+namespace {
+
+double valueAt(AxisScale scale, double from, double to, double part) {
+  return scale == AxisScale::Logarithmic ? from * std::pow(to / from, part)
+                                         : from + (to - from) * part;
+}
+
+double partOf(AxisScale scale, double from, double to, double value) {
+  return scale == AxisScale::Logarithmic ? std::log(value / from) / std::log(to / from)
+                                         : (value - from) / (to - from);
+}
+
+}  // namespace
+
+double DiagramFrame::xAt(float right) const {
+  return valueAt(xScale, xFrom, xTo, static_cast<double>((right - left) / width));
+}
+
+double DiagramFrame::yAt(float down) const {
+  return valueAt(yScale, yFrom, yTo, static_cast<double>((top + height - down) / height));
+}
+
+float DiagramFrame::rightOf(double x) const {
+  return left + width * static_cast<float>(partOf(xScale, xFrom, xTo, x));
+}
+
+float DiagramFrame::downOf(double y) const {
+  return top + height - height * static_cast<float>(partOf(yScale, yFrom, yTo, y));
+}
+
+std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
+                                        const DiagramOptions& options) {
+  const DiagramSheet sheet = prepared(english);
+  DrawList list = emptyList(options);
+  std::vector<DiagramFrame> frames;
+  for (const Panel& panel : panelsOf(sheet, options, list)) frames.push_back(panel.place());
+  return frames;
 }
 
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) {
