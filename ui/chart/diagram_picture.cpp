@@ -10,6 +10,7 @@
 #include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
