@@ -153,9 +153,13 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
       height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
   const std::vector<double> x = placesOf(map.x, diagram.x.scale);
   const std::vector<double> y = placesOf(map.y, diagram.y.scale);
+  // Over many decades numbers are written as on the axes.
+  constexpr double kManyDecades = 1e3;
+  const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
   for (const double level :
        contourLevels(field.colours.from, field.colours.to, isLogarithmic, kLevels)) {
-    DiagramContour contour{level, PrintedNumber{printedNumber(level)}, {}};
+    DiagramContour contour{
+        level, PrintedNumber{arePowers ? printedPower(level) : printedNumber(level)}, {}};
     for (const ContourLine& line :
          contourLines(x, y, heights, isLogarithmic ? std::log10(level) : level))
       contour.lines.push_back(pointsOf(line, diagram.x.scale, diagram.y.scale));

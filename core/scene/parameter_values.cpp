@@ -118,6 +118,13 @@ void setShiftTable(const Parameter& parameter, const ShiftTableField& field, Sce
 
 }  // namespace
 
+bool isKind(const Parameter& parameter) {
+  return std::holds_alternative<ChoiceField>(parameter.field) ||
+         std::ranges::any_of(parameters(), [&](const Parameter& row) {
+           return row.applies.choiceKey == parameter.key;
+         });
+}
+
 bool isList(const Parameter& parameter) {
   return std::holds_alternative<ArmsField>(parameter.field) ||
          std::holds_alternative<ShiftTableField>(parameter.field) ||
@@ -137,7 +144,8 @@ namespace {
 bool holds(const Applicability& applies, const Scene& scene) {
   const Parameter* choice = findParameter(applies.choiceKey);
   return isApplicable(*choice, scene) &&
-         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene)));
+         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene))) !=
+             applies.isExcept;
 }
 
 }  // namespace

@@ -72,10 +72,11 @@ struct ListField {
 enum class Change { Live, Rebuild };
 
 /// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
-/// spaces). An empty choiceKey: it always applies.
+/// spaces), or none of them. An empty choiceKey: it always applies.
 struct Applicability {
   std::string_view choiceKey;
   std::string_view words;
+  bool isExcept = false;
 };
 
 /// How a row stands in scene files.
@@ -83,6 +84,7 @@ struct FileRule {
   bool isOfMaterial = false;        // a material gives the value where the scene does not state it
   bool isLeftOutAtDefault = false;  // not written where it has its default, unless a material is
                                     // named that would give it another value
+  bool isRequired = false;          // a scene in which it has a meaning must state it
 };
 
 struct Parameter {
@@ -117,6 +119,9 @@ std::string_view nearestKey(std::string_view key);
 
 /// Returns whether the row has a meaning in this scene (a wedge has no Hurst exponent).
 bool isApplicable(const Parameter& parameter, const Scene& scene);
+
+/// Returns whether the row decides which others have a meaning: a kind.
+bool isKind(const Parameter& parameter);
 
 /// Whether its value is a list in JSON: arms, a table of shifts.
 bool isList(const Parameter& parameter);

@@ -1195,10 +1195,6 @@
         <translation>Dauer der Bewegung; ein Sprung oder eine Umkehr kommt nach der Hälfte.</translation>
     </message>
     <message>
-        <source>Velocities of the friction curve, evenly spaced in their logarithm.</source>
-        <translation>Geschwindigkeiten der Reibungskurve, logarithmisch gleich verteilt.</translation>
-    </message>
-    <message>
         <source>Velocity from half of the duration on; below 0 the line goes back.</source>
         <translation>Geschwindigkeit ab der Hälfte der Dauer; unter 0 läuft die Linie zurück.</translation>
     </message>
@@ -4577,6 +4573,94 @@
     <message>
         <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error.</source>
         <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler.</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>axis from</source>
+        <translation>Achse von</translation>
+    </message>
+    <message>
+        <source>axis to</source>
+        <translation>Achse bis</translation>
+    </message>
+    <message>
+        <source>axis scale</source>
+        <translation>Achsenteilung</translation>
+    </message>
+    <message>
+        <source>The key over which the friction curve goes: any number that changes friction in the scene.</source>
+        <translation>Der Schlüssel, über dem die Reibungskurve verläuft: jede Zahl, die in der Szene die Reibung ändert.</translation>
+    </message>
+    <message>
+        <source>First value of another key than velocity, in its unit; from above to runs downwards.</source>
+        <translation>Erster Wert eines anderen Schlüssels als der Geschwindigkeit, in dessen Einheit; liegt er über dem letzten, geht es abwärts.</translation>
+    </message>
+    <message>
+        <source>Last value of another key than velocity, in its unit.</source>
+        <translation>Letzter Wert eines anderen Schlüssels als der Geschwindigkeit, in dessen Einheit.</translation>
+    </message>
+    <message>
+        <source>Points of the friction curve; of whole numbers, values that repeat are left out.</source>
+        <translation>Punkte der Reibungskurve; bei ganzen Zahlen entfallen Werte, die sich wiederholen.</translation>
+    </message>
+    <message>
+        <source>How the points of the friction curve are spaced: evenly in their logarithm (log), or evenly (linear).</source>
+        <translation>Wie die Punkte der Reibungskurve verteilt sind: logarithmisch gleich (log) oder gleich (linear).</translation>
+    </message>
+    <message>
+        <source>has no meaning for %1 %2; it belongs to all others</source>
+        <translation>hat keine Bedeutung für %1 %2; gehört zu allen anderen</translation>
+    </message>
+    <message>
+        <source>is missing; %1 %2 needs it</source>
+        <translation>fehlt; %1 %2 braucht es</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning in this scene</source>
+        <translation>%1 hat in dieser Szene keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for %2 %3</source>
+        <translation>%1 hat keine Bedeutung für %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 of %3</source>
+        <translation>%1 liegt außerhalb von %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 has no place on a logarithmic axis; sweep.scale linear has room for it</source>
+        <translation>%1 hat auf einer logarithmischen Achse keinen Platz; bei sweep.scale linear hat es einen</translation>
+    </message>
+    <message>
+        <source>%1 is no key; &apos;asperity help check&apos; lists all</source>
+        <translation>%1 ist kein Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
+    </message>
+    <message>
+        <source>%1 is no key; the nearest known one is %2</source>
+        <translation>%1 ist kein Schlüssel; der nächste bekannte ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 says how the curve is made, which cannot be its axis</source>
+        <translation>%1 sagt, wie die Kurve entsteht, und kann nicht ihre Achse sein</translation>
+    </message>
+    <message>
+        <source>%1 changes nothing in this scene</source>
+        <translation>%1 ändert in dieser Szene nichts</translation>
+    </message>
+    <message>
+        <source>%1 values of %2, those on the same lines side by side</source>
+        <translation>%1 Werte von %2, die auf denselben Linien nebeneinander</translation>
+    </message>
+    <message>
+        <source>only one value of %1 is asked for</source>
+        <translation>nur ein Wert von %1 ist gefragt</translation>
     </message>
 </context>
 <context>

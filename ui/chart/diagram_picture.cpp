@@ -85,7 +85,9 @@ class Panel {
     addSpans(list, diagram_, axes_, sizes_, theme_);
     if (diagram_.field) {
       addFieldColours(list, *diagram_.field, axes_);
-      addContours(list, *diagram_.field, axes_, sizes_);
+      std::vector<Box> taken;
+      for (const PlacedLabel& label : labels_) taken.push_back(label.box);
+      addContours(list, *diagram_.field, axes_, sizes_, taken);
       addColourBar(list, colours_, box, sizes_, theme_);
     } else {
       addDiagramGrid(list, axes_, sizes_, theme_);
