@@ -15,6 +15,7 @@
 #include "core/friction/steady_states.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -24,13 +25,6 @@ using Json = nlohmann::ordered_json;
 constexpr ColumnName kExponent = "exponent";
 constexpr std::int64_t kFewLines = 10;  // of a stage before many lines
 constexpr std::size_t kCoarse = 16;     // points along a side of the first stage
-
-/// Whether steady friction at one velocity may depend on the key.
-bool isOfState(std::string_view key) {
-  const std::string_view section = key.substr(0, key.find('.'));
-  return section == "surface" || section == "elastomer" || section == "load" ||
-         section == "interface" || key == "sliding.velocity" || key == "accuracy.oversampling";
-}
 
 void setNumber(const Parameter& row, Scene& scene, double value) {
   if (std::holds_alternative<IntegerField>(row.field))
@@ -148,14 +142,13 @@ Json axisJson(const MapAxis& axis) {
 }  // namespace
 
 bool isMapParameter(const Parameter& row, const Scene& scene) {
-  return allowedRange(row) && isOfState(row.key) && isApplicable(row, scene);
+  return allowedRange(row) && whyNotSwept(row, scene).empty();
 }
 
 MapAxis mapAxis(const Scene& scene, const ParameterRange& range) {
   const std::string key(range.key());
-  if (!isOfState(key))
-    throw InputError("", key,
-                     "says how friction is computed or shown, and cannot be a side of a map");
+  if (Message reason = whyNotSwept(*range.row, scene); !reason.empty())
+    throw InputError("", "", reason);
   checkRange(range, scene);
   if (range.points < 2 || range.points > kMostMapPoints)
     throw InputError(

@@ -38,12 +38,12 @@ struct MapAxis {
 inline constexpr std::int64_t kMostMapPoints = 1000;  // along a side
 inline constexpr std::int64_t kMostMapCells = 100000;
 
-/// Whether the row is a number that steady friction in this scene may depend on. The others say how
-/// friction is computed and shown.
+/// Whether the row is a number that friction in this scene depends on (whyNotSwept of
+/// core/scene/sweep.h).
 bool isMapParameter(const Parameter& row, const Scene& scene);
 
-/// Returns the values of a range. Throws InputError with the key where it is no such number, has no
-/// meaning in the scene, or the range has fewer than 2 different values.
+/// Returns the values of a range. Throws InputError that names the key where it is no such number,
+/// or the range has fewer than 2 different values.
 MapAxis mapAxis(const Scene& scene, const ParameterRange& range);
 
 /// Returns a range for a row where none is asked for: that part of its slider around the scene's

@@ -91,7 +91,7 @@ TEST_F(MapCommandTest, RefusesInOneLine) {
   expectRefused("map s.json" + x, 2, "--y");
   expectRefused("map s.json" + x + " --y load.force=1:2:3", 2, "load.");
   expectRefused("map s.json" + x + " --y sliding.velocity=1:2:3", 2, "both sides");
-  expectRefused("map s.json" + x + " --y surface.slope=0.1:0.2:3", 2, "no meaning");
+  expectRefused("map s.json" + x + " --y surface.slope=0.1:0.2:3", 2, "surface.slope");
   expectRefused("map s.json" + x + " --y load.normal_force=1:2", 2, "FROM:TO:N");
   expectRefused("map s.json" + x + " --y load.normal_force=1:2:1", 2, "2 to 1000");
   expectRefused("map s.json" + x + " --y load.normal_force=0:2:5:log", 2, "above 0");

@@ -102,8 +102,8 @@ void DiagramView::request() {
         image.setDevicePixelRatio(scale);
         std::vector<DiagramFrame> frames = diagramFrames(sheet, options);
         for (DiagramFrame& frame : frames)
-          for (float* pixels : {&frame.left, &frame.top, &frame.width, &frame.height})
-            *pixels /= static_cast<float>(scale);
+          for (float* length : {&frame.left, &frame.top, &frame.width, &frame.height})
+            *length /= static_cast<float>(scale);
         return std::pair{image, std::move(frames)};
       },
       [this, number = asked_](const std::pair<QImage, std::vector<DiagramFrame>>& made) {
