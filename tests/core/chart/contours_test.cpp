@@ -53,7 +53,9 @@ TEST(Contours, OfAParaboloidAreCircles) {
     for (const ContourPlace& place : lines[0])
       worst = std::max(worst, std::abs(std::hypot(place.x, place.y) - 0.7));
     EXPECT_LT(worst, 2.0 / (n - 1) * 2.0 / (n - 1));
-    if (before > 0) EXPECT_GT(before / worst, 2.5);
+    if (before > 0) {
+      EXPECT_GT(before / worst, 2.5);
+    }
     before = worst;
   }
 }
@@ -85,7 +87,10 @@ TEST(Contours, ThereAreNoneBesideTheRange) {
 }
 
 TEST(Contours, LevelsAreRound) {
-  EXPECT_EQ(contourLevels(0, 1, false, 5), (std::vector<double>{0.2, 0.4, 2 * 0.3, 0.8}));
+  const std::vector<double> fifths = contourLevels(0, 1, false, 5);
+  ASSERT_EQ(fifths.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(fifths[i], 0.2 * (static_cast<double>(i) + 1), 1e-15);
   const std::vector<double> decades = contourLevels(1e-6, 2e3, true, 9);
   ASSERT_EQ(decades.size(), 9U);
   EXPECT_NEAR(decades.front() / 1e-5, 1, 1e-12);

@@ -55,7 +55,9 @@ void expectCellsOfCurves(const ParameterMap& map, double tolerance) {
       EXPECT_EQ(cell.realizations, own.realizations);
       EXPECT_EQ(cell.velocity, own.velocity);
       EXPECT_EQ(cell.notes, own.notes);
-      if (!std::isnan(own.muLaw)) EXPECT_NEAR(cell.muLaw, own.muLaw, 1e-12 * own.muLaw);
+      if (!std::isnan(own.muLaw)) {
+        EXPECT_NEAR(cell.muLaw, own.muLaw, 1e-12 * own.muLaw);
+      }
     }
 }
 
