@@ -94,7 +94,8 @@ TEST_F(MapCommandTest, RefusesInOneLine) {
   expectRefused("map s.json" + x + " --y surface.slope=0.1:0.2:3", 2, "surface.slope");
   expectRefused("map s.json" + x + " --y load.normal_force=1:2", 2, "FROM:TO:N");
   expectRefused("map s.json" + x + " --y load.normal_force=1:2:1", 2, "2 to 1000");
-  expectRefused("map s.json" + x + " --y load.normal_force=0:2:5:log", 2, "above 0");
+  expectRefused("map s.json" + x + " --y load.normal_force=0:2:5:log", 2,
+                "load.normal_force: 0 is outside");
   expectRefused("map s.json" + x + " --y surface.hurst=0:2:5", 2, "0 to 1");
   expectRefused("map s.json" + x + " --y load.normal_force=1mm:2mm:5", 2, "load.normal_force");
   expectRefused("map s.json" + x + y + " --show friction", 2, "--show");
