@@ -80,6 +80,19 @@ bool LawColumns::hasFewContacts(double velocity) const {
                                                   4 * law.viscosity * velocity * kFew * rmsHeight_;
 }
 
+/// Adds normal and tangential force, power and pressure in contact.
+void LawColumns::addForces(CurvePoint& point, const CurveAverages& averages) const {
+  const bool isHeld = scene_.load.kind == LoadKind::Indentation;
+  point.forceOnPeriod =
+      isHeld ? averages.normalForce.mean() : loadOn(scene_.load, length_).normalForce;
+  point.tangentialForce = isHeld ? averages.tangentialForce.mean() : point.mu * point.forceOnPeriod;
+  point.power = point.tangentialForce * point.velocity;
+  const double width =
+      scene_.load.kind == LoadKind::Pressure && scene_.load.width > 0 ? scene_.load.width : length_;
+  if (point.contactFraction > 0)
+    point.contactPressure = point.forceOnPeriod / (point.contactFraction * length_ * width);
+}
+
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
   if (scene_.load.kind != LoadKind::Indentation) point.muRatioOfMeans = kNotApplicable;
@@ -92,6 +105,7 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
   point.notes.add(notes_);
+  addForces(point, averages);
   if (scene_.load.kind == LoadKind::Pressure) {
     point.normalForce = loadOn(scene_.load, length_).normalForce;
     point.nominalPressure = scene_.load.nominalPressure;

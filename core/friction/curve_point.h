@@ -52,6 +52,13 @@ struct CurvePoint {
   /// 1 where friction rests on frequencies at which the elastomer was not measured, else 0; not
   /// applicable where these are not known (core/friction/excitation.h).
   double extrapolated = kNotApplicable;
+  /// The value of the swept key in its unit; not applicable to a curve over velocity.
+  double swept = kNotApplicable;
+  /// Means over the lines: normal and tangential force on one period (N, of the deformation), the
+  /// power that it takes (W), and the normal force over the area in contact (Pa), whose width is
+  /// that of the load, or the period where the load has none.
+  double forceOnPeriod = kNotApplicable, tangentialForce = kNotApplicable, power = kNotApplicable,
+         contactPressure = kNotApplicable;
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
@@ -115,6 +122,7 @@ class LawColumns {
 
  private:
   double normalized(double mu, const CurveAverages& averages) const;
+  void addForces(CurvePoint& point, const CurveAverages& averages) const;
   bool hasFewContacts(double velocity) const;
 
   Scene scene_;

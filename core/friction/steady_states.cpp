@@ -115,6 +115,8 @@ class States {
     found.points.resize(states_.size());
     if (options_.keepsLines) found.muOfLines.resize(states_.size());
     for (Group& group : groups_) found.computed += setCases(group);
+    if (options_.partial)
+      for (const Group& group : groups_) totalLines_ += LineSource(group.scene, 1).lines();
     double done = 0;
     for (const Group& group : groups_) {
       const double part =
@@ -125,6 +127,8 @@ class States {
       }
       done += part;
     }
+    if (balances_ > 0)
+      found.marginalFraction = static_cast<double>(marginal_) / static_cast<double>(balances_);
     return found;
   }
 
@@ -181,12 +185,30 @@ class States {
     return result;
   }
 
+  /// Columns of the law for each member, in its own units.
+  std::vector<LawColumns> columnsOf(const Group& group, const LineSource& source) const {
+    std::vector<LawColumns> columns;
+    for (const Member& member : group.members) {
+      LineStatistics statistics = source.statistics();
+      statistics.rmsHeight *= member.height;
+      statistics.rmsSlope *= member.height;
+      columns.emplace_back(states_[member.state], statistics, source);
+    }
+    return columns;
+  }
+
   bool slide(const Group& group, double done, double part, SteadyStates& found) {
     const LineSource source(group.scene, group.points);
-    const std::int64_t total = source.isRandom() ? group.scene.ensemble.realizations : 1;
+    const std::int64_t total = source.lines();
+    const std::vector<LawColumns> columns = columnsOf(group, source);
     std::vector<CurveAverages> averages(group.members.size());
     const RealizationTask task{group.scene, source, group.cases, 0};
     const auto take = [&](std::span<const SteadyResult> results) {
+      for (const SteadyResult& result : results) {
+        found.largestResidual = std::max(found.largestResidual, result.residual);
+        marginal_ += result.marginalShare < 1 ? 1 : 0;
+        ++balances_;
+      }
       for (std::size_t i = 0; i < group.members.size(); ++i) {
         const Member& member = group.members[i];
         const SteadyResult result = inUnitsOf(member, source.length(), results[member.result]);
@@ -195,28 +217,35 @@ class States {
           found.muOfLines[member.state].push_back(result.mu + result.muInterface);
       }
     };
+    const auto setPoints = [&] {
+      for (std::size_t i = 0; i < group.members.size(); ++i) {
+        const std::size_t state = group.members[i].state;
+        CurvePoint& point = found.points[state];
+        point = averages[i].point(states_[state].sliding.velocity);
+        columns[i].addTo(point, averages[i]);
+      }
+    };
     const auto report = [&](std::int64_t lines) {
       if (options_.progress)
         options_.progress(done + part * static_cast<double>(lines) / static_cast<double>(total));
+      if (!options_.partial) return;
+      setPoints();
+      options_.partial(lines_ + lines, totalLines_, found.points);
     };
-    if (!slideRealizations(task, total, options_.threads, options_.stop, take, report))
+    if (!slideRealizations(task, total, options_.threads, options_.stop, take, report)) {
+      if (options_.partial) setPoints();
       return false;
-    for (std::size_t i = 0; i < group.members.size(); ++i) {
-      const Member& member = group.members[i];
-      const Scene& scene = states_[member.state];
-      LineStatistics statistics = source.statistics();
-      statistics.rmsHeight *= member.height;
-      statistics.rmsSlope *= member.height;
-      CurvePoint& point = found.points[member.state];
-      point = averages[i].point(scene.sliding.velocity);
-      LawColumns(scene, statistics, source).addTo(point, averages[i]);
     }
+    lines_ += total;
+    setPoints();
     return true;
   }
 
   std::span<const Scene> states_;
   const StateOptions& options_;
   std::vector<Group> groups_;
+  std::int64_t lines_ = 0, totalLines_ = 0;  // slid, and of all groups together
+  std::int64_t balances_ = 0, marginal_ = 0;
 };
 
 }  // namespace
