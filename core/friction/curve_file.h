@@ -29,11 +29,26 @@ std::string curveRow(const CurvePoint& point);
 std::string notesOf(const CurvePoint& point);
 NoteSet noteSetOf(const CurvePoint& point);
 
+/// What the columns of a table depend on besides its points.
+struct CurveColumns {
+  /// The key over which the curves go. Another one than velocity gives the first column, named by
+  /// its last word, and the columns of forces.
+  std::string sweptKey{kVelocityKey};
+  bool hasForces = false;  // normal and tangential force, power and pressure in contact
+
+  /// Returns the name of the first column.
+  std::string_view sweptColumn() const;
+};
+
+/// Returns what a table of the scene's curve needs.
+CurveColumns columnsFor(const Scene& scene, bool hasForces = false);
+
 /// The columns of a table that may contain several curves: the columns of every curve, and further
 /// ones (local friction, an interval, notes, ...) where one of the curves needs them.
 class CurveTable {
  public:
-  explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves);
+  explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves,
+                      CurveColumns columns = {});
 
   /// Return names and cells of one row, separated by commas, without a line end.
   std::string header() const;
@@ -41,12 +56,17 @@ class CurveTable {
   nlohmann::ordered_json json(const CurvePoint& point) const;
 
  private:
+  bool isOfVelocity() const { return columns_.sweptKey == kVelocityKey; }
+  double extraValue(std::size_t i, const CurvePoint& point) const;
+
+  CurveColumns columns_;
   std::vector<std::size_t> extra_;  // indices in the list of further columns
   bool hasNotes_ = false;
 };
 
 /// Returns the table, with a column of notes where a point has one.
-std::string curveCsv(const std::vector<CurvePoint>& points);
-std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene);
+std::string curveCsv(const std::vector<CurvePoint>& points, const CurveColumns& columns = {});
+std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
+                      bool hasForces = false);
 
 }  // namespace asperity

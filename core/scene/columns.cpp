@@ -13,6 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kBatch = "batch";
+/// Over a number, a curve has it as its first column, under the last word of the key.
+constexpr std::string_view kBatchAndAxis = "batch, curve over it (last word)";
 
 /// Splits a list that is separated by ", ".
 std::vector<std::string> itemsOf(std::string_view list) {
@@ -30,7 +32,8 @@ template <class Use>
 void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
-    use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
+    use(Column{row.key, row.unit, row.sentence, row.symbol,
+               allowedRange(row) ? kBatchAndAxis : kBatch});
 }
 
 }  // namespace

@@ -92,8 +92,16 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
      "", "curve, curves"},
     {"normal_force", "N",
-     "Normal force on one period that the nominal pressure means; only with such a load.",
+     "Normal force on one period; only where a nominal pressure means it, and over another key than "
+     "velocity.",
      "F_N = p_0 L width", "curve, curves"},
+    {"tangential_force", "N",
+     "Mean tangential force of the deformation on one period; only over another key than velocity, "
+     "or where a chart shows forces.",
+     "|F_x| = mu F_N", "curve, curves"},
+    {"power", "W",
+     "Mean power that sliding puts into the deformation on one period; where tangential_force is.",
+     "|F_x| v", "curve, curves"},
     {"nominal_pressure", "Pa", "Normal force over the area of one period and the width.", "p_0",
      "curve, curves"},
     {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/measured/measured_file.h"
 #include "core/scene/list_text.h"
@@ -258,6 +259,14 @@ const Parameter* findParameter(std::string_view key) {
   const auto row = std::find_if(kTable.begin(), kTable.end(),
                                 [key](const Parameter& parameter) { return parameter.key == key; });
   return row == kTable.end() ? nullptr : &*row;
+}
+
+const Parameter& knownParameter(std::string_view key) {
+  if (const Parameter* row = findParameter(key)) return *row;
+  const std::string_view nearest = nearestKey(key);
+  throw InputError("", shortened(key),
+                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
+                                   : message("unknown key; the nearest known one is {}", nearest));
 }
 
 std::string_view nearestKey(std::string_view key) {

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "core/base/message.h"
+#include "core/base/units.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -110,6 +111,9 @@ std::span<const Parameter> parameters();
 /// Returns the row of a key, or null.
 const Parameter* findParameter(std::string_view key);
 
+/// Returns the row of a key. Throws InputError with the nearest known key where there is none.
+const Parameter& knownParameter(std::string_view key);
+
 /// Returns the known key nearest to `key` by edit distance.
 std::string_view nearestKey(std::string_view key);
 
@@ -132,8 +136,12 @@ ParameterValue defaultOf(const Parameter& parameter);
 /// where the value is of the wrong type, outside its range or not finite.
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 
-/// Does the same with text as a user types it ("1e7", "cubic").
+/// Does the same with text as a user types it ("1e7", "20mN", "cubic"); a number without a unit is
+/// in SI units.
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
+
+/// Returns what a text has to be for a number of the row.
+QuantityRule quantityRule(const Parameter& parameter);
 
 /// Limits of numbers; other rows have none.
 struct AllowedRange {

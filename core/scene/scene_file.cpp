@@ -34,16 +34,8 @@ struct Assignment {
   bool fromFile = true;
 };
 
-const Parameter& rowOf(const std::string& key) {
-  if (const Parameter* row = findParameter(key)) return *row;
-  const std::string_view nearest = nearestKey(key);
-  throw InputError("", shortened(key),
-                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
-                                   : message("unknown key; the nearest known one is {}", nearest));
-}
-
 ParameterValue valueFrom(const std::string& key, const Json& json) {
-  const Parameter& row = rowOf(key);
+  const Parameter& row = knownParameter(key);
   if (json.is_number_unsigned() && json.get<std::uint64_t>() > std::uint64_t{1} << 62)
     return json.get<double>();
   if (json.is_number_integer()) return json.get<std::int64_t>();
@@ -107,16 +99,16 @@ Assignment parseAssignment(const std::string& text) {
   if (equals == std::string::npos || equals == 0)
     throw InputError("--set", "", message("'{}' is not KEY=VALUE", shortened(text)));
   Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
-  rowOf(assignment.key);
+  knownParameter(assignment.key);
   return assignment;
 }
 
 bool isKind(const Assignment& assignment) {
-  return isKind(rowOf(assignment.key));
+  return isKind(knownParameter(assignment.key));
 }
 
 void apply(const Assignment& assignment, Scene& scene) {
-  const Parameter& row = rowOf(assignment.key);
+  const Parameter& row = knownParameter(assignment.key);
   if (assignment.typed)
     setValue(row, scene, assignment.value);
   else
@@ -260,7 +252,7 @@ void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
   if (!last.fromFile && namesMaterial(last)) {
     std::erase_if(assignments, [](const Assignment& assignment) {
       return assignment.fromFile &&
-             (assignment.key == kRheology || rowOf(assignment.key).rule.isOfMaterial);
+             (assignment.key == kRheology || knownParameter(assignment.key).rule.isOfMaterial);
     });
     changedKinds.insert({kRheology, "elastomer.shift.kind"});
   }
@@ -280,7 +272,7 @@ void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
     if (isKind(value)) apply(value, scene);
   // A key beside the material may choose another shift, for which the material's has no meaning.
   std::erase_if(values, [&](const Assignment& value) {
-    return isKind(value) || !isApplicable(rowOf(value.key), scene);
+    return isKind(value) || !isApplicable(knownParameter(value.key), scene);
   });
   assignments.insert(assignments.begin(), values.begin(), values.end());
 }
@@ -306,10 +298,10 @@ void dropRequired(std::vector<Assignment>& assignments) {
       return other.fromFile && other.key == assignment.key;
     });
     if (inFile == assignments.end() || inFile->value != assignment.value)
-      otherKinds.insert(rowOf(assignment.key).key);
+      otherKinds.insert(knownParameter(assignment.key).key);
   }
   std::erase_if(assignments, [&](const Assignment& assignment) {
-    const Parameter& row = rowOf(assignment.key);
+    const Parameter& row = knownParameter(assignment.key);
     return assignment.fromFile && row.rule.isRequired && hangsOn(otherKinds, row);
   });
 }
@@ -331,7 +323,7 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
   chooseMaterial(assignments, scene, changedKinds);
   for (const Assignment& assignment : assignments) {
     if (!isKind(assignment)) continue;
-    if (!assignment.fromFile) changedKinds.insert(rowOf(assignment.key).key);
+    if (!assignment.fromFile) changedKinds.insert(knownParameter(assignment.key).key);
     apply(assignment, scene);
   }
   addMaterialValues(assignments, scene, folder);
@@ -344,7 +336,7 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
     scene.ensemble.realizations = 0;
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
-    const Parameter& row = rowOf(assignment.key);
+    const Parameter& row = knownParameter(assignment.key);
     const bool applies = isApplicable(row, scene);
     if (applies && !isKind(assignment) && !isEveryRow(assignment, row, scene, changedKinds))
       apply(assignment, scene);

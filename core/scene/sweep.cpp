@@ -8,7 +8,6 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/text.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -82,21 +81,6 @@ Message whyInapplicable(const Parameter& parameter, const Scene& scene) {
                  std::get<std::string>(valueOf(*choice, scene)));
 }
 
-/// Puts the last value on its place and returns the values.
-std::vector<double> endingIn(std::vector<double> values, double to) {
-  if (values.size() > 1) values.back() = to;
-  return values;
-}
-
-double partOf(std::int64_t i, std::int64_t points) {
-  return points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
-}
-
-std::vector<double> spaced(double from, double to, const Sweep& sweep) {
-  return sweep.scale == SweepScale::Linear ? linearSpaced(from, to, sweep.points)
-                                           : logSpaced(from, to, sweep.points);
-}
-
 void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, double value) {
   const AllowedRange allowed = *allowedRange(parameter);
   if (value < allowed.minimum || value > allowed.maximum)
@@ -113,41 +97,43 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 }  // namespace
 
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < points; ++i)
-    values.push_back(from * std::pow(to / from, partOf(i, points)));
-  return endingIn(std::move(values), to);
-}
-
-std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < points; ++i)
-    values.push_back(from + (to - from) * partOf(i, points));
-  return endingIn(std::move(values), to);
+  return valuesOf({findParameter(kVelocityKey), from, to, points, true});
 }
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {
-  return spaced(sweep.velocityFrom, sweep.velocityTo, sweep);
+  return valuesOf({findParameter(kVelocityKey), sweep.velocityFrom, sweep.velocityTo, sweep.points,
+                   sweep.scale == SweepScale::Logarithmic});
 }
 
 const Parameter& sweptParameter(const Scene& scene) {
-  if (const Parameter* row = findParameter(scene.sweep.key)) return *row;
-  const std::string_view nearest = nearestKey(scene.sweep.key);
-  throw InputError("", "sweep.key",
-                   nearest.empty() ? message("{} is no key; 'asperity help check' lists all",
-                                             shortened(scene.sweep.key))
-                                   : message("{} is no key; the nearest known one is {}",
-                                             shortened(scene.sweep.key), nearest));
+  try {
+    return knownParameter(scene.sweep.key);
+  } catch (const InputError& error) {
+    throw InputError("", "sweep.key", message("{}: {}", error.key(), error.message()));
+  }
+}
+
+ParameterRange sweepRange(const Scene& scene) {
+  const Sweep& sweep = scene.sweep;
+  const bool isOfVelocity = sweep.isOfVelocity();
+  return {&sweptParameter(scene), isOfVelocity ? sweep.velocityFrom : sweep.from,
+          isOfVelocity ? sweep.velocityTo : sweep.to, sweep.points,
+          sweep.scale == SweepScale::Logarithmic};
+}
+
+Scene sceneOver(const ParameterRange& range, Scene scene) {
+  Sweep& sweep = scene.sweep;
+  sweep = {};
+  sweep.key = range.key();
+  (sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from) = range.from;
+  (sweep.isOfVelocity() ? sweep.velocityTo : sweep.to) = range.to;
+  sweep.points = range.points;
+  sweep.scale = range.isLogarithmic ? SweepScale::Logarithmic : SweepScale::Linear;
+  return scene;
 }
 
 std::vector<double> sweepValues(const Scene& scene) {
-  const Sweep& sweep = scene.sweep;
-  if (sweep.isOfVelocity()) return sweepVelocities(sweep);
-  std::vector<double> values = spaced(sweep.from, sweep.to, sweep);
-  if (!isWhole(sweptParameter(scene))) return values;
-  for (double& value : values) value = std::round(value);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
+  return valuesOf(sweepRange(scene));
 }
 
 Scene sceneAt(const Scene& scene, double value) {

@@ -7,6 +7,118 @@
 <context>
     <name>core</name>
     <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a modulus or pressure</source>
+        <translation>ein Modul oder Druck</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>a force on a length</source>
+        <translation>eine Kraft je Länge</translation>
+    </message>
+    <message>
+        <source>a viscosity</source>
+        <translation>eine Viskosität</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>an energy</source>
+        <translation>eine Energie</translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation>eine Leistung</translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation>eine Spannung</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a wave number</source>
+        <translation>eine Wellenzahl</translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>a difference of temperatures</source>
+        <translation>ein Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>%1 is %2; wanted is %3, such as %4</source>
+        <translation>%1 ist %2; gefragt ist %3, etwa %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a known unit; wanted is %2, such as %3</source>
+        <translation>„%1“ ist hier keine bekannte Einheit; gefragt ist %2, etwa %3</translation>
+    </message>
+    <message>
+        <source>an energy of a mole</source>
+        <translation>eine Energie je Mol</translation>
+    </message>
+    <message>
+        <source>a share</source>
+        <translation>ein Anteil</translation>
+    </message>
+    <message>
+        <source>is not a number, so it has no range</source>
+        <translation>ist keine Zahl und hat deshalb keinen Bereich</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not FROM:TO:N, such as 0.001:10:41, with :log or :linear behind it where wanted</source>
+        <translation>„%1“ ist nicht VON:BIS:N, etwa 0.001:10:41, dahinter :log oder :linear, wo gewünscht</translation>
+    </message>
+    <message>
+        <source>%1 points are outside 1 to %2</source>
+        <translation>%1 Punkte liegen außerhalb von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=FROM:TO:N, such as load.normal_force=0.001:10:41</source>
+        <translation>„%1“ ist nicht SCHLÜSSEL=VON:BIS:N, etwa load.normal_force=0.001:10:41</translation>
+    </message>
+    <message>
+        <source>has no meaning in this scene, so nothing depends on it</source>
+        <translation>hat in dieser Szene keine Bedeutung, also hängt nichts davon ab</translation>
+    </message>
+    <message>
+        <source>a logarithmic range needs ends above 0; %1 is not</source>
+        <translation>ein logarithmischer Bereich braucht Enden über 0; %1 ist es nicht</translation>
+    </message>
+    <message>
         <source>reduced sliding velocity a_T v at %1 K</source>
         <translation>reduzierte Gleitgeschwindigkeit a_T v bei %1 K</translation>
     </message>
@@ -21,10 +133,6 @@
     <message>
         <source>the scene's %1 is outside %2 to %3</source>
         <translation>der Wert der Szene, %1, liegt außerhalb von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>unknown key; did you mean %1?</source>
-        <translation>unbekannter Schlüssel; ist %1 gemeint?</translation>
     </message>
     <message>
         <source>unknown key</source>
@@ -4377,14 +4485,6 @@
     <message>
         <source>%1 has no place on a logarithmic axis; sweep.scale linear has room for it</source>
         <translation>%1 hat auf einer logarithmischen Achse keinen Platz; bei sweep.scale linear hat es einen</translation>
-    </message>
-    <message>
-        <source>%1 is no key; &apos;asperity help check&apos; lists all</source>
-        <translation>%1 ist kein Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
-    </message>
-    <message>
-        <source>%1 is no key; the nearest known one is %2</source>
-        <translation>%1 ist kein Schlüssel; der nächste bekannte ist %2</translation>
     </message>
     <message>
         <source>%1 is not a number</source>
