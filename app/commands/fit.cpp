@@ -17,6 +17,7 @@
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -85,11 +86,12 @@ int runFit(const FitCommand& command) {
   Scene scene = sceneOf(command.common);
   CurveArguments beside;
   beside.data = command.data;
-  scene = withComparisons(scene, beside);
+  scene = withCurveOptions(scene, beside);
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
     needSteadySliding(scene, "asperity fit");
+    needVelocityAxis(scene, "asperity fit");
     if (choosesAccuracy(scene))
       throw InputError("", "accuracy.target_relative_error",
                        "a fit needs the same lines everywhere, not a target");

@@ -55,7 +55,7 @@ class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
       : command_(command),
-        scene_(withComparisons(sceneOf(command.common), command.curves)),
+        scene_(withCurveOptions(sceneOf(command.common), command.curves)),
         kind_(kindOf(command.output)),
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),

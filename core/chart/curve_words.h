@@ -13,6 +13,12 @@ namespace asperity {
 /// for arms and for an unknown key.
 Message parameterInWords(std::string_view key, const Scene& scene);
 
+struct Parameter;
+
+/// Returns the title of an axis over a parameter: "normal force F\u2099"; "sliding velocity v" of
+/// velocity.
+Message axisInWords(const Parameter& row);
+
 /// Returns one line with a scene's parameters: "H = 0.7, h = 500 nm, G = 10 MPa, ...".
 Message parametersInWords(const Scene& scene);
 

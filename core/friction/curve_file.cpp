@@ -129,8 +129,7 @@ CurveColumns columnsFor(const Scene& scene, bool hasForces) {
   return {scene.sweep.key, hasForces || !scene.sweep.isOfVelocity()};
 }
 
-CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves,
-                       CurveColumns columns)
+CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves, CurveColumns columns)
     : columns_(std::move(columns)) {
   for (std::size_t i = 0; i < kExtraColumns.size(); ++i) {
     // The axis may be what a further column says.
@@ -171,8 +170,7 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   for (const CurveColumn& column : kCurveColumns)
     row[column.name.text()] = cell(point.*column.member);
   row[kRealizations.text()] = point.realizations;
-  for (const std::size_t i : extra_)
-    row[kExtraColumns[i].name.text()] = cell(extraValue(i, point));
+  for (const std::size_t i : extra_) row[kExtraColumns[i].name.text()] = cell(extraValue(i, point));
   if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);
   return row;
 }

@@ -89,7 +89,7 @@ void LawColumns::addForces(CurvePoint& point, const CurveAverages& averages) con
   point.power = point.tangentialForce * point.velocity;
   const double width =
       scene_.load.kind == LoadKind::Pressure && scene_.load.width > 0 ? scene_.load.width : length_;
-  if (point.contactFraction > 0)
+  if (std::isgreater(point.contactFraction, 0))
     point.contactPressure = point.forceOnPeriod / (point.contactFraction * length_ * width);
 }
 

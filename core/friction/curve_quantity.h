@@ -27,7 +27,7 @@ enum class CurveQuantity {
 
 struct QuantityEntry {
   CurveQuantity quantity;
-  ColumnName word;        // in tables and on the command line
+  ColumnName word;         // in tables and on the command line
   std::string_view title;  // of an axis
   std::string_view unit;   // SI; empty for a pure number
   double CurvePoint::*value;

@@ -92,7 +92,8 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
      "", "curve, curves"},
     {"normal_force", "N",
-     "Normal force on one period; only where a nominal pressure means it, and over another key than "
+     "Normal force on one period; only where a nominal pressure means it, and over another key "
+     "than "
      "velocity.",
      "F_N = p_0 L width", "curve, curves"},
     {"tangential_force", "N",

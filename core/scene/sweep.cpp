@@ -21,12 +21,6 @@ bool isNumber(const Parameter& parameter) {
   return allowedRange(parameter).has_value();
 }
 
-double numberOf(const Parameter& parameter, const Scene& scene) {
-  const ParameterValue value = valueOf(parameter, scene);
-  const auto* whole = std::get_if<std::int64_t>(&value);
-  return whole ? static_cast<double>(*whole) : std::get<double>(value);
-}
-
 void setNumber(const Parameter& parameter, Scene& scene, double value) {
   setValue(parameter, scene, isWhole(parameter) ? std::round(value) : value);
 }
@@ -96,6 +90,12 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 
 }  // namespace
 
+double numberOf(const Parameter& parameter, const Scene& scene) {
+  const ParameterValue value = valueOf(parameter, scene);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  return whole ? static_cast<double>(*whole) : std::get<double>(value);
+}
+
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {
   return valuesOf({findParameter(kVelocityKey), from, to, points, true});
 }
@@ -159,6 +159,12 @@ Message whyNotSwept(const Parameter& parameter, const Scene& scene) {
   return {};
 }
 
+void needVelocityAxis(const Scene& scene, const Message& what) {
+  if (!scene.sweep.isOfVelocity())
+    throw InputError("", "sweep.key",
+                     message("{} goes over velocities, not over {}", what, scene.sweep.key));
+}
+
 void checkSweep(const Scene& scene) {
   const Sweep& sweep = scene.sweep;
   if (sweep.isOfVelocity()) {
@@ -171,6 +177,9 @@ void checkSweep(const Scene& scene) {
   const Parameter& row = sweptParameter(scene);
   if (Message reason = whyNotSwept(row, scene); !reason.empty())
     throw InputError("", "sweep.key", std::move(reason));
+  if (scene.sliding.velocity == 0)
+    throw InputError("", std::string(kVelocityKey),
+                     message("is 0: a curve over {} slides at it, so it needs more", row.key));
   checkEnd(row, scene, "sweep.from", sweep.from);
   checkEnd(row, scene, "sweep.to", sweep.to);
 }

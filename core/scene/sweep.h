@@ -21,6 +21,12 @@ std::vector<double> sweepVelocities(const Sweep& sweep);
 /// where there is none.
 const Parameter& sweptParameter(const Scene& scene);
 
+/// Returns the range of the scene's sweep, over whichever key.
+ParameterRange sweepRange(const Scene& scene);
+
+/// Returns the scene with its curve over this range.
+Scene sceneOver(const ParameterRange& range, Scene scene);
+
 /// Returns the values of the scene's sweep in the key's unit, velocities included. Those of a whole
 /// number are rounded, and repeats are left out.
 std::vector<double> sweepValues(const Scene& scene);
@@ -29,12 +35,19 @@ std::vector<double> sweepValues(const Scene& scene);
 /// the plain sweep over velocity. Throws InputError where the key does not allow the value.
 Scene sceneAt(const Scene& scene, double value);
 
+/// Returns the number that a real or whole parameter has in a scene.
+double numberOf(const Parameter& parameter, const Scene& scene);
+
 /// Returns the number that the swept key has in the scene itself.
 double ownSweptValue(const Scene& scene);
 
 /// Returns why a friction curve cannot go over this parameter in the scene: no number, a rule of
 /// the curve itself, no meaning, or no influence on friction. Empty where it can.
 Message whyNotSwept(const Parameter& parameter, const Scene& scene);
+
+/// Throws InputError (sweep.key) where the scene's curve does not go over velocity, which `what`
+/// needs.
+void needVelocityAxis(const Scene& scene, const Message& what);
 
 /// Throws InputError that names the key of the sweep where it cannot be: the reason above, ends
 /// that the key does not allow, a logarithm of what is not above 0.

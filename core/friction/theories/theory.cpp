@@ -11,6 +11,7 @@
 #include "core/friction/theories/gaussian_foundation.h"
 #include "core/friction/theories/persson_half_space.h"
 #include "core/scene/sweep.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -131,7 +132,8 @@ double TheoryPoint::value(CurveQuantity quantity) const {
     case CurveQuantity::Power:
       return mu * normalForce * velocity;
     case CurveQuantity::MeanPressure:
-      return contactFraction > 0 ? normalForce / (contactFraction * area) : kNotApplicable;
+      return std::isgreater(contactFraction, 0) ? normalForce / (contactFraction * area)
+                                                : kNotApplicable;
     default:
       return kNotApplicable;
   }

@@ -23,10 +23,10 @@ std::span<const TheoryEntry> theoryEntries();
 const TheoryEntry& entryOf(Theory theory);
 
 struct TheoryPoint {
-  double velocity = 0;         // m/s
-  double mu = 0;               // NaN: the theory says nothing
-  double contactFraction = 0;  // L_c / L; NaN likewise
-  bool isInRange = true;       // where the theory's own assumptions hold
+  double velocity = 0;            // m/s
+  double mu = 0;                  // NaN: the theory says nothing
+  double contactFraction = 0;     // L_c / L; NaN likewise
+  bool isInRange = true;          // where the theory's own assumptions hold
   double swept = kNotApplicable;  // the value of the swept key where it is not the velocity
   /// Of the lines and the load: rms slope, normal force (N) and the area of one period (m^2).
   double rmsSlope = kNotApplicable, normalForce = kNotApplicable, area = kNotApplicable;
