@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/material/element_law.h"
+#include "core/scene/effects.h"
 
 namespace asperity {
 namespace {
@@ -145,6 +146,80 @@ Scene sceneAt(const Scene& scene, double value) {
 
 double ownSweptValue(const Scene& scene) {
   return numberOf(sweptParameter(scene), scene);
+}
+
+Scene withSweptValue(Scene scene, double value) {
+  const Parameter& row = sweptParameter(scene);
+  const AllowedRange allowed = *allowedRange(row);
+  setNumber(row, scene, std::clamp(value, allowed.minimum, allowed.maximum));
+  return scene;
+}
+
+namespace {
+
+/// Whether the scene can be at this value of the parameter.
+bool canBe(const Parameter& parameter, const Scene& scene, double value) {
+  try {
+    Scene state = scene;
+    setNumber(parameter, state, value);
+    checkEffects(state);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
+  constexpr std::int64_t kPoints = 41;
+  constexpr double kAround = 100;
+  constexpr int kAttempts = 8;
+  const AllowedRange allowed = *allowedRange(parameter);
+  const double own = numberOf(parameter, scene);
+  ParameterRange range{&parameter, 0, 0, kPoints, hasLogarithmicSlider(parameter)};
+  const auto* real = std::get_if<RealField>(&parameter.field);
+  const auto* whole = std::get_if<IntegerField>(&parameter.field);
+  const double from = real ? real->sliderFrom : static_cast<double>(whole->sliderFrom);
+  const double to = real ? real->sliderTo : static_cast<double>(whole->sliderTo);
+  const bool isAround = range.isLogarithmic && own > 0;
+  range.from = std::clamp(isAround ? own / kAround : from, allowed.minimum, allowed.maximum);
+  range.to = std::clamp(isAround ? own * kAround : to, allowed.minimum, allowed.maximum);
+  // A logarithmic slider may begin at none, which has no logarithm.
+  if (range.isLogarithmic && !(range.from > 0)) range.from = from;
+  for (double* end : {&range.from, &range.to})
+    for (int i = 0; i < kAttempts && !canBe(parameter, scene, *end); ++i)
+      *end = isAround ? std::sqrt(*end * own) : (*end + own) / 2;
+  if (whole) {
+    range.from = std::round(range.from);
+    range.to = std::round(range.to);
+  }
+  return range;
+}
+
+Scene withMeaningfulAxis(Scene scene) {
+  if (scene.sweep.isOfVelocity()) return scene;
+  const Parameter* row = findParameter(scene.sweep.key);
+  if (row && whyNotSwept(*row, scene).empty()) return scene;
+  const std::int64_t points = scene.sweep.points;
+  scene.sweep = {};
+  scene.sweep.points = points;
+  return scene;
+}
+
+Scene sceneOfCurve(Scene scene) {
+  scene.title.clear();
+  scene.description.clear();
+  scene.chapter.clear();
+  const double velocity = scene.sliding.velocity;
+  scene.sliding = {};
+  if (scene.sweep.isOfVelocity()) return scene;
+  scene.sliding.velocity = velocity;
+  const Parameter* row = findParameter(scene.sweep.key);
+  if (!row || !isNumber(*row) || !isApplicable(*row, scene)) return scene;
+  const AllowedRange allowed = *allowedRange(*row);
+  setNumber(*row, scene, std::clamp(scene.sweep.from, allowed.minimum, allowed.maximum));
+  return scene;
 }
 
 Message whyNotSwept(const Parameter& parameter, const Scene& scene) {

@@ -41,6 +41,21 @@ double numberOf(const Parameter& parameter, const Scene& scene);
 /// Returns the number that the swept key has in the scene itself.
 double ownSweptValue(const Scene& scene);
 
+/// Returns the scene itself with the swept key at a value, within what the key allows.
+Scene withSweptValue(Scene scene, double value);
+
+/// Returns a range for a curve over a parameter around the scene's own value: two decades to each
+/// side, or the range of a linear slider; shorter where the ends cannot be.
+ParameterRange usualRange(const Parameter& parameter, const Scene& scene);
+
+/// Returns the scene with a curve over velocity where its own axis has no meaning any more.
+Scene withMeaningfulAxis(Scene scene);
+
+/// Returns the scene with defaults in place of all on which its friction curve does not depend:
+/// texts, the motion (but the velocity at which a curve over another key slides), the scene's own
+/// value of the swept key. Scenes that are equal then have the same curve.
+Scene sceneOfCurve(Scene scene);
+
 /// Returns why a friction curve cannot go over this parameter in the scene: no number, a rule of
 /// the curve itself, no meaning, or no influence on friction. Empty where it can.
 Message whyNotSwept(const Parameter& parameter, const Scene& scene);
