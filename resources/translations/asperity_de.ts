@@ -423,6 +423,14 @@
         <source>chi squared %1 for %2 degrees of freedom</source>
         <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
     </message>
+    <message>
+        <source>one value of %1</source>
+        <translation>ein Wert von %1</translation>
+    </message>
+    <message>
+        <source>%1 values of %2</source>
+        <translation>%1 Werte von %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -765,6 +773,30 @@
     <message>
         <source>Pictures (*.png *.svg *.pdf);;Table (*.csv)</source>
         <translation>Bilder (*.png *.svg *.pdf);;Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Horizontal axis</source>
+        <translation>Waagrechte Achse</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Family of curves</source>
+        <translation>Kurvenschar</translation>
+    </message>
+    <message>
+        <source>Pins five curves, at five values of another parameter</source>
+        <translation>Heftet fünf Kurven an, bei fünf Werten eines anderen Parameters</translation>
+    </message>
+    <message>
+        <source>Linear horizontal axis</source>
+        <translation>Waagrechte Achse linear</translation>
+    </message>
+    <message>
+        <source>Linear vertical axis</source>
+        <translation>Senkrechte Achse linear</translation>
     </message>
 </context>
 <context>
@@ -1750,6 +1782,10 @@
     <message>
         <source>Add measured friction</source>
         <translation>Gemessene Reibung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Axis of the curve</source>
+        <translation>Achse der Kurve</translation>
     </message>
 </context>
 <context>
