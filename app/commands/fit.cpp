@@ -13,6 +13,8 @@
 #include "core/base/number_text.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -65,7 +67,7 @@ int runFit(const FitCommand& command) {
   const PictureSettings settings = pictureSettings(command.picture, kPictures);
   CurveArguments beside;
   beside.data = command.data;
-  const ComparedScene compared = withComparisons(sceneOf(command.common), beside);
+  const ComparedScene compared = withCurveOptions(sceneOf(command.common), beside);
   const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");

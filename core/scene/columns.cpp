@@ -12,7 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kBatch = "batch", kMap = "map";
+constexpr std::string_view kBatch = "batch";
+/// Over a number, a curve has it as its first column, a map as one of its first two, under the last
+/// word of the key.
+constexpr std::string_view kBatchAndAxis = "batch, curve over it (last word), map (last word)";
 
 /// Splits a list that is separated by ", ".
 std::vector<std::string> itemsOf(std::string_view list) {
@@ -30,11 +33,8 @@ template <class Use>
 void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
-    use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
-  // A side of a map is named by the last word of its key.
-  for (const Parameter& row : parameters())
-    if (allowedRange(row))
-      use(Column{row.key.substr(row.key.rfind('.') + 1), row.unit, row.sentence, row.symbol, kMap});
+    use(Column{row.key, row.unit, row.sentence, row.symbol,
+               allowedRange(row) ? kBatchAndAxis : kBatch});
 }
 
 }  // namespace
