@@ -4702,6 +4702,10 @@
         <source>only one value of %1 is asked for</source>
         <translation>nur ein Wert von %1 ist gefragt</translation>
     </message>
+    <message>
+        <source>contacts in a period</source>
+        <translation>Kontakte in einer Periode</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
