@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "core/scene/parameters.h"
@@ -31,10 +32,17 @@ void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
     use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
-  // A side of a map is named by the last word of its key.
-  for (const Parameter& row : parameters())
-    if (allowedRange(row))
-      use(Column{row.key.substr(row.key.rfind('.') + 1), row.unit, row.sentence, row.symbol, kMap});
+  // A side of a map is named by the last word of its key. Some of these words are columns of the
+  // map itself, with the same meaning, and several keys may end with the same word.
+  std::set<std::string_view> known;
+  for (const Column& column : kColumns)
+    for (const std::string& table : itemsOf(column.tables))
+      if (table == kMap) known.insert(column.name);
+  for (const Parameter& row : parameters()) {
+    const std::string_view word = row.key.substr(row.key.rfind('.') + 1);
+    if (allowedRange(row) && known.insert(word).second)
+      use(Column{word, row.unit, row.sentence, row.symbol, kMap});
+  }
 }
 
 }  // namespace
