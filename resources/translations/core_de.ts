@@ -4762,6 +4762,10 @@
         <source>belongs to physical axes; dimensionless ones show mu over the slope</source>
         <translation>gehört zu physikalischen Achsen; dimensionslose zeigen mu über der Steigung</translation>
     </message>
+    <message>
+        <source>contacts in a period</source>
+        <translation>Kontakte in einer Periode</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
