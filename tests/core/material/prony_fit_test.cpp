@@ -51,6 +51,17 @@ TEST(PronyFit, AKnownSeriesComesBackInItsModuli) {
   for (const Arm& arm : series.arms) EXPECT_GT(arm.modulus, 0);
 }
 
+TEST(PronyFit, IsStoppedAndSoAreTheShifts) {
+  const SyntheticRubber rubber;
+  std::stop_source stop;
+  PronyOptions options;
+  options.stop = stop.get_token();
+  EXPECT_NO_THROW(fitPronySeries(modulusOver(rubber, 1e-3, 1e5), options));
+  stop.request_stop();
+  EXPECT_THROW(fitPronySeries(modulusOver(rubber, 1e-3, 1e5), options), MaterialStopped);
+  EXPECT_THROW(masterCurve(rubber.sweeps(15), 298.15, false, stop.get_token()), MaterialStopped);
+}
+
 TEST(PronyFit, FromIsothermsToModuli) {
   const SyntheticRubber rubber;
   const MasterCurve curve = masterCurve(rubber.sweeps(15), 298.15);
