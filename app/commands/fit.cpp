@@ -63,14 +63,15 @@ std::string summaryOf(const Fit& fit) {
 int runFit(const FitCommand& command) {
   checkFolderName(command.output);
   const PictureSettings settings = pictureSettings(command.picture, kPictures);
-  Scene scene = sceneOf(command.common);
   CurveArguments beside;
   beside.data = command.data;
-  scene = withComparisons(scene, beside);
+  const ComparedScene compared = withComparisons(sceneOf(command.common), beside);
+  const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
     const std::vector<VariedParameter> varied = variedFrom(command.varied, scene);
+    const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
     std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);
     for (const DataFile& table : scene.comparison.data) inputs.push_back(scene.folder / table.file);
     FitOptions options;
@@ -81,7 +82,7 @@ int runFit(const FitCommand& command) {
       constexpr int kUsual = 150;
       bar.show(std::min(evaluations, kUsual - 1), kUsual);
     };
-    FittedCurve fitted = fitWithCurve(scene, varied, options);
+    FittedCurve fitted = fitWithCurve(scene, data, varied, options);
     fitted.varied = command.varied;
     const FitReport report = fitReport(fitted, command.output);
     OutputFolder output(command.output, inputs, settings);

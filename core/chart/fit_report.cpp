@@ -212,13 +212,12 @@ DiagramSheet profileSheet(const Fit& fit) {
   return sheet;
 }
 
-FittedCurve fitWithCurve(const Scene& scene, std::span<const VariedParameter> parameters,
-                         const FitOptions& options) {
+FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
+                         std::span<const VariedParameter> parameters, const FitOptions& options) {
   needSteadySliding(scene, "a fit");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "a fit needs the same lines everywhere, not a target");
-  const std::vector<FrictionData> data = readComparisonData(scene);
   FittedCurve fitted;
   fitted.fit = fitFriction(scene, data, parameters, options);
   CurveOptions curve;

@@ -38,10 +38,11 @@ struct FittedCurve {
   std::vector<std::string> varied;  // as a user wrote them: "KEY" or "KEY=LOW:HIGH"
 };
 
-/// Fits the scene to the tables that it names and computes the curve of the fitted scene. Throws as
-/// fitFriction, and InputError where the scene moves or has a target in place of a number of lines.
-FittedCurve fitWithCurve(const Scene& scene, std::span<const VariedParameter> parameters,
-                         const FitOptions& options);
+/// Fits the scene to the tables that it names (readComparisonData) and computes the curve of the
+/// fitted scene. Throws as fitFriction, and InputError where the scene moves or has a target in
+/// place of a number of lines.
+FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
+                         std::span<const VariedParameter> parameters, const FitOptions& options);
 
 /// The files of a report in one folder.
 struct FitReport {

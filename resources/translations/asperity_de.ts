@@ -423,6 +423,14 @@
         <source>chi squared %1 for %2 degrees of freedom</source>
         <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
     </message>
+    <message>
+        <source>%1 times %2 states, %3 of them different</source>
+        <translation>%1 mal %2 Zustände, davon %3 verschiedene</translation>
+    </message>
+    <message>
+        <source>friction does not depend on %1 in this scene</source>
+        <translation>die Reibung hängt in dieser Szene nicht von %1 ab</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -1557,6 +1565,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::MapPanel</name>
+    <message>
+        <source>Along x:</source>
+        <translation>Entlang x:</translation>
+    </message>
+    <message>
+        <source>Along y:</source>
+        <translation>Entlang y:</translation>
+    </message>
+    <message>
+        <source>Show:</source>
+        <translation>Zeige:</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture or a table</source>
+        <translation>Die Karte als Bild oder Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>friction over two parameters</source>
+        <translation>Reibung über zwei Parametern</translation>
+    </message>
+</context>
+<context>
     <name>asperity::MaterialBox</name>
     <message>
         <source>own values</source>
@@ -2041,6 +2076,10 @@
     <message>
         <source>Material</source>
         <translation>Material</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
     </message>
 </context>
 <context>
@@ -2884,6 +2923,10 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
+        <source>parts of the surface</source>
+        <translation>Teile der Oberfläche</translation>
+    </message>
+    <message>
         <source>lines compared</source>
         <translation>verglichene Linien</translation>
     </message>
@@ -2894,6 +2937,10 @@
     <message>
         <source>evaluations</source>
         <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>Zustände</translation>
     </message>
 </context>
 </TS>

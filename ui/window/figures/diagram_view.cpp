@@ -93,6 +93,10 @@ void DiagramView::setTheme(const Theme& theme) {
   requestSoon();
 }
 
+void DiagramView::setPause(int pause) {
+  pause_->setInterval(pause);
+}
+
 void DiagramView::requestSoon() {
   isDue_ = true;
   if (!pause_->isActive()) request();
@@ -110,14 +114,19 @@ void DiagramView::request() {
   ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
-        QImage image = renderImage(contextOfThread(),
-                                   composeDiagrams(readable(sheetOf(maker), options), options));
+        const DiagramSheet sheet = readable(sheetOf(maker), options);
+        QImage image = renderImage(contextOfThread(), composeDiagrams(sheet, options));
         image.setDevicePixelRatio(scale);
-        return image;
+        std::vector<DiagramFrame> frames = diagramFrames(sheet, options);
+        for (DiagramFrame& frame : frames)
+          for (float* length : {&frame.left, &frame.top, &frame.width, &frame.height})
+            *length /= static_cast<float>(scale);
+        return std::pair{image, std::move(frames)};
       },
-      [this, number = asked_](const QImage& image) {
+      [this, number = asked_](const std::pair<QImage, std::vector<DiagramFrame>>& made) {
         shown_ = number;
-        image_ = image;
+        image_ = made.first;
+        frames_ = made.second;
         update();
         emit painted();
       },
@@ -150,13 +159,15 @@ void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
   if (export_.name.isEmpty() || !maker_) return QWidget::contextMenuEvent(event);
   QMenu menu(this);
   menu.addAction(tr("Copy picture"), this, &DiagramView::copy);
-  menu.addAction(tr("Save diagram…"), this, [this] {
-    QString filters = tr("Pictures (*.png *.svg *.pdf)");
-    if (export_.table) filters += ";;" + tr("Tables (*.csv)");
-    const QString file = askSaveFile(this, tr("Save diagram"), export_.name + ".png", filters);
-    if (!file.isEmpty()) save(file);
-  });
+  menu.addAction(tr("Save diagram…"), this, &DiagramView::saveAs);
   menu.exec(event->globalPos());
+}
+
+void DiagramView::saveAs() {
+  QString filters = tr("Pictures (*.png *.svg *.pdf)");
+  if (export_.table) filters += ";;" + tr("Tables (*.csv)");
+  const QString file = askSaveFile(this, tr("Save diagram"), export_.name + ".png", filters);
+  if (!file.isEmpty()) save(file);
 }
 
 void DiagramView::save(const QString& file) {
@@ -165,7 +176,7 @@ void DiagramView::save(const QString& file) {
         const std::filesystem::path path = file.toStdString();
         if (saved.table && file.endsWith(".csv", Qt::CaseInsensitive))
           return writeFileAtomically(path, saved.table());
-        const DiagramSheet sheet = maker();
+        const DiagramSheet sheet = saved.sheet ? saved.sheet() : maker();
         const DiagramOptions options = printOptions(sheet, theme);
         writePicture(path, composeDiagrams(sheet, options),
                      {translated(sheet.title), saved.origin ? saved.origin() : std::string(),

@@ -18,6 +18,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/chart/comparison.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
@@ -218,7 +219,7 @@ void FitPage::begin() {
           options.progress = [this, &run](int evaluations, double chiSquared) {
             run.tell([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
           };
-          FittedCurve fitted = fitWithCurve(scene, varied, options);
+          FittedCurve fitted = fitWithCurve(scene, readComparisonData(scene), varied, options);
           fitted.varied = texts;
           outcome.fitted = std::make_shared<const FittedCurve>(std::move(fitted));
         } catch (const InputError& error) {

@@ -1,4 +1,5 @@
 #include "ui/window/main/main_window.h"
+#include "ui/window/map/map_panel.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -243,6 +244,8 @@ void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
+          [this](const Scene& scene) { document_->edit(scene); });
+  connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
     documents_->replace({{}, {}, scene});

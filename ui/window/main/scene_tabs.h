@@ -1,6 +1,6 @@
 // The tabs under the contact: the friction curve, the motion over time (only where the scene has
 // one), the spectrum of the line, statistics of the contact, where the rubber is used, the cost of
-// accuracy, and the plan.
+// accuracy, the plan, and the map over two parameters.
 // GUI thread; belongs to its parent.
 #pragma once
 
@@ -25,6 +25,7 @@ class ChartView;
 class Commands;
 class DiagramView;
 class ExcitationOfScene;
+class MapPanel;
 class PlanList;
 class Session;
 
@@ -37,6 +38,7 @@ class SceneTabs : public QTabWidget {
   ChartView& plot() { return *plot_; }
   DiagramView& material() { return *material_; }
   AccuracyPanel& accuracy() { return *accuracy_; }
+  MapPanel& map() { return *map_; }
 
   /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
@@ -83,6 +85,7 @@ class SceneTabs : public QTabWidget {
   DiagramView *spectrum_, *statistics_, *material_;
   AccuracyPanel* accuracy_;
   PlanList* plan_;
+  MapPanel* map_;
   Commands* commands_ = nullptr;
   QList<QAction*> wanted_;            // one for each tab, checkable
   std::optional<Scene> timed_;        // the scene whose curve is timed
