@@ -4035,6 +4035,10 @@
         <translation>Verlustmodul G''</translation>
     </message>
     <message>
+        <source>log</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
         <source>evaluation</source>
         <translation>Auswertung</translation>
     </message>
