@@ -11,8 +11,10 @@
 
 namespace asperity {
 
-/// The tables that the scene names, in its order.
-std::vector<FrictionData> readComparisonData(const Scene& scene);
+/// The tables that the scene names, in its order. `known`: the last of them, where they have been
+/// read already.
+std::vector<FrictionData> readComparisonData(const Scene& scene,
+                                             const std::vector<FrictionData>& known = {});
 
 /// Whether there is something to add: another theory than Eq. (11), a table, or an axis on which
 /// Eq. (11) does not stand in the points of the curve.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -199,10 +200,11 @@ Message blankOf(const CurveSet& set) {
 }
 
 /// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
-/// of a half-space, which is another model, has a colour.
-void addTheories(Diagram& diagram, const CurveSet& set) {
+/// of a half-space, which is another model, has a colour. along: factor on velocities.
+template <class Value>
+std::vector<DiagramSeries> theorySeries(const CurveSet& set, const Value& value, double along) {
   constexpr int kColourOfHalfSpace = kPinColours - 2;
-  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  std::vector<DiagramSeries> all;
   for (std::size_t k = 0; k < set.theories.size(); ++k) {
     const TheoryCurve& theory = set.theories[k];
     DiagramSeries series;
@@ -215,15 +217,24 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
     series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
     bool isSeen = false;
     for (const TheoryPoint& point : theory.points) {
-      const double y = !point.isInRange                       ? kNotApplicable
-                       : set.axes == CurveAxes::Dimensionless ? point.mu * friction
-                                                              : point.value(set.y);
-      const double x = set.isOfVelocity() ? point.velocity * velocity : point.swept;
-      series.points.push_back({x, y});
+      const double y = point.isInRange ? value(point) : kNotApplicable;
+      series.points.push_back({set.isOfVelocity() ? point.velocity * along : point.swept, y});
       isSeen |= std::isfinite(y);
     }
-    if (isSeen) diagram.series.push_back(std::move(series));
+    if (isSeen) all.push_back(std::move(series));
   }
+  return all;
+}
+
+/// What the theories say of the vertical axis.
+std::vector<DiagramSeries> theoriesOf(const CurveSet& set) {
+  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  return theorySeries(
+      set,
+      [&](const TheoryPoint& point) {
+        return set.axes == CurveAxes::Dimensionless ? point.mu * friction : point.value(set.y);
+      },
+      velocity);
 }
 
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
@@ -294,21 +305,12 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
 /// Returns the axes without what is drawn on them.
 void setAxes(Diagram& diagram, const CurveSet& set) {
   const bool isPhysical = set.axes == CurveAxes::Physical;
-  const Parameter& row = sweptParameter(set.present.scene);
-  diagram.x = isPhysical
-                  ? DiagramAxis{axisInWords(row), std::string(row.unit)}
-                  : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
+  diagram.x = xAxisOf(set);
   const QuantityEntry& entry = entryOf(isPhysical ? set.y : CurveQuantity::NormalizedMu);
   diagram.y = {Message(entry.title), std::string(entry.unit)};
-  diagram.x.scale = set.scaleOfX();
   diagram.y.scale = set.scaleOfY();
-  diagram.x.from = set.xFrom;
-  diagram.x.to = set.xTo;
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
-  if (set.isReduced && isPhysical)
-    diagram.x.title = message("reduced sliding velocity a_T v at {:.4g} K",
-                              set.present.scene.elastomer.temperature);
 }
 
 /// Whether Eq. (11) is drawn from the points of the curve; else it is one of the theories, finely
@@ -326,7 +328,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   if (drawsLawOfPoints(set))
     if (DiagramSeries law = lawSeries(set.present, set.axes); !law.points.empty())
       diagram.series.push_back(std::move(law));
-  addTheories(diagram, set);
+  std::ranges::move(theoriesOf(set), std::back_inserter(diagram.series));
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
   DiagramSeries mean = meanSeries(set.present, set);
@@ -427,6 +429,35 @@ Message titleOf(const CurveSet& set) {
 
 }  // namespace
 
+DiagramAxis xAxisOf(const CurveSet& set) {
+  const bool isPhysical = set.axes == CurveAxes::Physical;
+  const Parameter& row = sweptParameter(set.present.scene);
+  DiagramAxis axis =
+      isPhysical ? DiagramAxis{axisInWords(row), std::string(row.unit)}
+                 : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
+  axis.scale = set.scaleOfX();
+  axis.from = set.xFrom;
+  axis.to = set.xTo;
+  if (set.isReduced && isPhysical)
+    axis.title = message("reduced sliding velocity a_T v at {:.4g} K",
+                         set.present.scene.elastomer.temperature);
+  return axis;
+}
+
+std::vector<DiagramSeries> theorySeries(const CurveSet& set, double TheoryPoint::*value,
+                                        const AxesFactors& factors) {
+  return theorySeries(
+      set, [&](const TheoryPoint& point) { return point.*value * factors.friction; },
+      factors.velocity);
+}
+
+std::vector<Message> rangesOfTheories(const CurveSet& set) {
+  std::vector<Message> ranges;
+  for (const TheoryCurve& theory : set.theories)
+    if (theory.theory != Theory::Eq11) ranges.push_back(entryOf(theory.theory).range);
+  return ranges;
+}
+
 DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) {
   CurveSet set;
   set.present = {{}, scene, {points.begin(), points.end()}};
@@ -453,6 +484,7 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
+  for (Message& range : rangesOfTheories(set)) notes.push_back(std::move(range));
   sheet.note = sentences(notes);
   const bool hasResiduals = std::ranges::any_of(
       set.measured, [](const MeasuredCurve& measured) { return !measured.computed.empty(); });

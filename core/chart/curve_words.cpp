@@ -82,9 +82,16 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 }  // namespace
 
 Message axisInWords(const Parameter& row) {
-  if (row.key == kVelocityKey) return "sliding velocity v";
-  const Message label(row.label);
-  return row.symbol.empty() ? label : message("{} {}", label, printed(row.symbol));
+  return row.key == kVelocityKey ? Message("sliding velocity v") : titleOfKey(row.key);
+}
+
+Message titleOfKey(std::string_view key) {
+  const Parameter& row = knownParameter(key);
+  // "shift C1" names its symbol C_1 already.
+  std::string plainSymbol(row.symbol);
+  std::erase(plainSymbol, '_');
+  if (row.symbol.empty() || row.label.ends_with(" " + plainSymbol)) return row.label;
+  return message("{} {}", Message(row.label), printed(row.symbol));
 }
 
 Message parameterInWords(std::string_view key, const Scene& scene) {

@@ -40,7 +40,7 @@ struct ExtraColumn {
   /// Where forces are asked for, a column may apply to more rows.
   double (*withForces)(const CurvePoint& point) = nullptr;
 };
-constexpr std::array<ExtraColumn, 13> kExtraColumns{{
+constexpr std::array<ExtraColumn, 14> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -61,6 +61,10 @@ constexpr std::array<ExtraColumn, 13> kExtraColumns{{
      [](const CurvePoint& point) { return point.tangentialForce; }},
     {"power", [](const CurvePoint&) { return kNotApplicable; },
      [](const CurvePoint& point) { return point.power; }},
+    {"contact_spots",
+     [](const CurvePoint& point) {
+       return point.listsContacts ? point.contactSpots : kNotApplicable;
+     }},
 }};
 
 constexpr ColumnName kNotesColumn = "notes";
@@ -68,11 +72,6 @@ constexpr ColumnName kNotesColumn = "notes";
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
                              [](const CurvePoint& point) { return !notesOf(point).empty(); });
-}
-
-std::string withoutLineEnd(std::string row) {
-  row.pop_back();
-  return row;
 }
 
 }  // namespace
@@ -118,7 +117,29 @@ NoteSet noteSetOf(const CurvePoint& point) {
 }
 
 std::string notesOf(const CurvePoint& point) {
-  return noteSetOf(point).words();
+  NoteSet said;
+  for (const Note note : noteSetOf(point).list())
+    said.add(note, note != Note::FewContacts || point.listsContacts);
+  return said.words();
+}
+
+std::vector<std::string_view> curveColumns() {
+  std::vector<std::string_view> names;
+  for (const CurveColumn& column : kCurveColumns) names.push_back(column.name);
+  names.push_back(kRealizations);
+  for (const ExtraColumn& column : kExtraColumns) names.push_back(column.name);
+  return names;
+}
+
+double curveValue(const CurvePoint& point, std::string_view column) {
+  for (const CurveColumn& one : kCurveColumns)
+    if (one.name == column) return point.*one.member;
+  for (const ExtraColumn& one : kExtraColumns)
+    if (one.name == column) {
+      const double value = one.value(point);
+      return std::isfinite(value) || !one.withForces ? value : one.withForces(point);
+    }
+  return column == kRealizations ? static_cast<double>(point.realizations) : kNotApplicable;
 }
 
 std::string_view CurveColumns::sweptColumn() const {
@@ -143,21 +164,41 @@ CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves, C
   for (const std::vector<CurvePoint>* points : curves) hasNotes_ = hasNotes_ || hasNotes(*points);
 }
 
+CurveTable::CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without)
+    : without_(std::move(without)), hasNotes_(hasNotes(rows)) {
+  for (std::size_t i = 0; i < kExtraColumns.size(); ++i)
+    if (!isLeftOut(kExtraColumns[i].name) &&
+        std::ranges::any_of(rows, [&](const CurvePoint& point) {
+          return std::isfinite(kExtraColumns[i].value(point));
+        }))
+      extra_.push_back(i);
+}
+
+bool CurveTable::isLeftOut(std::string_view column) const {
+  return std::ranges::find(without_, column) != without_.end();
+}
+
 double CurveTable::extraValue(std::size_t i, const CurvePoint& point) const {
   const ExtraColumn& column = kExtraColumns[i];
   return columns_.hasForces && column.withForces ? column.withForces(point) : column.value(point);
 }
 
 std::string CurveTable::header() const {
-  std::string text = withoutLineEnd(curveHeader());
-  if (!isOfVelocity()) text = std::string(columns_.sweptColumn()) + "," + text;
+  std::string text;
+  if (!isOfVelocity()) text += std::string(columns_.sweptColumn()) + ",";
+  for (const CurveColumn& column : kCurveColumns)
+    if (!isLeftOut(column.name)) text += column.name.text() + ",";
+  text += kRealizations.text();
   for (const std::size_t i : extra_) text += "," + kExtraColumns[i].name.text();
   return hasNotes_ ? text + "," + kNotesColumn.text() : text;
 }
 
 std::string CurveTable::row(const CurvePoint& point) const {
-  std::string text = withoutLineEnd(curveRow(point));
-  if (!isOfVelocity()) text = csvNumber(point.swept) + "," + text;
+  std::string text;
+  if (!isOfVelocity()) text += csvNumber(point.swept) + ",";
+  for (const CurveColumn& column : kCurveColumns)
+    if (!isLeftOut(column.name)) text += csvNumber(point.*column.member) + ",";
+  text += point.realizations > 0 ? fmt::format("{}", point.realizations) : std::string();
   for (const std::size_t i : extra_) text += "," + csvNumber(extraValue(i, point));
   return hasNotes_ ? text + "," + notesOf(point) : text;
 }
@@ -168,7 +209,7 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   Json row;
   if (!isOfVelocity()) row[std::string(columns_.sweptColumn())] = cell(point.swept);
   for (const CurveColumn& column : kCurveColumns)
-    row[column.name.text()] = cell(point.*column.member);
+    if (!isLeftOut(column.name)) row[column.name.text()] = cell(point.*column.member);
   row[kRealizations.text()] = point.realizations;
   for (const std::size_t i : extra_) row[kExtraColumns[i].name.text()] = cell(extraValue(i, point));
   if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);

@@ -12,9 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kBatch = "batch";
-/// Over a number, a curve has it as its first column, under the last word of the key.
-constexpr std::string_view kBatchAndAxis = "batch, curve over it (last word)";
+constexpr std::string_view kBatch = "batch", kMap = "map";
 
 /// Splits a list that is separated by ", ".
 std::vector<std::string> itemsOf(std::string_view list) {
@@ -32,8 +30,11 @@ template <class Use>
 void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
-    use(Column{row.key, row.unit, row.sentence, row.symbol,
-               allowedRange(row) ? kBatchAndAxis : kBatch});
+    use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
+  // A side of a map and the axis of a curve are named by the last word of their key.
+  for (const Parameter& row : parameters())
+    if (allowedRange(row))
+      use(Column{row.key.substr(row.key.rfind('.') + 1), row.unit, row.sentence, row.symbol, kMap});
 }
 
 }  // namespace

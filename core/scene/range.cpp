@@ -7,6 +7,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -99,15 +100,9 @@ void checkRange(const ParameterRange& range, const Scene& scene) {
 }
 
 std::vector<double> valuesOf(const ParameterRange& range) {
-  std::vector<double> values{range.from};
-  const auto last = static_cast<double>(range.points - 1);
-  for (std::int64_t i = 1; i < range.points; ++i) {
-    const double part = static_cast<double>(i) / last;
-    double value = range.isLogarithmic ? range.from * std::pow(range.to / range.from, part)
-                                       : range.from + (range.to - range.from) * part;
-    if (i + 1 == range.points) value = range.to;
-    values.push_back(value);
-  }
+  std::vector<double> values = range.isLogarithmic
+                                   ? logSpaced(range.from, range.to, range.points)
+                                   : linearSpaced(range.from, range.to, range.points);
   if (isWhole(*range.row)) {
     for (double& value : values) value = std::round(value);
     values.erase(std::unique(values.begin(), values.end()), values.end());
