@@ -14,7 +14,6 @@
 #include "core/chart/comparison.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
@@ -73,6 +72,7 @@ int runFit(const FitCommand& command) {
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
+    needVelocityAxis(scene, "asperity fit");
     const std::vector<VariedParameter> varied = variedFrom(command.varied, scene);
     const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
     std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -218,8 +219,7 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
       const double y = !point.isInRange                       ? kNotApplicable
                        : set.axes == CurveAxes::Dimensionless ? point.mu * friction
                                                               : point.value(set.y);
-      const double x = set.isOfVelocity() ? point.velocity * velocity : point.swept;
-      series.points.push_back({x, y});
+      series.points.push_back({set.isOfVelocity() ? point.velocity * velocity : point.swept, y});
       isSeen |= std::isfinite(y);
     }
     if (isSeen) diagram.series.push_back(std::move(series));
@@ -300,15 +300,9 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
                   : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
   const QuantityEntry& entry = entryOf(isPhysical ? set.y : CurveQuantity::NormalizedMu);
   diagram.y = {Message(entry.title), std::string(entry.unit)};
-  diagram.x.scale = set.scaleOfX();
   diagram.y.scale = set.scaleOfY();
-  diagram.x.from = set.xFrom;
-  diagram.x.to = set.xTo;
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
-  if (set.isReduced && isPhysical)
-    diagram.x.title = message("reduced sliding velocity a_T v at {:.4g} K",
-                              set.present.scene.elastomer.temperature);
 }
 
 /// Whether Eq. (11) is drawn from the points of the curve; else it is one of the theories, finely
@@ -326,7 +320,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   if (drawsLawOfPoints(set))
     if (DiagramSeries law = lawSeries(set.present, set.axes); !law.points.empty())
       diagram.series.push_back(std::move(law));
-  addTheories(diagram, set);
+  std::ranges::move(theoriesOf(set), std::back_inserter(diagram.series));
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
   DiagramSeries mean = meanSeries(set.present, set);

@@ -132,8 +132,8 @@ std::string curveSetCsv(const CurveSet& set) {
     for (const TheoryPoint& point : theory.points) {
       if (!point.isInRange || theory.theory == Theory::Eq11) continue;
       CurvePoint row = pointAt(placeAt(point), point.mu);
+      row.contactFraction = point.contactFraction;
       if (!set.isOfVelocity()) {
-        row.contactFraction = point.contactFraction;
         row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
         row.dimensionlessVelocity = kNotApplicable;
       }

@@ -67,6 +67,7 @@ class CurveTable {
  private:
   bool isLeftOut(std::string_view column) const;
   bool isOfVelocity() const { return columns_.sweptKey == kVelocityKey; }
+  bool isLeftOut(std::string_view column) const;
   double extraValue(std::size_t i, const CurvePoint& point) const;
 
   CurveColumns columns_;

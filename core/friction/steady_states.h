@@ -30,11 +30,11 @@ struct StateOptions {
   std::stop_token stop;
   /// Called with the part of the work that is done, from one thread at a time; may be empty.
   std::function<void(double part)> progress;
-  /// Likewise, with the lines slid of all and the states so far, averaged over the lines slid; a
-  /// state without realizations is not yet known. May be empty.
+  bool keepsLines = false;  // whether `muOfLines` is wanted
+  /// Called like `progress` with the lines slid of all and the states so far, averaged over the
+  /// lines slid; a state without realizations is not yet known. May be empty.
   std::function<void(std::int64_t done, std::int64_t total, const std::vector<CurvePoint>& points)>
       partial;
-  bool keepsLines = false;  // whether `muOfLines` is wanted
 };
 
 struct SteadyStates {

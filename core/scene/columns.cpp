@@ -33,7 +33,8 @@ void forEachColumn(const Use& use) {
   for (const Parameter& row : parameters())
     use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
   // The axis of a curve or of a map is named by the last word of its key. Some of these words are
-  // columns of the table itself, with the same meaning, and several keys may end with the same word.
+  // columns of the table itself, with the same meaning, and several keys may end with the same
+  // word.
   std::set<std::string_view> known;
   for (const Column& column : kColumns)
     for (const std::string& table : itemsOf(column.tables))

@@ -76,6 +76,16 @@ Message whyInapplicable(const Parameter& parameter, const Scene& scene) {
                  std::get<std::string>(valueOf(*choice, scene)));
 }
 
+/// Puts the last value on its place and returns the values.
+std::vector<double> endingIn(std::vector<double> values, double to) {
+  if (values.size() > 1) values.back() = to;
+  return values;
+}
+
+double partOf(std::int64_t i, std::int64_t points) {
+  return points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
+}
+
 void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, double value) {
   const AllowedRange allowed = *allowedRange(parameter);
   if (value < allowed.minimum || value > allowed.maximum)
@@ -98,7 +108,17 @@ double numberOf(const Parameter& parameter, const Scene& scene) {
 }
 
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {
-  return valuesOf({findParameter(kVelocityKey), from, to, points, true});
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < points; ++i)
+    values.push_back(from * std::pow(to / from, partOf(i, points)));
+  return endingIn(std::move(values), to);
+}
+
+std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
+  std::vector<double> values;
+  for (std::int64_t i = 0; i < points; ++i)
+    values.push_back(from + (to - from) * partOf(i, points));
+  return endingIn(std::move(values), to);
 }
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {

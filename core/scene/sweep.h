@@ -14,6 +14,9 @@ namespace asperity {
 /// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
 std::vector<double> logSpaced(double from, double to, std::int64_t points);
 
+/// Returns x_i = from + (to - from) i / (points - 1), with the last one exactly `to`.
+std::vector<double> linearSpaced(double from, double to, std::int64_t points);
+
 /// Returns the velocities of a sweep over velocity, m/s.
 std::vector<double> sweepVelocities(const Sweep& sweep);
 
