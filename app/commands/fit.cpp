@@ -11,6 +11,7 @@
 #include "app/progress_bar.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/chart/comparison.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
