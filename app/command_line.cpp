@@ -78,6 +78,8 @@ class CommandLine {
     refuseWordsBeforeCommand(app_);
     for (const CommonOptions* common : allCommon_)
       if (!common->language.empty()) chooseLanguage(common->language);
+    if (const auto commands = app_.get_subcommands(); !commands.empty())
+      for (CommonOptions* common : allCommon_) common->given = givenOptions(*commands.front());
     return selected_ ? selected_() : runWindowCommand(window_);
   }
 
@@ -150,6 +152,12 @@ class CommandLine {
         "or .pdf; may be repeated (default: CSV to standard output)");
     addPictureOptions(*command, curve_.picture, "1200x800", "print");
     addCurveOptions(*command, curve_.curves);
+    addColumnChoice(command, curve_.columns);
+    command
+        ->add_option("--realizations-table", curve_.realizationTable,
+                     "FILE.csv or .json for the values of each random line at each velocity")
+        ->type_name("FILE")
+        ->group(kTableGroup);
   }
   void addMotion() {
     CLI::App* command = addCommand("motion", "Friction, indentation, contact and power in time",
@@ -171,6 +179,7 @@ class CommandLine {
                    ->capture_default_str(),
                1, 1000000);
     addPictureOptions(*command, motion_.picture, "1200x1000", "print");
+    addColumnChoice(command, motion_.columns);
   }
   void addRender() {
     CLI::App* command = addCommand("render", "Pictures and films of the contact, without a screen",
@@ -178,7 +187,8 @@ class CommandLine {
     command
         ->add_option("-o,--output", render_.output,
                      "FILE.png, .svg or .pdf for one picture; FILE.mp4, .webm, .gif or .webp for a "
-                     "film; or a folder for frame_0001.png and on")
+                     "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
+                     "standard output) for a table of the contact")
         ->required();
     addPictureOptions(*command, render_.picture, "1280x720", "light");
     command
@@ -217,6 +227,13 @@ class CommandLine {
           0, 1e12, "m");
     command->add_flag("--resume", render_.resume,
                       "Keep the frames of an interrupted run and make the missing ones");
+    command
+        ->add_option("--table", render_.table,
+                     "Of .csv and .json: shape (point by point), contacts, gaps, or power (its "
+                     "balance) (default: shape)")
+        ->type_name("NAME")
+        ->group(kTableGroup);
+    addColumnChoice(command, render_.columns);
   }
   void addSurface() {
     CLI::App* command = addCommand(
@@ -225,7 +242,14 @@ class CommandLine {
     addOutputs(
         command, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
-        "FILE.png, .svg or .pdf; may repeat");
+        "FILE.png, .svg or .pdf; - is CSV to standard output; may repeat");
+    command
+        ->add_option("--table", surface_.table,
+                     "Of .csv: line (position, height), spectrum, or statistics")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->group(kTableGroup);
+    addColumnChoice(command, surface_.columns);
   }
   void addFit() {
     CLI::App* command = addCommand("fit", "Parameters of a scene that fit measured friction",
@@ -400,13 +424,21 @@ class CommandLine {
     command->remove_option(command->get_option("--set"));  // this command has no scene
     command->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
   }
+  static void addColumnChoice(CLI::App* command, std::string& columns) {
+    command
+        ->add_option("--columns", columns,
+                     "Columns of tables, in this order, separated by commas ('asperity columns' "
+                     "lists them; default: all)")
+        ->type_name("NAMES")
+        ->group(kTableGroup);
+  }
   static void addOutputs(CLI::App* command, std::vector<std::string>& outputs,
                          const char* sentence) {
     command->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
 
   CLI::App app_;
-  std::vector<const CommonOptions*> allCommon_;
+  std::vector<CommonOptions*> allCommon_;
   CommonOptions window_, check_, columns_;
   CurveCommand curve_;
   MotionCommand motion_;
@@ -439,6 +471,9 @@ void fillClosedStreams() {
 }  // namespace
 
 Scene sceneOf(const CommonOptions& options) {
+  if (options.remade)
+    return readScene(writeScene(*options.remade), options.scene, options.remade->folder,
+                     options.assignments);
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
   return readNamedScene(options.scene, {}, options.assignments);
 }

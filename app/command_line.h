@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_options.h"
 #include "app/curve_arguments.h"
 #include "app/frame_source.h"
 #include "app/picture_options.h"
@@ -29,6 +30,8 @@ struct CommonOptions {
   bool quiet = false;
   bool json = false;
   bool timing = false;
+  std::vector<GivenOption> given;      // that shape outputs
+  std::optional<Scene> remade = {};    // instead of the file `scene`, which names it in errors
 };
 
 struct CurveCommand {
@@ -36,6 +39,8 @@ struct CurveCommand {
   std::vector<std::string> outputs;
   PictureArguments picture;
   CurveArguments curves;
+  std::string columns;           // --columns; empty: all
+  std::string realizationTable;  // file; empty: none
 };
 
 struct MotionCommand {
@@ -44,6 +49,7 @@ struct MotionCommand {
   PictureArguments picture;
   std::int64_t every = 1;  // time steps between two rows
   std::int64_t lines = 1;  // realizations
+  std::string columns;     // --columns; empty: all
 };
 
 struct RenderCommand {
@@ -56,11 +62,16 @@ struct RenderCommand {
   ViewArguments view;
   CurveArguments curves;
   bool resume = false;
+  std::string table;    // --table; empty: shape, where the output is a table
+  std::string columns;  // --columns; empty: all
 };
 
 struct SurfaceCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
+  PictureArguments picture;
+  std::string table = "line";  // of a CSV: line, spectrum or statistics
+  std::string columns;         // --columns; empty: all
 };
 
 struct FitCommand {
@@ -139,6 +150,8 @@ int runColumns(const CommonOptions& command);
 int runFit(const FitCommand& command);
 int runMaterial(const MaterialCommand& command);
 int runRender(const RenderCommand& command);
+/// Writes a table of the contact; part of `render`.
+int runContactTable(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);
 int runAccuracy(const AccuracyCommand& command);

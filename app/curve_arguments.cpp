@@ -20,6 +20,7 @@
 #include "core/chart/curve_words.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/realization_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
@@ -166,13 +167,16 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command
       .add_option(kAxes, arguments.axes,
                   "physical, or dimensionless: Eq. (13), and mu over the rms slope")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kPictureGroup);
   command
       .add_option(kXRange, arguments.xRange,
                   "Limits of the x-axis, in its unit (default: automatic)")
-      ->type_name("FROM:TO");
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
   command.add_option(kYRange, arguments.yRange, "Limits of the friction axis (default: automatic)")
-      ->type_name("FROM:TO");
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
 }
 
 Scene withComparisons(Scene scene, const CurveArguments& arguments) {
@@ -210,20 +214,24 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
+    if (file != "-" && extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
   for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
                                       {kXRange, !arguments.xRange.empty()},
                                       {kYRange, !arguments.yRange.empty()}})
     if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
-Curve computeCurve(const Scene& scene, const CommonOptions& common) {
+Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationTable* lines) {
   ProgressBar bar(Words::tr("realizations"), common.quiet);
   CurveOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
+  if (lines)
+    options.eachLine = [lines](std::int64_t realization, std::span<const SteadyResult> results) {
+      lines->add(realization, results);
+    };
   return computeCurve(scene, options);
 }
 

@@ -76,7 +76,7 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
   bool hasPicture = false, hasPixels = false;
   for (const std::string& file : files) {
     const std::string extension = extensionOf(file);
-    const bool isTable = extension == ".csv" || extension == ".json";
+    const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
     hasPicture |= !isTable;
     hasPixels |= !isTable && extension != ".svg" && extension != ".pdf";
   }
@@ -97,18 +97,17 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
 
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
                        const std::string& defaultSize, const std::string& defaultTheme) {
-  command
-      .add_option("--size", arguments.size,
-                  "Width and height in pixels (default: " + defaultSize + " times the scale)")
+  const auto add = [&](const char* option, auto& value, const std::string& sentence) {
+    return command.add_option(option, value, sentence)->group(kPictureGroup);
+  };
+  add("--size", arguments.size,
+      "Width and height in pixels (default: " + defaultSize + " times the scale)")
       ->type_name("WxH");
-  command.add_option(
-      "--scale", arguments.scale,
+  add("--scale", arguments.scale,
       "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
-  command.add_option("--theme", arguments.theme,
-                     "light, dark or print (default: " + defaultTheme + ")");
-  command.add_flag("--transparent", arguments.transparent, "No background");
-  command.add_option(
-      "--backend", arguments.backend,
+  add("--theme", arguments.theme, "light, dark or print (default: " + defaultTheme + ")");
+  command.add_flag("--transparent", arguments.transparent, "No background")->group(kPictureGroup);
+  add("--backend", arguments.backend,
       "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
 }
 

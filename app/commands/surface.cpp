@@ -15,6 +15,7 @@
 #include "core/base/text.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/measured_sheet.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
@@ -35,7 +36,8 @@ std::string summaryOf(const Line& line, const std::vector<std::string>& outputs)
                             {number(line.length), std::to_string(line.nodes()),
                              number(line.rmsHeight), number(line.rmsSlope)}) +
                      "\n";
-  for (const std::string& output : outputs) text += wroteLine(output);
+  for (const std::string& output : outputs)
+    if (output != "-") text += wroteLine(output);
   return text;
 }
 
@@ -106,14 +108,45 @@ void writePicture(const std::string& output, const Scene& scene, const LineSourc
   pictures.finish();
 }
 
-void writeSurface(const std::string& output, const Scene& scene, const LineSource& source,
-                  const Line& line) {
+enum class SurfaceTable { Line, Spectrum, Statistics };
+constexpr NamedChoices<SurfaceTable, 3> kTables{{{"line", SurfaceTable::Line},
+                                                 {"spectrum", SurfaceTable::Spectrum},
+                                                 {"statistics", SurfaceTable::Statistics}}};
+
+std::string csvTextOf(SurfaceTable table, const Scene& scene, const LineSource& source,
+                      const Line& line) {
+  if (table == SurfaceTable::Spectrum) return csvOf(spectrumTable(source));
+  if (table == SurfaceTable::Statistics) return csvOf(statisticsTable(scene, source, line));
+  return lineCsv(line);
+}
+
+void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
+                  const LineSource& source, const Line& line) {
+  const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
+  const std::string_view columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = extensionOf(output);
-  if (extension == ".csv")
-    writeFileAtomically(output, provenanceComment("surface", scene) + lineCsv(line));
+  if (extension == ".csv" || output == "-")
+    writeTable(output, provenanceComment("surface", scene) +
+                           ColumnChoice(command.columns, {columnsOf})
+                               .of(csvTextOf(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (extension == ".png" || extension == ".svg" || extension == ".pdf")
     writePicture(output, scene, source, line);
+}
+
+/// Throws for options of tables that no output is, and for unknown ones.
+void checkTable(const SurfaceCommand& command) {
+  const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
+  const std::string_view columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  ColumnChoice(command.columns, {columnsOf});
+  const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
+    return output == "-" || extensionOf(output) == ".csv";
+  });
+  for (const auto& [option, given] : {std::pair{"--table", table != SurfaceTable::Line},
+                                      {"--columns", !command.columns.empty()}})
+    if (given && !hasTable)
+      throw InputError("", option, "belongs to .csv tables, and no output is one");
 }
 
 /// An error of a file that is given itself names it once, and no key.
@@ -133,7 +166,8 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneOfFile(command.common) : sceneOf(command.common);
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkTable(command);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   const auto run = [&] {
@@ -145,9 +179,15 @@ int runSurface(const SurfaceCommand& command) {
     const std::string text =
         (source.measured() ? measuredText(measuredSummary(scene, source)) : std::string()) +
         notesText(notesOf(source)) + summaryOf(line, command.outputs);
-    for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
-    printSummary(command.common.json, command.common.quiet, text);
-    if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
+    for (const std::string& output : command.outputs)
+      if (output != "-" || !command.common.json)
+        writeSurface(output, command, scene, source, line);
+    const bool machineReads = command.common.json || hasStandardOutput(command.outputs);
+    printSummary(machineReads, command.common.quiet, text);
+    if (command.common.json) {
+      const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
+      fmt::print("{}", surfaceJson(scene, source, line));
+    }
   };
   withSceneContext(command.common, [&] { withFileContext(isFile, command.common.scene, run); });
   return kDone;

@@ -8,19 +8,9 @@
 
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 
 namespace asperity {
-namespace {
-
-/// Returns a text as one cell of CSV.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
 
 AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
   if (axes == CurveAxes::Physical) return {1, 1};
@@ -55,7 +45,7 @@ std::string curveSetCsv(const CurveSet& set) {
   const auto addRow = [&](const std::string& series, const CurvePoint& point,
                           const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
-    text += cell(series) + "," + table.row(point);
+    text += csvCell(series) + "," + table.row(point);
     if (set.difference)
       text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
                                        csvNumber(difference->standardError))

@@ -121,7 +121,21 @@ void checkInputs(const Json& inputs, const Scene& scene) {
   });
 }
 
+/// Null where no object of ProvenanceOptions lives.
+Json& presentOptions() {
+  static Json options;
+  return options;
+}
+
 }  // namespace
+
+ProvenanceOptions::ProvenanceOptions(Json options) {
+  presentOptions() = std::move(options);
+}
+
+ProvenanceOptions::~ProvenanceOptions() {
+  presentOptions() = nullptr;
+}
 
 void addCurveOversampling(Json& provenance, const Scene& scene) {
   const std::int64_t ofCurve = pointsPerElementOfCurve(scene);
@@ -137,6 +151,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
   if (Json inputs = inputsOf(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
+  if (!presentOptions().is_null()) root["options"] = presentOptions();
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }
