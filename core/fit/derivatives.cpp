@@ -11,19 +11,13 @@ namespace {
 
 constexpr double kStep = 1e-3;
 
-const Parameter& numberRow(std::string_view key, const Scene& scene) {
-  const Parameter* row = findParameter(key);
-  if (!row) {
-    const std::string_view nearest = nearestKey(key);
-    throw InputError("", std::string(key),
-                     nearest.empty() ? message("unknown key")
-                                     : message("unknown key; did you mean {}?", nearest));
-  }
-  if (!std::holds_alternative<RealField>(row->field))
+const Parameter& realRow(std::string_view key, const Scene& scene) {
+  const Parameter& row = knownParameter(key);
+  if (!std::holds_alternative<RealField>(row.field))
     throw InputError("", std::string(key), "is not a real number, which alone can be varied");
-  if (!isApplicable(*row, scene))
+  if (!isApplicable(row, scene))
     throw InputError("", std::string(key), "has no meaning in this scene");
-  return *row;
+  return row;
 }
 
 /// The numbers that steady friction at one velocity may depend on. What is 0 is an effect that is
@@ -45,11 +39,11 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
 }  // namespace
 
 VariedParameter::VariedParameter(std::string_view key, const Scene& scene)
-    : VariedParameter(key, scene, allowedRange(numberRow(key, scene))->minimum,
-                      allowedRange(numberRow(key, scene))->maximum) {}
+    : VariedParameter(key, scene, allowedRange(realRow(key, scene))->minimum,
+                      allowedRange(realRow(key, scene))->maximum) {}
 
 VariedParameter::VariedParameter(std::string_view key, const Scene& scene, double low, double high)
-    : row_(&numberRow(key, scene)), low_(low), high_(high) {
+    : row_(&realRow(key, scene)), low_(low), high_(high) {
   const AllowedRange allowed = *allowedRange(*row_);
   if (!(low < high) || low < allowed.minimum || high > allowed.maximum)
     throw InputError(

@@ -85,20 +85,6 @@ std::vector<double> velocitiesOf(const Scene& scene, Purpose purpose) {
 
 }  // namespace
 
-std::vector<double> logSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < points; ++i) {
-    const double part = points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
-    values.push_back(from * std::pow(to / from, part));
-  }
-  if (points > 1) values.back() = to;
-  return values;
-}
-
-std::vector<double> sweepVelocities(const Sweep& sweep) {
-  return logSpaced(sweep.velocityFrom, sweep.velocityTo, sweep.points);
-}
-
 Curve frictionCurve(const Scene& scene, const CurveOptions& options) {
   return Averaging(scene, options).run();
 }
@@ -110,6 +96,8 @@ std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
   const SteadySolver sliding(scene);
   const std::int64_t points =
       purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
+  // A sweep of another parameter has other lines, loads or elastomers.
+  if (purpose != Purpose::Picture && !scene.sweep.isOfVelocity()) return stages;
   // For a long line, this information costs as much as sliding it.
   const LineExtent extent = lineExtent(scene);
   if (std::max(extent.rows, extent.elements * points) > kLongLine) return stages;

@@ -14,6 +14,7 @@
 #include "core/friction/curve_point.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 
@@ -45,12 +46,6 @@ struct Curve {
 };
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
-
-/// Returns x_i = from (to / from)^(i / (points - 1)), with the last one exactly `to`.
-std::vector<double> logSpaced(double from, double to, std::int64_t points);
-
-/// Returns the velocities of a scene's sweep, m/s.
-std::vector<double> sweepVelocities(const Sweep& sweep);
 
 /// Returns the plan of the scene (planOf) with one of its lines made. Only then is it known whether
 /// contact is complete and the search for its edges is left out. It costs a line and a few passes.

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/base/input_error.h"
@@ -119,6 +118,13 @@ void setShiftTable(const Parameter& parameter, const ShiftTableField& field, Sce
 
 }  // namespace
 
+bool isKind(const Parameter& parameter) {
+  return std::holds_alternative<ChoiceField>(parameter.field) ||
+         std::ranges::any_of(parameters(), [&](const Parameter& row) {
+           return row.applies.choiceKey == parameter.key;
+         });
+}
+
 bool isList(const Parameter& parameter) {
   return std::holds_alternative<ArmsField>(parameter.field) ||
          std::holds_alternative<ShiftTableField>(parameter.field) ||
@@ -138,7 +144,8 @@ namespace {
 bool holds(const Applicability& applies, const Scene& scene) {
   const Parameter* choice = findParameter(applies.choiceKey);
   return isApplicable(*choice, scene) &&
-         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene)));
+         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene))) !=
+             applies.isExcept;
 }
 
 }  // namespace
@@ -192,17 +199,22 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
 }
 
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text) {
-  const bool isNumber = std::holds_alternative<RealField>(parameter.field) ||
-                        std::holds_alternative<IntegerField>(parameter.field);
-  if (!isNumber) return setValue(parameter, scene, std::string(text));
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc::result_out_of_range)
+  const bool isWhole = std::holds_alternative<IntegerField>(parameter.field);
+  if (!isWhole && !std::holds_alternative<RealField>(parameter.field))
+    return setValue(parameter, scene, std::string(text));
+  const TypedQuantity typed = typedQuantity(text, quantityRule(parameter));
+  if (typed.value) return setValue(parameter, scene, *typed.value);
+  if (typed.isTooLarge)
     refuse(parameter, message("{} is beyond what a number can hold; allowed is {}", shortened(text),
                               allowedText(parameter)));
-  if (error != std::errc{} || end != text.data() + text.size())
-    return setValue(parameter, scene, std::string(text));
-  setValue(parameter, scene, number);
+  if (!typed.refusal.empty()) refuse(parameter, typed.refusal);
+  if (double notFinite = 0; readNumber(text, notFinite)) setValue(parameter, scene, notFinite);
+  setValue(parameter, scene, std::string(text));
+}
+
+QuantityRule quantityRule(const Parameter& parameter) {
+  return {parameter.unit, parameter.unit == "K" && parameter.key.ends_with("temperature"),
+          std::holds_alternative<IntegerField>(parameter.field)};
 }
 
 std::optional<AllowedRange> allowedRange(const Parameter& parameter) {

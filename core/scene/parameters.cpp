@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/measured/measured_file.h"
 #include "core/scene/list_text.h"
@@ -28,6 +29,7 @@ constexpr std::array<std::string_view, 3> kLoadKinds{"force", "indentation", "pr
 constexpr std::array<std::string_view, 5> kSlidingKinds{"steady", "start", "step", "oscillation",
                                                         "reversal"};
 constexpr std::array<std::string_view, 3> kSchemes{"nodal", "linear", "cubic"};
+constexpr std::array<std::string_view, 2> kSweepScales{"log", "linear"};
 
 constexpr Scale kLog = Scale::Logarithmic;
 constexpr Scale kLin = Scale::Linear;
@@ -37,6 +39,7 @@ constexpr Change kRebuild = Change::Rebuild;
 constexpr FileRule kOfMaterial{true, false};
 constexpr FileRule kNewOfMaterial{true, true};  // scene files from before it do not state it
 constexpr FileRule kUnlessDefault{false, true};
+constexpr FileRule kRequired{false, false, true};
 constexpr std::int64_t kLargestInteger = (std::int64_t{1} << 53) - 1;  // exact in JSON
 
 /// A field that reads and writes `scene.section.member`.
@@ -210,12 +213,20 @@ const std::array kTable{
     Parameter{"interface.shear_width", "shear width", "", "", "How fast the local shear falls beside that velocity: it is exp(-c) of its largest value a decade away.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, shearWidth), 0, 100, 0, 1, kLin}, {}, kUnlessDefault},
 
-    Parameter{"sweep.velocity_from", "lowest velocity", "", "m/s", "First velocity of the friction curve.", kLive, {},
+    Parameter{"sweep.key", "axis", "", "", "The key over which the friction curve goes: any number that changes friction in the scene.", kLive, {},
+              TextField{ASPERITY_MEMBER(sweep, key)}, {}, kUnlessDefault},
+    Parameter{"sweep.velocity_from", "lowest velocity", "", "m/s", "First velocity of the friction curve.", kLive, {"sweep.key", kVelocityKey},
               RealField{ASPERITY_MEMBER(sweep, velocityFrom), 1e-30, 1e12, 1e-6, 1e4, kLog}},
-    Parameter{"sweep.velocity_to", "highest velocity", "", "m/s", "Last velocity of the friction curve.", kLive, {},
+    Parameter{"sweep.velocity_to", "highest velocity", "", "m/s", "Last velocity of the friction curve.", kLive, {"sweep.key", kVelocityKey},
               RealField{ASPERITY_MEMBER(sweep, velocityTo), 1e-30, 1e12, 1e-6, 1e4, kLog}},
-    Parameter{"sweep.points", "points", "", "", "Velocities of the friction curve, evenly spaced in their logarithm.", kLive, {},
+    Parameter{"sweep.from", "axis from", "", "", "First value of another key than velocity, in its unit; from above to runs downwards.", kLive, {"sweep.key", kVelocityKey, true},
+              RealField{ASPERITY_MEMBER(sweep, from), -1e30, 1e30, 1e-9, 1e9, kNoneOrLog}, {}, kRequired},
+    Parameter{"sweep.to", "axis to", "", "", "Last value of another key than velocity, in its unit.", kLive, {"sweep.key", kVelocityKey, true},
+              RealField{ASPERITY_MEMBER(sweep, to), -1e30, 1e30, 1e-9, 1e9, kNoneOrLog}, {}, kRequired},
+    Parameter{"sweep.points", "points", "", "", "Points of the friction curve; of whole numbers, values that repeat are left out.", kLive, {},
               IntegerField{ASPERITY_MEMBER(sweep, points), 1, 100000, 5, 201, kLin}},
+    Parameter{"sweep.scale", "axis scale", "", "", "How the points of the friction curve are spaced: evenly in their logarithm (log), or evenly (linear).", kLive, {},
+              ASPERITY_CHOICE(sweep, scale, kSweepScales), {}, kUnlessDefault},
 
     Parameter{"ensemble.realizations", "realizations", "", "", "Lines that the friction curve is averaged over: random ones, or rows of a measured surface; 0, of rows alone: every row.", kLive, {},
               IntegerField{ASPERITY_MEMBER(ensemble, realizations), 1, 1000000, 1, 1000, kLog}},
@@ -248,6 +259,14 @@ const Parameter* findParameter(std::string_view key) {
   const auto row = std::find_if(kTable.begin(), kTable.end(),
                                 [key](const Parameter& parameter) { return parameter.key == key; });
   return row == kTable.end() ? nullptr : &*row;
+}
+
+const Parameter& knownParameter(std::string_view key) {
+  if (const Parameter* row = findParameter(key)) return *row;
+  const std::string_view nearest = nearestKey(key);
+  throw InputError("", shortened(key),
+                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
+                                   : message("unknown key; the nearest known one is {}", nearest));
 }
 
 std::string_view nearestKey(std::string_view key) {

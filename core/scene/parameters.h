@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "core/base/message.h"
+#include "core/base/units.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -71,10 +72,11 @@ struct ListField {
 enum class Change { Live, Rebuild };
 
 /// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
-/// spaces). An empty choiceKey: it always applies.
+/// spaces), or none of them. An empty choiceKey: it always applies.
 struct Applicability {
   std::string_view choiceKey;
   std::string_view words;
+  bool isExcept = false;
 };
 
 /// How a row stands in scene files.
@@ -82,6 +84,7 @@ struct FileRule {
   bool isOfMaterial = false;        // a material gives the value where the scene does not state it
   bool isLeftOutAtDefault = false;  // not written where it has its default, unless a material is
                                     // named that would give it another value
+  bool isRequired = false;          // a scene in which it has a meaning must state it
 };
 
 struct Parameter {
@@ -108,11 +111,17 @@ std::span<const Parameter> parameters();
 /// Returns the row of a key, or null.
 const Parameter* findParameter(std::string_view key);
 
+/// Returns the row of a key. Throws InputError with the nearest known key where there is none.
+const Parameter& knownParameter(std::string_view key);
+
 /// Returns the known key nearest to `key` by edit distance.
 std::string_view nearestKey(std::string_view key);
 
 /// Returns whether the row has a meaning in this scene (a wedge has no Hurst exponent).
 bool isApplicable(const Parameter& parameter, const Scene& scene);
+
+/// Returns whether the row decides which others have a meaning: a kind.
+bool isKind(const Parameter& parameter);
 
 /// Whether its value is a list in JSON: arms, a table of shifts.
 bool isList(const Parameter& parameter);
@@ -127,8 +136,12 @@ ParameterValue defaultOf(const Parameter& parameter);
 /// where the value is of the wrong type, outside its range or not finite.
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
 
-/// Does the same with text as a user types it ("1e7", "cubic").
+/// Does the same with text as a user types it ("1e7", "20mN", "cubic"); a number without a unit is
+/// in SI units.
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
+
+/// Returns what a text has to be for a number of the row.
+QuantityRule quantityRule(const Parameter& parameter);
 
 /// Limits of numbers; other rows have none.
 struct AllowedRange {

@@ -180,6 +180,10 @@ Message whyInterface(const Scene& scene, bool runs) {
 }
 
 Message whySweep(const Scene& scene, bool runs) {
+  if (!scene.sweep.isOfVelocity())
+    return runs ? message("{} values of {}, those on the same lines side by side",
+                          scene.sweep.points, scene.sweep.key)
+                : message("only one value of {} is asked for", scene.sweep.key);
   return runs ? message("{} velocities, side by side where the kernel can", scene.sweep.points)
               : Message("only one velocity is asked for");
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/material/elastomer.h"
@@ -94,11 +95,24 @@ struct Interface {
   bool operator==(const Interface&) const = default;
 };
 
-/// The velocities of a friction curve: v_i = from (to / from)^(i / (points - 1)).
+/// How the values of a sweep are spaced: evenly in their logarithm, or evenly.
+enum class SweepScale { Logarithmic, Linear };
+
+/// The key of velocity, over which a friction curve goes unless its scene names another one.
+inline constexpr std::string_view kVelocityKey = "sliding.velocity";
+
+/// The horizontal axis of a friction curve: x_i = from (to / from)^(i / (points - 1)), or from +
+/// (to - from) i / (points - 1). Any number of the table of parameters (core/scene/sweep.h); over
+/// another one than velocity, the states slide at `sliding.velocity`.
 struct Sweep {
-  double velocityFrom = 1e-5;  // m/s
-  double velocityTo = 1e3;     // m/s
+  double velocityFrom = 1e-5;  // m/s, of velocity alone
+  double velocityTo = 1e3;     // m/s, likewise
   std::int64_t points = 41;
+  std::string key{kVelocityKey};
+  double from = 0, to = 0;  // of another key, in its unit; `from` may be above `to`
+  SweepScale scale = SweepScale::Logarithmic;
+
+  bool isOfVelocity() const { return key == kVelocityKey; }
 
   bool operator==(const Sweep&) const = default;
 };

@@ -13,6 +13,7 @@
 #include "core/material/material_library.h"
 #include "core/scene/effects.h"
 #include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -33,16 +34,8 @@ struct Assignment {
   bool fromFile = true;
 };
 
-const Parameter& rowOf(const std::string& key) {
-  if (const Parameter* row = findParameter(key)) return *row;
-  const std::string_view nearest = nearestKey(key);
-  throw InputError("", shortened(key),
-                   nearest.empty() ? Message("unknown key; 'asperity help check' lists all")
-                                   : message("unknown key; the nearest known one is {}", nearest));
-}
-
 ParameterValue valueFrom(const std::string& key, const Json& json) {
-  const Parameter& row = rowOf(key);
+  const Parameter& row = knownParameter(key);
   if (json.is_number_unsigned() && json.get<std::uint64_t>() > std::uint64_t{1} << 62)
     return json.get<double>();
   if (json.is_number_integer()) return json.get<std::int64_t>();
@@ -106,16 +99,16 @@ Assignment parseAssignment(const std::string& text) {
   if (equals == std::string::npos || equals == 0)
     throw InputError("--set", "", message("'{}' is not KEY=VALUE", shortened(text)));
   Assignment assignment{text.substr(0, equals), text.substr(equals + 1), false, false};
-  rowOf(assignment.key);
+  knownParameter(assignment.key);
   return assignment;
 }
 
-bool isChoice(const Assignment& assignment) {
-  return std::holds_alternative<ChoiceField>(rowOf(assignment.key).field);
+bool isKind(const Assignment& assignment) {
+  return isKind(knownParameter(assignment.key));
 }
 
 void apply(const Assignment& assignment, Scene& scene) {
-  const Parameter& row = rowOf(assignment.key);
+  const Parameter& row = knownParameter(assignment.key);
   if (assignment.typed)
     setValue(row, scene, assignment.value);
   else
@@ -129,9 +122,13 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
   for (; !isApplicable(*decides, scene); decides = findParameter(decides->applies.choiceKey))
     of = decides;
   const Parameter& choice = *decides;
-  throw InputError("", std::string(row.key),
-                   message("has no meaning for {} {}; it belongs to {}", choice.key,
-                           std::get<std::string>(valueOf(choice, scene)), of->applies.words));
+  const std::string word = std::get<std::string>(valueOf(choice, scene));
+  throw InputError(
+      "", std::string(row.key),
+      of->applies.isExcept
+          ? message("has no meaning for {} {}; it belongs to all others", choice.key, word)
+          : message("has no meaning for {} {}; it belongs to {}", choice.key, word,
+                    of->applies.words));
 }
 
 /// Whether --set has changed a kind that the row hangs on, directly or by another choice.
@@ -255,7 +252,7 @@ void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
   if (!last.fromFile && namesMaterial(last)) {
     std::erase_if(assignments, [](const Assignment& assignment) {
       return assignment.fromFile &&
-             (assignment.key == kRheology || rowOf(assignment.key).rule.isOfMaterial);
+             (assignment.key == kRheology || knownParameter(assignment.key).rule.isOfMaterial);
     });
     changedKinds.insert({kRheology, "elastomer.shift.kind"});
   }
@@ -272,10 +269,10 @@ void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
   std::vector<Assignment> values = materialValues(name, folder);
   std::erase_if(values, [&](const Assignment& value) { return lastOf(assignments, value.key); });
   for (const Assignment& value : values)
-    if (isChoice(value)) apply(value, scene);
+    if (isKind(value)) apply(value, scene);
   // A key beside the material may choose another shift, for which the material's has no meaning.
   std::erase_if(values, [&](const Assignment& value) {
-    return isChoice(value) || !isApplicable(rowOf(value.key), scene);
+    return isKind(value) || !isApplicable(knownParameter(value.key), scene);
   });
   assignments.insert(assignments.begin(), values.begin(), values.end());
 }
@@ -291,14 +288,42 @@ bool isEveryRow(const Assignment& assignment, const Parameter& row, const Scene&
          row.key.starts_with("ensemble.");
 }
 
+/// Where --set chooses another kind, what the file must state of its own kind says nothing of the
+/// new one: the ends of a sweep.
+void dropRequired(std::vector<Assignment>& assignments) {
+  std::set<std::string_view> otherKinds;
+  for (const Assignment& assignment : assignments) {
+    if (assignment.fromFile || !isKind(assignment)) continue;
+    const auto inFile = std::ranges::find_if(assignments, [&](const Assignment& other) {
+      return other.fromFile && other.key == assignment.key;
+    });
+    if (inFile == assignments.end() || inFile->value != assignment.value)
+      otherKinds.insert(knownParameter(assignment.key).key);
+  }
+  std::erase_if(assignments, [&](const Assignment& assignment) {
+    const Parameter& row = knownParameter(assignment.key);
+    return assignment.fromFile && row.rule.isRequired && hangsOn(otherKinds, row);
+  });
+}
+
+void checkRequired(const std::vector<Assignment>& assignments, const Scene& scene) {
+  for (const Parameter& row : parameters())
+    if (row.rule.isRequired && isApplicable(row, scene) && !lastOf(assignments, row.key))
+      throw InputError(
+          "", std::string(row.key),
+          message("is missing; {} {} needs it", row.applies.choiceKey,
+                  std::get<std::string>(valueOf(*findParameter(row.applies.choiceKey), scene))));
+}
+
 /// Kinds come first, because they decide which other keys have a meaning.
 Scene build(std::vector<Assignment> assignments, const std::filesystem::path& folder) {
   Scene scene;
   std::set<std::string_view> changedKinds;  // by --set, away from what the file says
+  dropRequired(assignments);
   chooseMaterial(assignments, scene, changedKinds);
   for (const Assignment& assignment : assignments) {
-    if (!isChoice(assignment)) continue;
-    if (!assignment.fromFile) changedKinds.insert(rowOf(assignment.key).key);
+    if (!isKind(assignment)) continue;
+    if (!assignment.fromFile) changedKinds.insert(knownParameter(assignment.key).key);
     apply(assignment, scene);
   }
   addMaterialValues(assignments, scene, folder);
@@ -311,15 +336,16 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
     scene.ensemble.realizations = 0;
   if (scene.accuracy.scheme == Scheme::Nodal) scene.accuracy.oversampling = 1;
   for (const Assignment& assignment : assignments) {
-    const Parameter& row = rowOf(assignment.key);
+    const Parameter& row = knownParameter(assignment.key);
     const bool applies = isApplicable(row, scene);
-    if (applies && !isChoice(assignment) && !isEveryRow(assignment, row, scene, changedKinds))
+    if (applies && !isKind(assignment) && !isEveryRow(assignment, row, scene, changedKinds))
       apply(assignment, scene);
     if (applies || isHarmless(assignment)) continue;
     if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
     // A choice of the file's kind was taken before it was known that it has no meaning any more.
-    if (isChoice(assignment)) setValue(row, scene, defaultOf(row));
+    if (isKind(assignment)) setValue(row, scene, defaultOf(row));
   }
+  checkRequired(assignments, scene);
   return scene;
 }
 
@@ -340,10 +366,19 @@ void checkWhole(const Scene& scene) {
                      message("{} is not above surface.short_wave_cut, {}",
                              plain(processing.longWaveCut), plain(processing.shortWaveCut)));
   checkEffects(scene);
-  if (scene.sweep.velocityFrom > scene.sweep.velocityTo)
-    throw InputError("", "sweep.velocity_from",
-                     message("{} is above sweep.velocity_to, {}", scene.sweep.velocityFrom,
-                             scene.sweep.velocityTo));
+}
+
+/// Checks the sweep, and the states at its two ends.
+void checkSweepAndEnds(const Scene& scene) {
+  checkSweep(scene);
+  if (scene.sweep.isOfVelocity()) return;
+  for (const auto& [key, value] :
+       {std::pair{"sweep.from", scene.sweep.from}, {"sweep.to", scene.sweep.to}})
+    try {
+      checkWhole(sceneAt(scene, value));
+    } catch (const InputError& error) {
+      throw InputError("", key, message("{}: {}", error.key(), error.message()));
+    }
 }
 
 Json jsonOf(const Parameter& row, const ParameterValue& value) {
@@ -374,6 +409,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
     chooseAccuracy(all);
     Scene scene = build(std::move(all), folder);
     checkWhole(scene);
+    checkSweepAndEnds(scene);
     scene.folder = folder;
     return scene;
   } catch (const InputError& error) {
@@ -429,6 +465,8 @@ bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
   const ParameterValue value = valueOf(row, scene);
   if (isResolution(row) && choosesAccuracy(base)) return true;
   if (row.rule.isOfMaterial && base.elastomer.material != scene.elastomer.material) return true;
+  if (row.rule.isRequired && differs(*findParameter(row.applies.choiceKey), base, scene))
+    return true;
   return value != valueOf(row, base) || (!isApplicable(row, base) && value != defaultOf(row));
 }
 

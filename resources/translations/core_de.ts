@@ -7,6 +7,118 @@
 <context>
     <name>core</name>
     <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>a modulus or pressure</source>
+        <translation>ein Modul oder Druck</translation>
+    </message>
+    <message>
+        <source>a force</source>
+        <translation>eine Kraft</translation>
+    </message>
+    <message>
+        <source>a velocity</source>
+        <translation>eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a temperature</source>
+        <translation>eine Temperatur</translation>
+    </message>
+    <message>
+        <source>a frequency</source>
+        <translation>eine Frequenz</translation>
+    </message>
+    <message>
+        <source>a force on a length</source>
+        <translation>eine Kraft je Länge</translation>
+    </message>
+    <message>
+        <source>a viscosity</source>
+        <translation>eine Viskosität</translation>
+    </message>
+    <message>
+        <source>a mass</source>
+        <translation>eine Masse</translation>
+    </message>
+    <message>
+        <source>an energy</source>
+        <translation>eine Energie</translation>
+    </message>
+    <message>
+        <source>a power</source>
+        <translation>eine Leistung</translation>
+    </message>
+    <message>
+        <source>a voltage</source>
+        <translation>eine Spannung</translation>
+    </message>
+    <message>
+        <source>an angle</source>
+        <translation>ein Winkel</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>a wave number</source>
+        <translation>eine Wellenzahl</translation>
+    </message>
+    <message>
+        <source>a pure number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>a difference of temperatures</source>
+        <translation>ein Temperaturunterschied</translation>
+    </message>
+    <message>
+        <source>%1 is %2; wanted is %3, such as %4</source>
+        <translation>%1 ist %2; gefragt ist %3, etwa %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a known unit; wanted is %2, such as %3</source>
+        <translation>„%1“ ist hier keine bekannte Einheit; gefragt ist %2, etwa %3</translation>
+    </message>
+    <message>
+        <source>an energy of a mole</source>
+        <translation>eine Energie je Mol</translation>
+    </message>
+    <message>
+        <source>a share</source>
+        <translation>ein Anteil</translation>
+    </message>
+    <message>
+        <source>is not a number, so it has no range</source>
+        <translation>ist keine Zahl und hat deshalb keinen Bereich</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not FROM:TO:N, such as 0.001:10:41, with :log or :linear behind it where wanted</source>
+        <translation>„%1“ ist nicht VON:BIS:N, etwa 0.001:10:41, dahinter :log oder :linear, wo gewünscht</translation>
+    </message>
+    <message>
+        <source>%1 points are outside 1 to %2</source>
+        <translation>%1 Punkte liegen außerhalb von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=FROM:TO:N, such as load.normal_force=0.001:10:41</source>
+        <translation>„%1“ ist nicht SCHLÜSSEL=VON:BIS:N, etwa load.normal_force=0.001:10:41</translation>
+    </message>
+    <message>
+        <source>has no meaning in this scene, so nothing depends on it</source>
+        <translation>hat in dieser Szene keine Bedeutung, also hängt nichts davon ab</translation>
+    </message>
+    <message>
+        <source>a logarithmic range needs ends above 0; %1 is not</source>
+        <translation>ein logarithmischer Bereich braucht Enden über 0; %1 ist es nicht</translation>
+    </message>
+    <message>
         <source>reduced sliding velocity a_T v at %1 K</source>
         <translation>reduzierte Gleitgeschwindigkeit a_T v bei %1 K</translation>
     </message>
@@ -21,10 +133,6 @@
     <message>
         <source>the scene's %1 is outside %2 to %3</source>
         <translation>der Wert der Szene, %1, liegt außerhalb von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>unknown key; did you mean %1?</source>
-        <translation>unbekannter Schlüssel; ist %1 gemeint?</translation>
     </message>
     <message>
         <source>unknown key</source>
@@ -1085,10 +1193,6 @@
     <message>
         <source>Time that the motion takes; a step or a reversal comes at half of it.</source>
         <translation>Dauer der Bewegung; ein Sprung oder eine Umkehr kommt nach der Hälfte.</translation>
-    </message>
-    <message>
-        <source>Velocities of the friction curve, evenly spaced in their logarithm.</source>
-        <translation>Geschwindigkeiten der Reibungskurve, logarithmisch gleich verteilt.</translation>
     </message>
     <message>
         <source>Velocity from half of the duration on; below 0 the line goes back.</source>
@@ -4321,6 +4425,94 @@
     <message>
         <source>%1 Pa is outside %2 to %3 Pa; --modulus-unit says what the file means</source>
         <translation>%1 Pa liegt außerhalb von %2 bis %3 Pa; --modulus-unit sagt, was die Datei meint</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>axis from</source>
+        <translation>Achse von</translation>
+    </message>
+    <message>
+        <source>axis to</source>
+        <translation>Achse bis</translation>
+    </message>
+    <message>
+        <source>axis scale</source>
+        <translation>Achsenteilung</translation>
+    </message>
+    <message>
+        <source>The key over which the friction curve goes: any number that changes friction in the scene.</source>
+        <translation>Der Schlüssel, über dem die Reibungskurve verläuft: jede Zahl, die in der Szene die Reibung ändert.</translation>
+    </message>
+    <message>
+        <source>First value of another key than velocity, in its unit; from above to runs downwards.</source>
+        <translation>Erster Wert eines anderen Schlüssels als der Geschwindigkeit, in dessen Einheit; liegt er über dem letzten, geht es abwärts.</translation>
+    </message>
+    <message>
+        <source>Last value of another key than velocity, in its unit.</source>
+        <translation>Letzter Wert eines anderen Schlüssels als der Geschwindigkeit, in dessen Einheit.</translation>
+    </message>
+    <message>
+        <source>Points of the friction curve; of whole numbers, values that repeat are left out.</source>
+        <translation>Punkte der Reibungskurve; bei ganzen Zahlen entfallen Werte, die sich wiederholen.</translation>
+    </message>
+    <message>
+        <source>How the points of the friction curve are spaced: evenly in their logarithm (log), or evenly (linear).</source>
+        <translation>Wie die Punkte der Reibungskurve verteilt sind: logarithmisch gleich (log) oder gleich (linear).</translation>
+    </message>
+    <message>
+        <source>has no meaning for %1 %2; it belongs to all others</source>
+        <translation>hat keine Bedeutung für %1 %2; gehört zu allen anderen</translation>
+    </message>
+    <message>
+        <source>is missing; %1 %2 needs it</source>
+        <translation>fehlt; %1 %2 braucht es</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning in this scene</source>
+        <translation>%1 hat in dieser Szene keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning for %2 %3</source>
+        <translation>%1 hat keine Bedeutung für %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 of %3</source>
+        <translation>%1 liegt außerhalb von %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 has no place on a logarithmic axis; sweep.scale linear has room for it</source>
+        <translation>%1 hat auf einer logarithmischen Achse keinen Platz; bei sweep.scale linear hat es einen</translation>
+    </message>
+    <message>
+        <source>%1 is no key; &apos;asperity help check&apos; lists all</source>
+        <translation>%1 ist kein Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
+    </message>
+    <message>
+        <source>%1 is no key; the nearest known one is %2</source>
+        <translation>%1 ist kein Schlüssel; der nächste bekannte ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 says how the curve is made, which cannot be its axis</source>
+        <translation>%1 sagt, wie die Kurve entsteht, und kann nicht ihre Achse sein</translation>
+    </message>
+    <message>
+        <source>%1 changes nothing in this scene</source>
+        <translation>%1 ändert in dieser Szene nichts</translation>
+    </message>
+    <message>
+        <source>%1 values of %2, those on the same lines side by side</source>
+        <translation>%1 Werte von %2, die auf denselben Linien nebeneinander</translation>
+    </message>
+    <message>
+        <source>only one value of %1 is asked for</source>
+        <translation>nur ein Wert von %1 ist gefragt</translation>
     </message>
 </context>
 <context>

@@ -202,6 +202,17 @@ TEST(SceneFile, AssignmentsAreAppliedOverTheFileInOrder) {
   EXPECT_THAT(errorOf("{}", {"surface.radius=1"}), HasSubstr("has no meaning"));
 }
 
+TEST(SceneFile, AssignmentsTakeUnits) {
+  const Scene scene = readScene("{}", "s.json", {},
+                                {"load.normal_force=20mN", "elastomer.temperature=25 \u00B0C",
+                                 "accuracy.target_relative_error=1%"});
+  EXPECT_EQ(scene.load.normalForce, 0.02);
+  EXPECT_DOUBLE_EQ(scene.elastomer.temperature, 298.15);
+  EXPECT_EQ(scene.accuracy.targetRelativeError, 0.01);
+  EXPECT_EQ(errorOf("{}", {"load.normal_force=20mm"}),
+            "s.json: load.normal_force: 20mm is a length; wanted is a force, such as 3.4 mN");
+}
+
 TEST(SceneFile, AnAssignedKindDropsTheKeysItMakesMeaningless) {
   const std::string file = R"({"surface":{"kind":"self_affine","hurst":0.3,"length":0.1}})";
   const Scene scene = readScene(file, "s.json", {}, {"surface.kind=sine", "surface.waves=3"});

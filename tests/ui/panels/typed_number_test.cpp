@@ -67,7 +67,7 @@ TEST(TypedNumber, AnotherDimensionIsExplained) {
   EXPECT_EQ(refusal("elastomer.shift.c2", "40 °C"),
             "40 °C is a temperature; wanted is a difference of temperatures, such as 300 K");
   EXPECT_EQ(refusal("load.normal_force", "5 stone"),
-            "“stone” is no unit known here; wanted is a force, such as 3.4 mN");
+            "'stone' is not a known unit; wanted is a force, such as 3.4 mN");
   EXPECT_EQ(refusal("surface.hurst", "0.5x"), "“0.5x” is not a number; allowed is 0 to 1");
   EXPECT_EQ(refusal("load.normal_force", "much"),
             "“much” is not a number; allowed is 10\u207B\u00B3\u2070 to 10\u00B3\u2070 N");

@@ -1,0 +1,49 @@
+// Units of measurement in texts: the one table of units, quantities as people type them ("20mN",
+// "10 MPa", "40 \u00B0C"), and why one is refused. Pure; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/message.h"
+
+namespace asperity {
+
+/// A unit. A number in it becomes one of the SI unit by (number + offset) size 10^exponent; the
+/// power of ten stands apart so that "20 mm" is exactly the number 0.02.
+struct Unit {
+  std::string_view si;  // "Pa"; empty: a pure number
+  int exponent = 0;
+  double size = 1, offset = 0;
+
+  double toSi(double number) const;
+};
+
+/// Returns the unit with this name: an SI unit with a prefix from f to P ("kPa s", "\u00B5m",
+/// "mm/s"), or another common one ("bar", "\u00B0C", "km/h", "min", "%"). Upper and lower case
+/// differ in short names ("mPa", "MPa"). Empty where it is none.
+std::optional<Unit> unitNamed(std::string_view name);
+
+/// Returns the same where it measures what the SI unit measures. "m" is a length, and in a table of
+/// times it may not be minutes: only units of `si` are looked at.
+std::optional<Unit> unitNamed(std::string_view name, std::string_view si);
+
+/// What a number has to be.
+struct QuantityRule {
+  std::string_view unit{};     // SI; empty for a pure number
+  bool isTemperature = false;  // on the absolute scale: degrees Celsius are accepted, too
+  bool isWhole = false;        // whole numbers have no per cent
+};
+
+/// A quantity as it was typed.
+struct TypedQuantity {
+  std::optional<double> value;  // in the SI unit
+  Message refusal{};            // why the unit is refused; empty where there is no number at all
+  bool isTooLarge = false;      // beyond what a number can hold
+};
+
+/// Reads "20mN", "20 mN" or "0.02", which is in the SI unit; the decimal sign is a point.
+TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule);
+
+}  // namespace asperity

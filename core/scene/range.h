@@ -1,0 +1,55 @@
+// A range of values of one parameter, as an axis of a chart or a map: "FROM:TO:N", logarithmic
+// where the parameter's slider is; "FROM:TO:N:linear" or ":log" says otherwise. FROM and TO may
+// have units ("1mN:10N:41"). The one grammar of such options. Pure; any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/parameters.h"
+
+namespace asperity {
+
+struct ParameterRange {
+  const Parameter* row = nullptr;  // with a RealField or an IntegerField
+  double from = 0, to = 0;         // in the row's unit; `from` above `to` runs downwards
+  std::int64_t points = 1;
+  bool isLogarithmic = false;
+
+  std::string_view key() const { return row->key; }
+  bool operator==(const ParameterRange&) const = default;
+};
+
+inline constexpr std::int64_t kMostRangePoints = 100000;
+
+/// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
+const Parameter& numberRow(std::string_view key);
+
+/// Returns a number of the row as people type it, with or without a unit. Throws InputError with
+/// the key where it is none or outside what the parameter allows.
+double numberFromText(const Parameter& row, std::string_view text);
+
+/// Whether the row's slider is logarithmic.
+bool hasLogarithmicSlider(const Parameter& row);
+
+/// Reads "FROM:TO:N" with ":log" or ":linear" behind it where wanted. Throws InputError with the
+/// key.
+ParameterRange rangeFrom(std::string_view key, std::string_view text);
+
+/// Reads "KEY=FROM:TO:N". Throws InputError with the key, or with the option's name.
+ParameterRange rangeFromOption(const std::string& option, std::string_view text);
+
+/// Throws InputError with the key where the parameter has no meaning in the scene, a logarithmic
+/// range touches 0, or there are too few or too many points.
+void checkRange(const ParameterRange& range, const Scene& scene);
+
+/// Returns from (to/from)^(i/(N - 1)) or from + (to - from) i/(N - 1), the last one exactly `to`.
+/// Whole numbers are rounded and repeats left out; one point is `from`.
+std::vector<double> valuesOf(const ParameterRange& range);
+
+/// The range as text that reads back to the same.
+std::string textOf(const ParameterRange& range);
+
+}  // namespace asperity

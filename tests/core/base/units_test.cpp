@@ -1,0 +1,96 @@
+#include "core/base/units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace asperity {
+namespace {
+
+double typed(std::string_view text, std::string_view unit, bool isTemperature = false) {
+  const TypedQuantity quantity = typedQuantity(text, {unit, isTemperature, false});
+  return quantity.value.value_or(std::nan(""));
+}
+
+std::string refusal(std::string_view text, std::string_view unit) {
+  const TypedQuantity quantity = typedQuantity(text, {unit, false, false});
+  EXPECT_FALSE(quantity.value) << text;
+  return quantity.refusal.english();
+}
+
+/// A prefix is a power of ten of the decimal text, so the number is the nearest one to what was
+/// typed and not a rounded product.
+TEST(Units, APrefixShiftsTheDecimalPointExactly) {
+  EXPECT_EQ(typed("20mN", "N"), 0.02);
+  EXPECT_EQ(typed("20 mm", "m"), 0.02);
+  EXPECT_EQ(typed("3.4 mN", "N"), 0.0034);
+  EXPECT_EQ(typed("0.7e1 \u00B5m", "m"), 7e-6);
+  EXPECT_EQ(typed("7 \u03BCm", "m"), 7e-6);
+  EXPECT_EQ(typed("7um", "m"), 7e-6);
+  EXPECT_EQ(typed("10MPa", "Pa"), 1e7);
+  EXPECT_EQ(typed("10 mPa", "Pa"), 0.01);
+  EXPECT_EQ(typed("-2.5 mm/s", "m/s"), -0.0025);
+  EXPECT_EQ(typed("80 kJ/mol", "J/mol"), 8e4);
+  EXPECT_EQ(typed("5 kPa\u00B7s", "Pa s"), 5e3);
+  EXPECT_EQ(typed("5 dm", "m"), 0.5);
+  EXPECT_EQ(typed("3 hPa", "Pa"), 300);
+}
+
+TEST(Units, ANumberWithoutAUnitIsInTheSiUnit) {
+  EXPECT_EQ(typed("1e-3", "N"), 1e-3);
+  EXPECT_EQ(typed("+.5", ""), 0.5);
+  EXPECT_EQ(typed(" 2. ", "m"), 2);
+  EXPECT_TRUE(typedQuantity("1e999", {"N"}).isTooLarge);
+  for (const char* text : {"", "much", "e5", "--1", "1..2", "1,5", "0x10", "nan", "inf"})
+    EXPECT_FALSE(typedQuantity(text, {""}).value) << text;
+}
+
+TEST(Units, OtherUnitsHaveTheirSize) {
+  EXPECT_DOUBLE_EQ(typed("36 km/h", "m/s"), 10);
+  EXPECT_DOUBLE_EQ(typed("1 bar", "Pa"), 1e5);
+  EXPECT_DOUBLE_EQ(typed("1 psi", "Pa"), 6894.757293168361);
+  EXPECT_DOUBLE_EQ(typed("2 N/mm\u00B2", "Pa"), 2e6);
+  EXPECT_DOUBLE_EQ(typed("2 min", "s"), 120);
+  EXPECT_DOUBLE_EQ(typed("1 kgf", "N"), 9.80665);
+  EXPECT_DOUBLE_EQ(typed("3 %", ""), 0.03);
+  EXPECT_DOUBLE_EQ(typed("40 \u00B0C", "K", true), 313.15);
+  EXPECT_DOUBLE_EQ(typed("32\u00B0F", "K", true), 273.15);
+  EXPECT_DOUBLE_EQ(typed("1 in", "m"), 0.0254);
+  EXPECT_DOUBLE_EQ(typed("10 mm s^-1", "m/s"), 0.01);
+  EXPECT_DOUBLE_EQ(typed("1 N/mm", "N/m"), 1000);
+}
+
+TEST(Units, AUnitOfAnotherDimensionIsRefusedByName) {
+  EXPECT_EQ(refusal("20mm", "N"), "20mm is a length; wanted is a force, such as 3.4 mN");
+  EXPECT_EQ(refusal("5 kg", "m"), "5 kg is a mass; wanted is a length, such as 20 mm");
+  EXPECT_EQ(refusal("3 N", ""), "3 N is a force; wanted is a pure number, such as 0.5");
+  EXPECT_EQ(refusal("5 stone", "N"),
+            "'stone' is not a known unit; wanted is a force, such as 3.4 mN");
+  EXPECT_EQ(refusal("40 \u00B0C", "K"),
+            "40 \u00B0C is a temperature; wanted is a difference of temperatures, such as 300 K");
+  EXPECT_EQ(refusal("5 %", "N"), "5 % is a share; wanted is a force, such as 3.4 mN");
+  EXPECT_EQ(refusal("0.5x", ""), "");
+}
+
+/// Each unit reads back: one of it, typed, is what it says of itself.
+TEST(Units, EveryDimensionTakesItsPrefixes) {
+  for (const char* si : {"m", "Pa", "N", "m/s", "s", "Hz", "N/m", "Pa s", "J", "W", "V"})
+    for (const auto& [prefix, exponent] : {std::pair{"", 0},
+                                           {"f", -15},
+                                           {"p", -12},
+                                           {"n", -9},
+                                           {"u", -6},
+                                           {"m", -3},
+                                           {"k", 3},
+                                           {"M", 6},
+                                           {"G", 9}}) {
+      const auto unit = unitNamed(std::string(prefix) + si, si);
+      ASSERT_TRUE(unit) << prefix << si;
+      EXPECT_EQ(unit->exponent, exponent) << prefix << si;
+      EXPECT_EQ(unit->si, si);
+    }
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,196 @@
+#include "core/scene/sweep.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/base/input_error.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A scene whose curve goes over a key.
+Scene sceneOver(const std::string& key, const std::string& from, const std::string& to,
+                std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"sweep.key=" + key, "sweep.from=" + from, "sweep.to=" + to});
+  return readScene("{}", "s.json", {}, more);
+}
+
+std::string errorOver(const std::string& key, const std::string& from, const std::string& to,
+                      const std::vector<std::string>& more = {}) {
+  try {
+    sceneOver(key, from, to, more);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string errorOf(const std::string& json, const std::vector<std::string>& assignments = {}) {
+  try {
+    readScene(json, "s.json", {}, assignments);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Sweep, ASceneOfBeforeIsWrittenAsBefore) {
+  const std::string text = writeScene(readScene("{}", "s.json"));
+  for (const char* key : {"\"key\"", "\"from\"", "\"to\"", "\"scale\""})
+    EXPECT_THAT(text, Not(HasSubstr(key)));
+  EXPECT_EQ(sweepValues(Scene{}), logSpaced(1e-5, 1e3, 41));
+}
+
+TEST(Sweep, AnyNumberWithAMeaningReadsBackFromItsOwnText) {
+  for (const auto& [key, from, to] : {std::tuple{"load.normal_force", "1e-3", "10"},
+                                      {"load.normal_force", "10", "1e-3"},
+                                      {"surface.elements", "100", "5000"},
+                                      {"surface.seed", "1", "7"},
+                                      {"surface.hurst", "0.2", "1"},
+                                      {"elastomer.shear_modulus", "1e6", "1e8"},
+                                      {"accuracy.oversampling", "1", "16"}}) {
+    const Scene scene = sceneOver(key, from, to);
+    const std::string text = writeScene(scene);
+    EXPECT_EQ(readScene(text, "t.json"), scene) << text;
+    EXPECT_EQ(writeScene(readScene(text, "t.json")), text);
+    EXPECT_THAT(text, HasSubstr(std::string("\"key\": \"") + key));
+    EXPECT_THAT(text, Not(HasSubstr("velocity_from")));
+    // What tells it from a plain scene tells everything.
+    EXPECT_EQ(readScene("{}", "s.json", {}, assignmentsFrom(Scene{}, scene)), scene);
+  }
+  // An end of 0 is the default of the key, and is written nonetheless.
+  const Scene scene =
+      sceneOver("interface.friction_coefficient", "0", "0.5", {"sweep.scale=linear"});
+  EXPECT_EQ(readScene(writeScene(scene), "t.json"), scene);
+  EXPECT_EQ(readScene("{}", "s.json", {}, assignmentsFrom(Scene{}, scene)), scene);
+}
+
+TEST(Sweep, ValuesAreSpacedAsTheScaleSaysAndRunDownwardsToo) {
+  EXPECT_THAT(sweepValues(sceneOver("load.normal_force", "1", "100", {"sweep.points=3"})),
+              ElementsAre(1, testing::DoubleEq(10), 100));
+  EXPECT_THAT(sweepValues(sceneOver("load.normal_force", "100", "1", {"sweep.points=3"})),
+              ElementsAre(100, testing::DoubleEq(10), 1));
+  EXPECT_THAT(sweepValues(sceneOver("load.normal_force", "1", "5",
+                                    {"sweep.points=3", "sweep.scale=linear"})),
+              ElementsAre(1, 3, 5));
+  EXPECT_THAT(sweepValues(sceneOver("load.normal_force", "7", "100", {"sweep.points=1"})),
+              ElementsAre(7));
+  const Scene velocities = readScene(
+      "{}", "s.json", {},
+      {"sweep.velocity_from=1", "sweep.velocity_to=3", "sweep.points=3", "sweep.scale=linear"});
+  EXPECT_THAT(sweepValues(velocities), ElementsAre(1, 2, 3));
+}
+
+TEST(Sweep, WholeNumbersAreRoundedAndRepeatsAreLeftOut) {
+  EXPECT_THAT(
+      sweepValues(sceneOver("surface.seed", "1", "4", {"sweep.points=9", "sweep.scale=linear"})),
+      ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(
+      sweepValues(sceneOver("surface.seed", "4", "1", {"sweep.points=9", "sweep.scale=linear"})),
+      ElementsAre(4, 3, 2, 1));
+  const Scene scene = sceneOver("surface.elements", "100.4", "100.6");
+  EXPECT_THAT(sweepValues(scene), ElementsAre(100, 101));
+  EXPECT_EQ(sceneAt(scene, 101).surface.elements, 101);
+}
+
+TEST(Sweep, AStateHasTheValueAndNoSweepOfItsOwn) {
+  const Scene scene = sceneOver("elastomer.shear_modulus", "1e6", "1e8");
+  const Scene state = sceneAt(scene, 2e7);
+  EXPECT_EQ(state.elastomer.shearModulus, 2e7);
+  EXPECT_EQ(state.sweep, Sweep{});
+  EXPECT_EQ(state.sliding, scene.sliding);
+  EXPECT_EQ(ownSweptValue(scene), scene.elastomer.shearModulus);
+  EXPECT_EQ(sceneAt(Scene{}, 3).sliding.velocity, 3);
+}
+
+TEST(Sweep, EachMisuseHasOneClearLine) {
+  EXPECT_THAT(errorOver("load.normal_forc", "1", "2"),
+              HasSubstr("s.json: sweep.key: load.normal_forc is no key; the nearest known one is "
+                        "load.normal_force"));
+  EXPECT_THAT(errorOver("surface.kind", "1", "2"),
+              HasSubstr("sweep.key: surface.kind is not a number"));
+  EXPECT_THAT(errorOver("title", "1", "2"), HasSubstr("sweep.key: title is not a number"));
+  EXPECT_THAT(errorOver("sweep.points", "1", "2"), HasSubstr("says how the curve is made"));
+  EXPECT_THAT(errorOver("ensemble.realizations", "1", "2"),
+              HasSubstr("says how the curve is made"));
+  EXPECT_THAT(errorOver("load.depth", "1e-6", "2e-6"),
+              HasSubstr("sweep.key: load.depth has no meaning for load.kind force"));
+  EXPECT_THAT(errorOver("elastomer.shift.activation_energy", "1e4", "2e5"),
+              HasSubstr("has no meaning for elastomer.shift.kind wlf"));
+  EXPECT_THAT(errorOver("load.normal_force", "0", "2"),
+              HasSubstr("sweep.from: 0 is outside 1e-30 to 1e30 N of load.normal_force"));
+  EXPECT_THAT(errorOver("surface.hurst", "0.2", "1.4"),
+              HasSubstr("sweep.to: 1.4 is outside 0 to 1 of surface.hurst"));
+  EXPECT_THAT(errorOver("surface.hurst", "0", "1"),
+              HasSubstr("sweep.from: 0 has no place on a logarithmic axis"));
+  EXPECT_THAT(errorOver("surface.summit_correlation", "-1", "1"),
+              HasSubstr("sweep.from: -1 has no place on a logarithmic axis"));
+  EXPECT_EQ(errorOver("surface.summit_correlation", "-1", "1", {"sweep.scale=linear"}), "no error");
+}
+
+TEST(Sweep, AKeyThatChangesNothingIsRefused) {
+  const auto nothing = [](const std::string& key) {
+    return HasSubstr("sweep.key: " + key + " changes nothing in this scene");
+  };
+  // Without a shift, temperature has no influence; with one it has.
+  EXPECT_THAT(errorOver("elastomer.temperature", "290", "320", {"elastomer.shift.c1=0"}),
+              nothing("elastomer.temperature"));
+  EXPECT_EQ(errorOver("elastomer.temperature", "290", "320"), "no error");
+  // At the reference temperature there is no shift, whatever its constants.
+  EXPECT_THAT(errorOver("elastomer.shift.c1", "1", "20"), nothing("elastomer.shift.c1"));
+  EXPECT_EQ(errorOver("elastomer.shift.c1", "1", "20", {"elastomer.temperature=320"}), "no error");
+  EXPECT_THAT(errorOver("interface.shear_width", "0.1", "1"), nothing("interface.shear_width"));
+  EXPECT_THAT(errorOver("interface.shear_width", "0.1", "1", {"interface.shear_stress=3"}),
+              nothing("interface.shear_width"));
+  EXPECT_EQ(errorOver("interface.shear_width", "0.1", "1",
+                      {"interface.shear_stress=3", "interface.shear_velocity=1"}),
+            "no error");
+  // A curve is of steady sliding, whatever the motion.
+  EXPECT_THAT(errorOver("sliding.duration", "0.1", "1", {"sliding.kind=start"}),
+              nothing("sliding.duration"));
+  EXPECT_THAT(errorOver("elastomer.measured.frequency_to", "1", "10",
+                        {"elastomer.rheology=prony", "elastomer.equilibrium_modulus=1e6"}),
+              nothing("elastomer.measured.frequency_to"));
+}
+
+TEST(Sweep, AnEndThatCannotBeIsNamedWithItsReason) {
+  EXPECT_THAT(errorOver("elastomer.temperature", "100", "320", {"elastomer.shift.c1=10"}),
+              HasSubstr("sweep.from: elastomer.temperature: "));
+  EXPECT_THAT(
+      errorOver("interface.friction_coefficient", "0.1", "0.5", {"interface.shear_stress=3"}),
+      HasSubstr("sweep.from: interface.shear_stress: stands beside"));
+}
+
+TEST(Sweep, EndsBelongToTheirKey) {
+  EXPECT_THAT(errorOf(R"({"sweep":{"key":"load.normal_force","from":1}})"),
+              HasSubstr("sweep.to: is missing; sweep.key load.normal_force needs it"));
+  EXPECT_THAT(errorOf(R"({"sweep":{"key":"load.normal_force","velocity_from":1}})"),
+              HasSubstr("sweep.velocity_from: has no meaning for sweep.key load.normal_force; it "
+                        "belongs to sliding.velocity"));
+  for (const char* json : {R"({"sweep":{"from":1,"to":2}})",
+                           R"({"sweep":{"key":"sliding.velocity","from":1,"to":2}})"})
+    EXPECT_THAT(errorOf(json), HasSubstr("sweep.from: has no meaning for sweep.key "
+                                         "sliding.velocity; it belongs to all others"));
+  EXPECT_THAT(errorOf(R"({"sweep":{"key":3}})"), HasSubstr("sweep.key"));
+  // Another key by --set needs ends of its own: those of the file are of other numbers.
+  const std::string forces = R"({"sweep":{"key":"load.normal_force","from":1,"to":2}})";
+  EXPECT_THAT(errorOf(forces, {"sweep.key=surface.rms_height"}),
+              HasSubstr("sweep.from: is missing; sweep.key surface.rms_height needs it"));
+  EXPECT_EQ(errorOf(forces, {"sweep.key=load.normal_force", "sweep.to=3"}), "no error");
+  EXPECT_EQ(readScene(forces, "s.json", {}, {"sweep.key=sliding.velocity"}), Scene{});
+  // Velocities of the file have no meaning any more.
+  EXPECT_EQ(errorOf(R"({"sweep":{"velocity_from":1,"velocity_to":2}})",
+                    {"sweep.key=load.normal_force", "sweep.from=1", "sweep.to=2"}),
+            "no error");
+  EXPECT_THAT(errorOf(forces, {"load.kind=indentation"}),
+              HasSubstr("sweep.key: load.normal_force has no meaning for load.kind indentation"));
+}
+
+}  // namespace
+}  // namespace asperity
