@@ -103,6 +103,7 @@ struct FigureCommand {
   std::vector<std::string> names;
   std::string output;  // folder
   std::int64_t realizations = 200;
+  PictureArguments picture;
 };
 
 struct ExplainCommand {
@@ -112,11 +113,20 @@ struct ExplainCommand {
 
 struct OpenCommand {
   CommonOptions common;  // the scene is read from any file that contains one
+  bool remakes = false;  // the file itself, instead of opening the window
+  std::string output;    // of a remade file; empty: the file itself
+  std::vector<std::string> others;  // options of the command that made the file
+};
+
+struct CheckCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes;
 };
 
 struct AccuracyCommand {
   CommonOptions common;
   std::string output;  // folder
+  PictureArguments picture;
 };
 
 struct BatchCommand {
@@ -143,7 +153,7 @@ auto withSceneContext(const CommonOptions& options, const Work& work) {
   }
 }
 
-int runCheck(const CommonOptions& command);
+int runCheck(const CheckCommand& command);
 int runCurve(const CurveCommand& command);
 int runMotion(const MotionCommand& command);
 int runColumns(const CommonOptions& command);

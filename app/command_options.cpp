@@ -123,9 +123,10 @@ void refuseEmptyWords(CLI::App& app) {
 }
 
 std::vector<GivenOption> givenOptions(const CLI::App& command) {
+  // Measured friction and theories are part of the scene by then.
   static constexpr std::array<std::string_view, 12> kShapeNothing{
-      "--output", "--set", "--threads", "--quiet",  "--json", "--timing",
-      "--resume", "--help", "--shard",  "--remake", "--plan", "--realizations-table"};
+      "--output", "--set",    "--threads", "--quiet", "--json",   "--timing",
+      "--resume", "--remake", "--data",    "--theory", "--help", "--realizations-table"};
   std::vector<GivenOption> given;
   for (const CLI::Option* option : command.get_options()) {
     const std::string word = option->get_positional() ? "" : nameOf(*option);

@@ -44,7 +44,10 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
   if (extension == ".png")
     writePng(file, list, properties);
   else if (extension == ".svg")
-    writeSvg(file, list, {properties.title, properties.metadata});
+    writeSvg(file, list,
+             {.title = properties.title,
+              .metadata = properties.metadata,
+              .millimetres = properties.isOnPaper ? 25.4 / (96 * properties.scale) : 0});
   else if (extension == ".pdf")
     writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
   else

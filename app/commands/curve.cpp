@@ -33,11 +33,9 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
     return output != "-" && extensionOf(output) != ".csv" && extensionOf(output) != ".json";
   };
   if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
-  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
-  if (settings.transparent) options.theme.background.a = 0;
   const DiagramSheet sheet = curveSheet(set);
-  checkPanels(sheet, settings, 0);
-  const DrawList list = composeDiagrams(sheet, options);
+  checkPanels(styled(sheet, settings.style), settings, 0);
+  const DrawList list = drawSheet(sheet, settings);
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : outputs)
     if (isPicture(output)) {
@@ -46,7 +44,7 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
       origin["picture"] = settings.json();
       command.curves.addTo(origin["picture"]);
       pictures.write(output, list,
-                     {translated(sheet.title), provenanceLine(origin), settings.scale});
+                     settings.properties(translated(sheet.title), provenanceLine(origin)));
     }
   pictures.finish();
 }
@@ -177,14 +175,15 @@ int runCurve(const CurveCommand& command) {
   }
   if (keepsLines) writeRealizations(command, scene, lines);
   writePictures(command, set, settings);
-  const bool tableOnStdout = command.outputs.empty() || hasStandardOutput(command.outputs);
+  const bool tableOnStdout =
+      (command.outputs.empty() && !keepsLines) || hasStandardOutput(command.outputs);
   if (command.common.json)
     fmt::print("{}", jsonOf(set, command, columns));
   else if (tableOnStdout)
     fmt::print("{}", tableOf(set, command, columns));
   std::vector<std::string> files = command.outputs;
   if (keepsLines) files.push_back(command.realizationTable);
-  if (!command.outputs.empty())
+  if (!files.empty())
     printSummary(command.common.json || tableOnStdout, command.common.quiet,
                  summaryOf(curve, files));
   requireTarget(curve);

@@ -41,14 +41,11 @@ void writePicture(const std::string& output, const Scene& scene, const MotionTab
                   const PictureSettings& settings, const MotionCommand& command,
                   HeadlessPictures& pictures) {
   const ProvenanceOptions given(optionsFor(command.common.given, output));
-  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme,
-                         kMotionText};
-  if (settings.transparent) options.theme.background.a = 0;
   nlohmann::ordered_json origin = motionProvenance("motion", scene, table);
   origin["picture"] = settings.json();
   const DiagramSheet sheet = motionSheet(scene, table);
-  pictures.write(output, composeDiagrams(sheet, options),
-                 {translated(sheet.title), provenanceLine(origin), settings.scale});
+  pictures.write(output, drawSheet(sheet, settings, kMotionText),
+                 settings.properties(translated(sheet.title), provenanceLine(origin)));
 }
 
 std::string tableOf(const Scene& scene, const MotionTable& table, const MotionCommand& command,

@@ -192,6 +192,9 @@ class Rendering {
     }
     if (!showsCurve())
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
+    if (layout_ == PictureLayout::Contact)
+      refuseChartOptions(command_.picture,
+                         message("is of charts, which --layout {} does not show", command_.layout));
   }
 
   void checkLayout() const {
@@ -245,7 +248,7 @@ class Rendering {
   void writePicture() {
     HeadlessPictures pictures(settings_.backend);
     pictures.write(command_.output, compose(0),
-                   {translated(scene_.title), provenanceLine(origin()), settings_.scale});
+                   settings_.properties(translated(scene_.title), provenanceLine(origin())));
     pictures.finish();
     files_ = {command_.output};
   }

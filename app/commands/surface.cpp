@@ -99,12 +99,17 @@ DiagramSheet sheetOf(const Scene& scene, const LineSource& source, const Line& l
   return measuredSheet(measuredSummary(scene, source), title);
 }
 
-void writePicture(const std::string& output, const Scene& scene, const LineSource& source,
-                  const Line& line) {
-  const int width = 1280, height = source.measured() ? 1100 : 800;
-  HeadlessPictures pictures;
-  pictures.write(output, composeDiagrams(sheetOf(scene, source, line), {width, height}),
-                 {translated(scene.title), pictureOrigin("surface", scene)});
+/// A measured surface has a diagram more.
+PictureSettings settingsOf(const SurfaceCommand& command, bool isMeasured) {
+  return pictureSettings(command.picture, {1280, isMeasured ? 1100 : 800, "light"});
+}
+
+void writePicture(const std::string& output, const SurfaceCommand& command, const Scene& scene,
+                  const LineSource& source, const Line& line) {
+  const PictureSettings settings = settingsOf(command, source.measured() != nullptr);
+  HeadlessPictures pictures(settings.backend);
+  pictures.write(output, drawSheet(sheetOf(scene, source, line), settings),
+                 settings.properties(translated(scene.title), pictureOrigin("surface", scene)));
   pictures.finish();
 }
 
@@ -132,7 +137,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
                                .of(csvTextOf(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (extension == ".png" || extension == ".svg" || extension == ".pdf")
-    writePicture(output, scene, source, line);
+    writePicture(output, command, scene, source, line);
 }
 
 /// Throws for options of tables that no output is, and for unknown ones.
@@ -164,10 +169,12 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 }  // namespace
 
 int runSurface(const SurfaceCommand& command) {
-  const bool isFile = isSurfaceFile(command.common.scene);
+  const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneOfFile(command.common) : sceneOf(command.common);
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   checkTable(command);
+  checkUseful(command.picture, command.outputs);
+  settingsOf(command, false);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   const auto run = [&] {

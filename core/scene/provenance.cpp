@@ -174,6 +174,10 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
     const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
     if (scene.is_object()) {
       FoundScene found{readScene(scene.dump(), name, folder), true};
+      if (others.contains("verb"))
+        if (const Json verb = memberOf(json, "verb", kDeepest); verb.is_string())
+          found.verb = verb.get<std::string>();
+      if (others.contains("options")) found.options = memberOf(json, "options", kDeepest);
       if (others.contains("inputs")) checkInputs(memberOf(json, "inputs", kDeepest), found.scene);
       return found;
     }

@@ -50,6 +50,9 @@ struct FoundScene {
   /// Whether the file is a result (picture, film, table, answer) that contains the scene, which may
   /// come from another user; otherwise the file is a scene file.
   bool isCarried = false;
+  // What a result says of its making, to make it again; empty and null where it does not say it.
+  std::string verb{};
+  nlohmann::ordered_json options{};
 };
 
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),

@@ -76,7 +76,7 @@ class Panel {
         std::round(top_ - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
     const float size =
         fittingSize(diagram_.title.text, sizes_.panel,
-                    std::max(7.0F, std::round(0.8F * sizes_.panel)), true, cell_.right() - box.x);
+                    std::max(sizes_.least, std::round(0.8F * sizes_.panel)), true, cell_.right() - box.x);
     const std::string title = elided(diagram_.title.text, size, true, cell_.right() - box.x);
     if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
   }
@@ -126,6 +126,8 @@ class Panel {
                     kLeastHeight = 0.6F;  // minimum part of the frame that stays beside a legend
     constexpr float kMuch = 0.25F;        // part of a legend's box
     place(0, 0);
+    if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
+    if (sizes_.legendMode != LegendMode::Automatic) return;
     if (legend_.empty() || (hidden_ <= 0 && legend_.isWhole)) return;
     const Box frame = axes_.box;
     const float gap = std::round(10 * sizes_.unit);
@@ -150,11 +152,26 @@ class Panel {
     }
   }
 
+  /// Places the legend under the axis, in rows over the width of the panel.
+  void arrangeBelow() {
+    if (legend_.empty()) return;
+    Legend below = legendOver(diagram_, styles_, sizes_.legend, cell_.width);
+    if (!below.isWhole)
+      below = legendFor(diagram_, styles_, sizes_.legend, cell_.width, 0.5F * cell_.height);
+    below_ = below.height;
+    place(0, 0);
+    legend_ = std::move(below);
+    const float left = std::min(axes_.box.x, cell_.right() - legend_.width);
+    legendBox_ = {std::max(cell_.x, left), std::floor(cell_.bottom() - legend_.height),
+                  legend_.width, legend_.height};
+    hidden_ = 0;
+  }
+
   /// Places everything, with this many pixels kept free at the right and above the frame.
   void place(float right, float above) {
     Box& box = axes_.box;
     box.y = top_ + above;
-    box.height = std::max(1.0F, bottom_ - box.y);
+    box.height = std::max(1.0F, bottom_ - below_ - box.y);
     axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
@@ -165,7 +182,10 @@ class Panel {
     fit(sizes_.tick);
     fit(overhang());
     styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
-    legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
+    legend_ = sizes_.legendMode == LegendMode::None || below_ > 0
+                  ? Legend{}
+                  : legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width,
+                              0.7F * box.height);
     OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
     if (diagram_.marker) series.addLine(markerLine(), 1);
@@ -215,6 +235,7 @@ class Panel {
   float top_ = 0, bottom_ = 1;  // of the frame if no legend is above it
   float left_ = 0;              // minimum left edge of the frame
   float right_ = 0;             // right edge of the frame; 0: automatic
+  float below_ = 0;             // pixels of a legend below the axis
   Box legendBox_;               // width 0: not shown
   float hidden_ = 0;            // part of the legend's box that hides something
 };
