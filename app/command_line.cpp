@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <QtGlobal>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -161,15 +163,16 @@ class CommandLine {
   }
 
   void addCheck() {
-    CLI::App* command = app_.add_subcommand(
-        "check", "Read scenes, check them, and print what they describe");
+    CLI::App* command =
+        app_.add_subcommand("check", "Read scenes, check them, and print what they describe");
     command
         ->add_option("SCENE", check_.scenes,
                      "Scene files (JSON), names of shipped scenes, or - for standard input")
         ->required();
     addShared(*command, check_.common);
-    command->footer("Keys of a scene for --set, with their ranges and units: asperity check --help "
-                    "keys");
+    command->footer(
+        "Keys of a scene for --set, with their ranges and units: asperity check --help "
+        "keys");
     command->callback([this] { selected_ = [this] { return runCheck(check_); }; });
   }
   void addCurve() {
@@ -420,9 +423,10 @@ class CommandLine {
                      "on the window in the same way")
         ->required();
     addShared(*command, open_.common, kLastLanguage);
-    command->add_flag("--remake", open_.remakes,
-                      "Make the file again from what it says of itself, and open no window; options "
-                      "of the command that made it replace its own");
+    command->add_flag(
+        "--remake", open_.remakes,
+        "Make the file again from what it says of itself, and open no window; options "
+        "of the command that made it replace its own");
     command->add_option("-o,--output", open_.output,
                         "With --remake: the new file (default: the file itself)");
     command->allow_extras();

@@ -30,8 +30,8 @@ struct CommonOptions {
   bool quiet = false;
   bool json = false;
   bool timing = false;
-  std::vector<GivenOption> given;      // that shape outputs
-  std::optional<Scene> remade = {};    // instead of the file `scene`, which names it in errors
+  std::vector<GivenOption> given;    // that shape outputs
+  std::optional<Scene> remade = {};  // instead of the file `scene`, which names it in errors
 };
 
 struct CurveCommand {
@@ -112,9 +112,9 @@ struct ExplainCommand {
 };
 
 struct OpenCommand {
-  CommonOptions common;  // the scene is read from any file that contains one
-  bool remakes = false;  // the file itself, instead of opening the window
-  std::string output;    // of a remade file; empty: the file itself
+  CommonOptions common;             // the scene is read from any file that contains one
+  bool remakes = false;             // the file itself, instead of opening the window
+  std::string output;               // of a remade file; empty: the file itself
   std::vector<std::string> others;  // options of the command that made the file
 };
 

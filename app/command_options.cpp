@@ -125,7 +125,7 @@ void refuseEmptyWords(CLI::App& app) {
 std::vector<GivenOption> givenOptions(const CLI::App& command) {
   // Measured friction and theories are part of the scene by then.
   static constexpr std::array<std::string_view, 12> kShapeNothing{
-      "--output", "--set",    "--threads", "--quiet", "--json",   "--timing",
+      "--output", "--set",    "--threads", "--quiet",  "--json", "--timing",
       "--resume", "--remake", "--data",    "--theory", "--help", "--realizations-table"};
   std::vector<GivenOption> given;
   for (const CLI::Option* option : command.get_options()) {
@@ -141,9 +141,10 @@ std::vector<GivenOption> givenOptions(const CLI::App& command) {
 
 nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
                                   const std::string& output) {
-  const std::string extension = extensionOf(output);
-  const bool isTable = output == "-" || extension.empty() || extension == ".csv" ||
-                       extension == ".json";
+  // A bare ".png" would be the name of a hidden file.
+  const std::string extension = extensionOf("x" + output);
+  const bool isTable =
+      output == "-" || extension.empty() || extension == ".csv" || extension == ".json";
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
   for (const GivenOption& option : given) {
     if (option.group == (isTable ? kPictureGroup : kTableGroup)) continue;

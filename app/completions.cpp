@@ -38,7 +38,8 @@ std::string optionNames(const CLI::App& command) {
 
 std::string keys(std::string_view end) {
   std::string text;
-  for (const Parameter& row : parameters()) text += fmt::format("{}{}{}", text.empty() ? "" : " ", row.key, end);
+  for (const Parameter& row : parameters())
+    text += fmt::format("{}{}{}", text.empty() ? "" : " ", row.key, end);
   return text;
 }
 
@@ -52,7 +53,8 @@ std::string quoted(std::string text) {
 std::string bashScript(const CLI::App& app) {
   std::string cases;
   for (const CLI::App* command : app.get_subcommands({}))
-    cases += fmt::format("    {}) words={} ;;\n", command->get_name(), quoted(optionNames(*command)));
+    cases +=
+        fmt::format("    {}) words={} ;;\n", command->get_name(), quoted(optionNames(*command)));
   return fmt::format(R"(# Completions of asperity for bash; made by the program itself.
 _asperity() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} words=
@@ -83,8 +85,7 @@ complete -o filenames -F _asperity asperity
 /// In the descriptions of zsh a colon and brackets have a meaning.
 std::string plainWords(const std::string& sentence) {
   std::string text;
-  for (const char c : sentence)
-    text += c == ':' || c == '[' || c == ']' || c == '\n' ? ' ' : c;
+  for (const char c : sentence) text += c == ':' || c == '[' || c == ']' || c == '\n' ? ' ' : c;
   return text;
 }
 
@@ -98,10 +99,11 @@ std::string zshScript(const CLI::App& app) {
       const std::string after = option.name == "--set" ? ":key:($keys)"
                                 : option.takesValue    ? ":value:_files"
                                                        : "";
-      const std::string spec =
-          fmt::format("*{}[{}]", option.name, plainWords(option.sentence));
+      const std::string spec = fmt::format("*{}[{}]", option.name, plainWords(option.sentence));
       options += " \\\n        " + quoted(spec) +
-                 (after.empty() ? "" : option.name == "--set" ? "\"" + after + "\"" : quoted(after));
+                 (after.empty()            ? ""
+                  : option.name == "--set" ? "\"" + after + "\""
+                                           : quoted(after));
     }
     cases += fmt::format("    {}) _arguments{} \\\n        '*:file:_files' ;;\n",
                          command->get_name(), options);
@@ -140,9 +142,9 @@ std::string fishScript(const CLI::App& app) {
                                      ? fmt::format(" -x -a {}", quoted(keys("=")))
                                  : option.takesValue ? " -r"
                                                      : "";
-      text += fmt::format("complete -c asperity -n '__fish_seen_subcommand_from {}' -l {}{} -d {}\n",
-                          command->get_name(), option.name.substr(2), values,
-                          quoted(option.sentence));
+      text +=
+          fmt::format("complete -c asperity -n '__fish_seen_subcommand_from {}' -l {}{} -d {}\n",
+                      command->get_name(), option.name.substr(2), values, quoted(option.sentence));
     }
   return text;
 }

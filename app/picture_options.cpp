@@ -24,9 +24,8 @@ constexpr double kPixelsPerInch = 96;
 void readSize(const std::string& text, PictureSettings& settings) {
   const auto fits = [](double pixels) { return pixels >= kSmallest && pixels <= kLargest; };
   const std::optional<PictureSize> size = pictureSizeFrom(text);
-  const bool isWhole =
-      size && (size->isOnPaper() || (size->width == std::floor(size->width) &&
-                                     size->height == std::floor(size->height)));
+  const bool isWhole = size && (size->isOnPaper() || (size->width == std::floor(size->width) &&
+                                                      size->height == std::floor(size->height)));
   if (!isWhole || (!size->isOnPaper() && !(fits(size->width) && fits(size->height))))
     throw InputError("", "--size",
                      message("{} is not WIDTHxHEIGHT with {} to {} pixels each", shortened(text),
@@ -34,7 +33,8 @@ void readSize(const std::string& text, PictureSettings& settings) {
   settings.isOnPaper = size->isOnPaper();
   const double density =
       size->isOnPaper() ? kPixelsPerInch * static_cast<double>(settings.scale) / size->perInch : 1;
-  const double width = std::round(size->width * density), height = std::round(size->height * density);
+  const double width = std::round(size->width * density),
+               height = std::round(size->height * density);
   if (!fits(width) || !fits(height))
     throw InputError("", "--size",
                      message("{} at {} dpi has {} x {} pixels; {} to {} each are allowed",
@@ -215,8 +215,9 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
   const auto pixels = [&](int length) {
     return static_cast<int>(std::lround(static_cast<float>(length) * settings.scale));
   };
-  readSize(style.size.empty() ? fmt::format("{}x{}", pixels(defaults.width), pixels(defaults.height))
-                              : style.size,
+  readSize(style.size.empty()
+               ? fmt::format("{}x{}", pixels(defaults.width), pixels(defaults.height))
+               : style.size,
            settings);
   settings.themeName = style.theme.empty() ? defaults.theme : style.theme;
   settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
@@ -240,7 +241,8 @@ PictureProperties PictureSettings::properties(const std::string& title,
 }
 
 DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText) {
-  DrawList list = composeDiagrams(styled(sheet, settings.style), settings.diagramOptions(leastText));
+  DrawList list =
+      composeDiagrams(styled(sheet, settings.style), settings.diagramOptions(leastText));
   if (settings.style.isGrey) removeColours(list);
   return list;
 }

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/run/frame.h"
 #include "core/chart/figure_style.h"
+#include "core/run/frame.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/pixel_context.h"
@@ -73,8 +73,7 @@ PictureDefaults printDefaults(const DiagramSheet& sheet);
 
 /// Draws a sheet in the style of the settings. Throws InputError where the style names what the
 /// sheet does not have.
-DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings,
-                   float leastText = 0);
+DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText = 0);
 
 /// Throws InputError where an option is given that applies to none of the files.
 void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files);

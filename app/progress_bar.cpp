@@ -38,9 +38,8 @@ void ProgressBar::show(std::int64_t done, std::int64_t total) {
   if (done < total && now - drawn_ < kInterval) return;
   drawn_ = now;
   const auto part = static_cast<std::size_t>(kWidth * done / total);
-  const std::string line = fmt::format(
-      "\r{} [{}{}] {}\033[K", what_, std::string(part, '='), std::string(kWidth - part, ' '),
-      count);
+  const std::string line = fmt::format("\r{} [{}{}] {}\033[K", what_, std::string(part, '='),
+                                       std::string(kWidth - part, ' '), count);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
 }

@@ -98,7 +98,8 @@ Remake remakeOf(const OpenCommand& command, const FoundScene& found) {
     }
     remake.words.insert(remake.words.end(), {"--" + outputOption, output});
   }
-  const std::set<std::string> anew = wordsOf(command.others);
+  std::set<std::string> anew = wordsOf(command.others);
+  if (!command.common.language.empty()) anew.insert("language");
   const bool dropsPictures = isTable(output) && !isTable(file);
   const bool isVector = extensionOf(output) == ".svg" || extensionOf(output) == ".pdf";
   for (const auto& [key, value] : options.items()) {
@@ -110,6 +111,8 @@ Remake remakeOf(const OpenCommand& command, const FoundScene& found) {
     addOption(remake.words, word, value);
   }
   remake.words.insert(remake.words.end(), command.others.begin(), command.others.end());
+  if (!command.common.language.empty())
+    remake.words.push_back("--language=" + command.common.language);
   if (command.common.quiet) remake.words.emplace_back("--quiet");
   if (command.common.json) remake.words.emplace_back("--json");
   if (command.common.threads > 0)

@@ -13,9 +13,9 @@ namespace asperity {
 struct OpenCommand;
 
 struct Remake {
-  std::vector<std::string> words;      // of the command line, without the program's name
-  std::filesystem::path folder{};      // where a command that makes many files writes them
-  std::filesystem::path made{};        // of them the one that is meant
+  std::vector<std::string> words;  // of the command line, without the program's name
+  std::filesystem::path folder{};  // where a command that makes many files writes them
+  std::filesystem::path made{};    // of them the one that is meant
 };
 
 /// Returns the command line that makes the file of `found` again, with the options of the user in

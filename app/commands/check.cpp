@@ -68,7 +68,6 @@ nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
   return json;
 }
 
-
 /// Checks one scene; adds its answer to `answers`.
 void checkScene(const CommonOptions& command, bool isOneOfMany,
                 std::vector<nlohmann::ordered_json>& answers) {
@@ -107,8 +106,8 @@ int runCheck(const CheckCommand& command) {
     }
   }
   if (common.json)
-    fmt::print("{}\n", isOneOfMany ? nlohmann::ordered_json(answers).dump(2)
-                                   : answers.front().dump(2));
+    fmt::print("{}\n",
+               isOneOfMany ? nlohmann::ordered_json(answers).dump(2) : answers.front().dump(2));
   return status;
 }
 

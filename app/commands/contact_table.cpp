@@ -42,8 +42,7 @@ void checkUsage(const RenderCommand& command) {
                                       {"--cycles", time.cycles > 0},
                                       {"--slow-motion", time.slowMotion > 0},
                                       {"--resume", command.resume}})
-    if (given)
-      throw InputError("", option, "belongs to films; a table is of one moment, see --at");
+    if (given) throw InputError("", option, "belongs to films; a table is of one moment, see --at");
 }
 
 Json answerOf(const Scene& scene, const RenderCommand& command, const Frame& frame,
@@ -80,9 +79,9 @@ int runContactTable(const RenderCommand& command) {
   });
   const DataTable table = kind.make(frame);
   const bool isCsv = extensionOf(command.output) != ".json";
-  const std::string json =
-      isCsv && !command.common.json ? std::string()
-                                    : answerOf(scene, command, frame, table, columns).dump(2) + "\n";
+  const std::string json = isCsv && !command.common.json
+                               ? std::string()
+                               : answerOf(scene, command, frame, table, columns).dump(2) + "\n";
   if (command.output != "-")
     writeFileAtomically(command.output, isCsv ? csvTextOf(scene, command, table, columns) : json);
   else if (!command.common.json)

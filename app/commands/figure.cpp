@@ -86,8 +86,8 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
   DrawList picture = composeFigure(shown, contactOf(figure).get(), settings.diagramOptions());
   if (settings.style.isGrey) removeColours(picture);
   const ProvenanceOptions given(optionsOf(".png"));
-  const PictureProperties properties = settings.properties(
-      translated(figure.sheet.title), pictureOrigin("figure", figure.scene));
+  const PictureProperties properties =
+      settings.properties(translated(figure.sheet.title), pictureOrigin("figure", figure.scene));
   for (const char* extension : {".png", ".svg", ".pdf"})
     pictures.write(fileOf(command, figure.name, extension), picture, properties);
 }

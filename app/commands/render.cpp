@@ -50,9 +50,9 @@ Kind kindOf(const std::string& output) {
 
 /// Returns the numbers beside the crosshair, SI; a value that the frame does not have is left out.
 Json probeJson(const ProbeReading& reading) {
-  Json json = {{"position", reading.position}, {"rigid_height", reading.line},
+  Json json = {{"position", reading.position},      {"rigid_height", reading.line},
                {"surface_height", reading.surface}, {"gap", reading.gap},
-               {"line_load", reading.pressure}, {"slope", reading.slope}};
+               {"line_load", reading.pressure},     {"slope", reading.slope}};
   if (reading.surfaceRate) json["surface_rate"] = *reading.surfaceRate;
   if (reading.age) json["time_since_contact"] = *reading.age;
   if (reading.power) json["power"] = *reading.power;

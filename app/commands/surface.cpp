@@ -132,9 +132,10 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = extensionOf(output);
   if (extension == ".csv" || output == "-")
-    writeTable(output, provenanceComment("surface", scene) +
-                           ColumnChoice(command.columns, {columnsOf})
-                               .of(csvTextOf(table, scene, source, line)));
+    writeTable(
+        output,
+        provenanceComment("surface", scene) +
+            ColumnChoice(command.columns, {columnsOf}).of(csvTextOf(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (extension == ".png" || extension == ".svg" || extension == ".pdf")
     writePicture(output, command, scene, source, line);
@@ -148,8 +149,8 @@ void checkTable(const SurfaceCommand& command) {
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
     return output == "-" || extensionOf(output) == ".csv";
   });
-  for (const auto& [option, given] : {std::pair{"--table", table != SurfaceTable::Line},
-                                      {"--columns", !command.columns.empty()}})
+  for (const auto& [option, given] :
+       {std::pair{"--table", table != SurfaceTable::Line}, {"--columns", !command.columns.empty()}})
     if (given && !hasTable)
       throw InputError("", option, "belongs to .csv tables, and no output is one");
 }
@@ -187,8 +188,7 @@ int runSurface(const SurfaceCommand& command) {
         (source.measured() ? measuredText(measuredSummary(scene, source)) : std::string()) +
         notesText(notesOf(source)) + summaryOf(line, command.outputs);
     for (const std::string& output : command.outputs)
-      if (output != "-" || !command.common.json)
-        writeSurface(output, command, scene, source, line);
+      if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
     const bool machineReads = command.common.json || hasStandardOutput(command.outputs);
     printSummary(machineReads, command.common.quiet, text);
     if (command.common.json) {

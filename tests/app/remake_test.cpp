@@ -33,8 +33,9 @@ TEST_F(RemakeTest, EveryKindOfFileIsTheSameAgain) {
       {"f.json", "render s.json -o f.json --table gaps --columns start,length"},
       {"g.csv", "surface s.json -o g.csv --table spectrum"},
       {"h.png", "surface s.json -o h.png --size 480x360 --language de"},
-      {"i.csv", "motion s.json --set sliding.kind=start --set sliding.duration=1e-3 -o i.csv "
-                "--every 7"},
+      {"i.csv",
+       "motion s.json --set sliding.kind=start --set sliding.duration=1e-3 -o i.csv "
+       "--every 7"},
       {"j.csv", "curve s.json --realizations-table j.csv"},
       {"k.gif", "render s.json -o k.gif --frames 3 --size 160x160"},
       {"figure_2.csv", "figure 2 -o . --realizations 2 --set sweep.points=3 --font-size 9"},
@@ -113,7 +114,8 @@ TEST_F(RemakeTest, CompletionsNameCommandsOptionsAndKeys) {
     EXPECT_THAT(script, HasSubstr("realizations-table"));
     EXPECT_THAT(script, HasSubstr("load.normal_force"));
     program.folder.write("script", script);
-    if (shell == "bash") EXPECT_EQ(std::system(("bash -n '" + (program.folder / "script").string() + "'").c_str()), 0);
+    if (shell == "bash")
+      EXPECT_EQ(std::system(("bash -n '" + (program.folder / "script").string() + "'").c_str()), 0);
   }
   expectRefused("--completions csh", 2, "csh is not one of bash, zsh, fish");
 }

@@ -36,12 +36,13 @@ class TablesTest : public ProgramTest {
   static void expectInDictionary(const std::string& header, const std::string& table) {
     std::istringstream text(header);
     for (std::string word; std::getline(text, word, ',');)
-      EXPECT_TRUE(std::ranges::any_of(kColumns,
-                                      [&](const Column& column) {
-                                        return column.name == word &&
-                                               (", " + std::string(column.tables) + ", ")
-                                                       .find(", " + table + ", ") != std::string::npos;
-                                      }))
+      EXPECT_TRUE(std::ranges::any_of(
+          kColumns,
+          [&](const Column& column) {
+            return column.name == word &&
+                   (", " + std::string(column.tables) + ", ").find(", " + table + ", ") !=
+                       std::string::npos;
+          }))
           << word << " of " << table;
   }
 };
@@ -59,8 +60,9 @@ TEST_F(TablesTest, TheContactAsTables) {
     EXPECT_EQ(json["options"]["table"], table);
     EXPECT_GT(json["derived"]["contact_spots"], 0);
   }
-  EXPECT_THAT(lines(read("shape.csv")).front(),
-              StartsWith("position,rigid_height,surface_height,gap,line_load,time_in_contact,power"));
+  EXPECT_THAT(
+      lines(read("shape.csv")).front(),
+      StartsWith("position,rigid_height,surface_height,gap,line_load,time_in_contact,power"));
 }
 
 TEST_F(TablesTest, AMotionHasItsShapeAtAnyTime) {

@@ -214,7 +214,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
                    Notes& notes) {
   const float margin = std::round(9 * layout.sizes.unit);
   const std::vector<Tag> tags = elastomerTags(frame);
-  const Rgba plate = mix(layout.theme.elastomer, {0, 0, 0, 1}, 0.2F);
+  const Theme& t = layout.theme;
+  const Rgba plate = t.isPaper ? t.elastomer : mix(t.elastomer, {0, 0, 0, 1}, 0.2F);
   const float top = layout.plot.bottom() - margin - painter.height();
   const auto fits = [&](const Tag& tag) {
     return painter.width(tag) + 2 * margin <= layout.plot.width;

@@ -88,23 +88,23 @@ TEST(StyleFile, HasTheSameWords) {
       R"({"schema": "asperity-style/1", "font_size": 8.5, "regions": false, "title": "none",
           "labels": ["x=speed", "y=friction"], "panel_letters": "(a)"})",
       "mine.json");
-  EXPECT_EQ(style.fontSize, 8.5);
-  EXPECT_FALSE(style.hasRegions);
-  EXPECT_FALSE(style.hasTitle);
-  EXPECT_EQ(style.labels.size(), 2U);
-  EXPECT_EQ(style.letters, PanelLetters::Bracketed);
-  EXPECT_THAT(refusedFile(R"({"fontsize": 8})"),
-              HasSubstr("mine.json: fontsize: is no option of a style; did you mean font_size?"));
-  EXPECT_THAT(refusedFile(R"({"font_size": "x"})"), HasSubstr("mine.json: font_size: 'x' is not"));
-  EXPECT_THAT(refusedFile(R"({"font_size": [1]})"), HasSubstr("mine.json: font_size"));
-  EXPECT_THAT(refusedFile(R"([])"), HasSubstr("mine.json"));
-  EXPECT_THAT(refusedFile("nonsense"), HasSubstr("mine.json"));
-  EXPECT_THAT(refusedFile(R"({"schema": "asperity-scene/1"})"), HasSubstr("schema"));
+EXPECT_EQ(style.fontSize, 8.5);
+EXPECT_FALSE(style.hasRegions);
+EXPECT_FALSE(style.hasTitle);
+EXPECT_EQ(style.labels.size(), 2U);
+EXPECT_EQ(style.letters, PanelLetters::Bracketed);
+EXPECT_THAT(refusedFile(R"({"fontsize": 8})"),
+            HasSubstr("mine.json: fontsize: is no option of a style; did you mean font_size?"));
+EXPECT_THAT(refusedFile(R"({"font_size": "x"})"), HasSubstr("mine.json: font_size: 'x' is not"));
+EXPECT_THAT(refusedFile(R"({"font_size": [1]})"), HasSubstr("mine.json: font_size"));
+EXPECT_THAT(refusedFile(R"([])"), HasSubstr("mine.json"));
+EXPECT_THAT(refusedFile("nonsense"), HasSubstr("mine.json"));
+EXPECT_THAT(refusedFile(R"({"schema": "asperity-scene/1"})"), HasSubstr("schema"));
 }
 
 TEST(StyleFile, ShippedOnesAreWhole) {
-  EXPECT_THAT(shippedStyles(), testing::ElementsAre("screen", "journal", "slides", "poster",
-                                                    "greyscale"));
+  EXPECT_THAT(shippedStyles(),
+              testing::ElementsAre("screen", "journal", "slides", "poster", "greyscale"));
   for (const std::string_view name : shippedStyles()) EXPECT_NO_THROW(readStyle(std::string(name)));
   EXPECT_TRUE(readStyle("greyscale").isGrey);
   EXPECT_THROW(readStyle("no such style"), InputError);

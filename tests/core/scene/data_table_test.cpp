@@ -17,9 +17,8 @@ TEST(DataTable, IsTheSameInCsvAndJson) {
   const DataTable table{{"velocity", "mu", "notes"},
                         {{0.1, kNone, std::string("a,b \"c\"")}, {1e-300, std::int64_t{7}, "x"}}};
   EXPECT_EQ(csvOf(table), "velocity,mu,notes\n0.1,,\"a,b \"\"c\"\"\"\n1e-300,7,x\n");
-  EXPECT_EQ(jsonOf(table).dump(),
-            R"([{"velocity":0.1,"mu":null,"notes":"a,b \"c\""},)"
-            R"({"velocity":1e-300,"mu":7,"notes":"x"}])");
+  EXPECT_EQ(jsonOf(table).dump(), R"([{"velocity":0.1,"mu":null,"notes":"a,b \"c\""},)"
+                                  R"({"velocity":1e-300,"mu":7,"notes":"x"}])");
 }
 
 TEST(ColumnChoice, KeepsOrderCommentsAndQuotes) {
