@@ -295,8 +295,15 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
 
 /// Returns the sheet in the current language, with markers as series: the trace of a marker, and a
 /// ring around its dot, which may lie in the middle of the trace.
-DiagramSheet prepared(const DiagramSheet& english) {
+DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options) {
   DiagramSheet sheet = translated(english);
+  // Letters of a given size need panels of a width that holds their legends.
+  constexpr float kNarrowest = 26;  // letters
+  const float letters = options.look.letters;
+  if (letters > 0 && sheet.columns <= 0) {
+    const int most = static_cast<int>(static_cast<float>(options.width) / (kNarrowest * letters));
+    if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
+  }
   for (Diagram& diagram : sheet.diagrams) {
     if (!diagram.marker) continue;
     const DiagramMarker& marker = *diagram.marker;
@@ -344,7 +351,7 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
 
 int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
   constexpr int kHighest = 20000;
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   for (; options.height <= kHighest; options.height += 10) {
     DrawList list = emptyList(options);
@@ -355,7 +362,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
   for (const Panel& panel : panelsOf(sheet, options, list))
@@ -371,7 +378,7 @@ DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) 
 }
 
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);

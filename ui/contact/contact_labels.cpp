@@ -184,12 +184,12 @@ std::string powerText(const Frame& frame) {
 Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   Notes notes{exaggerationText(layout)};
   const bool pressed = greatestPressure(frame) > 0;
-  if (layout.marked)
+  if (layout.marked && !layout.theme.isPaper)
     notes.push_back(pressed ? Words::tr("dot: the deepest contact")
                             : Words::tr("dot: contact between two points"));
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
     notes.push_back(powerText(frame));
-  if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
+  if (pressed && layout.scale.overlay == ContactOverlay::Pressure && !layout.theme.isPaper)
     notes.push_back(Words::tr("glow: pressure, not depth"));
   return notes;
 }
