@@ -68,12 +68,12 @@ Remake remakeOf(const OpenCommand& command, const FoundScene& found) {
     throw InputError(file, "",
                      "does not say the options that made it, as files of the command line do since "
                      "this version; open it and save it again");
-  static const std::set<std::string_view> single{"curve", "motion", "render", "surface"};
+  static const std::set<std::string_view> single{"curve", "map", "motion", "render", "surface"};
   const bool isFigure = found.verb == "figure" && found.options.contains("name");
   if (!single.contains(found.verb) && !isFigure)
     throw InputError(file, "",
-                     message("is one of the files of 'asperity {}', which are made together; run "
-                             "that again",
+                     message("was made by 'asperity {}', whose files are made together; run that "
+                             "again",
                              shortened(found.verb)));
   const std::string output = command.output.empty() ? file : command.output;
   Json options = found.options;

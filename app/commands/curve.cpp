@@ -8,6 +8,7 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/picture_composer.h"
+#include "app/surface_progress.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -149,7 +150,8 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const Scene scene = withComparisons(sceneOf(command.common), command.curves);
+  const ComparedScene compared = withComparisons(sceneOf(command.common), command.curves);
+  const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   for (const std::string& output : command.outputs)
@@ -160,13 +162,14 @@ int runCurve(const CurveCommand& command) {
   const ColumnChoice columns(command.columns, {"curve", "curves"});
   checkRealizations(command, scene);
   checkCurves(command.curves, scene);
+  findLinesWithProgress(scene, command.common.quiet);
   RealizationTable lines(sweepVelocities(scene.sweep));
   const bool keepsLines = !command.realizationTable.empty();
   const Curve curve = withSceneContext(command.common, [&] {
     return computeCurve(scene, command.common, keepsLines ? &lines : nullptr);
   });
   const CurveSet set = withSceneContext(command.common, [&] {
-    return curvesOf(command.curves, scene, curve.points, command.common);
+    return curvesOf(command.curves, compared, curve.points, command.common);
   });
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
