@@ -228,9 +228,11 @@ class Panel {
     fit(sizes_.tick);
     fit(overhang());
     styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
+    // Letters that must not get smaller need more of a narrow frame.
+    const float widest = sizes_.least > 7 ? 0.95F : 0.7F;
     legend_ = sizes_.legendMode == LegendMode::None || below_ > 0
                   ? Legend{}
-                  : legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width,
+                  : legendFor(diagram_, styles_, sizes_.legend, widest * box.width,
                               0.7F * box.height);
     OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
@@ -347,7 +349,7 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
   // Letters of a given size need panels of a width that holds their legends.
   constexpr float kNarrowest = 26;  // letters
   const float letters = options.look.letters;
-  if (letters > 0 && sheet.columns <= 0) {
+  if (letters > 0) {
     const int most = static_cast<int>(static_cast<float>(options.width) / (kNarrowest * letters));
     if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
   }
@@ -449,7 +451,7 @@ float DiagramFrame::downOf(double y) const {
 
 std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
                                         const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   std::vector<DiagramFrame> frames;
   for (const Panel& panel : panelsOf(sheet, options, list)) frames.push_back(panel.place());
