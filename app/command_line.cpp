@@ -186,8 +186,8 @@ class CommandLine {
         command, curve_.outputs,
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may be repeated (default: CSV to standard output)");
-    addPictureOptions(*command, curve_.picture, "1200x800", "print", FigurePart::Curve);
     addCurveOptions(*command, curve_.curves);
+    addPictureOptions(*command, curve_.picture, "1200x800", "print", FigurePart::Curve);
     addColumnChoice(command, curve_.columns);
     command
         ->add_option("--realizations-table", curve_.realizationTable,
@@ -264,7 +264,6 @@ class CommandLine {
                      "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
                      "standard output) for a table of the contact")
         ->required();
-    addPictureOptions(*command, render_.picture, "1280x720", "light", FigurePart::Curve);
     command
         ->add_option("--layout", render_.layout,
                      "contact, curve, both, or transient: the contact above strips over time")
@@ -274,6 +273,7 @@ class CommandLine {
                         "power (dissipated) (default: pressure)");
     addViewOptions(*command, render_.view);
     addCurveOptions(*command, render_.curves);
+    addPictureOptions(*command, render_.picture, "1280x720", "light", FigurePart::Curve);
     TimeArguments& time = render_.time;
     limitWhole(command->add_option("--frames", time.frames,
                                    "Number of frames (default: 60 per period, or 60 for a motion)"),

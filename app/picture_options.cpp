@@ -177,7 +177,7 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
   add("--backend", arguments.backend,
       "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
   for (const FigureOption& row : figureOptions()) {
-    if (row.part > most || row.word == "size" || row.word == "theme") continue;
+    if (row.part > most || command.get_option_no_throw("--" + std::string(row.word))) continue;
     CLI::Option* option = command.add_option_function<std::vector<std::string>>(
         "--" + std::string(row.word),
         [&arguments, word = std::string(row.word)](const std::vector<std::string>& values) {

@@ -60,7 +60,8 @@ struct PictureDefaults {
   float scale = 1;  // where neither option nor style gives a density
 };
 
-/// Adds the options of pictures and, by `most`, those of charts and of friction curves.
+/// Adds the options of pictures and, by `most`, those of charts and of friction curves, but for
+/// those that the command has already in a form of its own.
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
                        const std::string& defaultSize, const std::string& defaultTheme,
                        FigurePart most = FigurePart::Picture);

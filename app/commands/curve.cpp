@@ -1,4 +1,4 @@
-// asperity curve: friction over velocity, averaged over the scene's realizations.
+// asperity curve: friction over velocity or any other key, averaged over the scene's realizations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +19,7 @@
 #include "core/scene/data_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
@@ -50,15 +51,22 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
   pictures.finish();
 }
 
-std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
+std::string axisOf(const Curve& curve, const Scene& scene) {
+  const std::size_t points = curve.points.size();
+  if (!scene.sweep.isOfVelocity())
+    return points == 1
+               ? filled(Words::tr("one value of %1"), {scene.sweep.key})
+               : filled(Words::tr("%1 values of %2"), {std::to_string(points), scene.sweep.key});
+  return points == 1 ? Words::tr("one velocity")
+                     : filled(Words::tr("%1 velocities"), {std::to_string(points)});
+}
+
+std::string summaryOf(const Curve& curve, const Scene& scene,
+                      const std::vector<std::string>& outputs) {
   const std::int64_t lines = curve.points.front().realizations;
-  const std::size_t velocities = curve.points.size();
-  std::string text =
-      (velocities == 1 ? Words::tr("one velocity")
-                       : filled(Words::tr("%1 velocities"), {std::to_string(velocities)})) +
-      ", " +
-      (lines == 1 ? Words::tr("one realization")
-                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
+  std::string text = axisOf(curve, scene) + ", " +
+                     (lines == 1 ? Words::tr("one realization")
+                                 : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
     text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
                           {shortNumber(100 * curve.marginalFraction, 2)});
@@ -73,7 +81,7 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
     return noteSetOf(point).has(Note::UnresolvedFriction);
   });
   const CurvePoint& first = curve.points.front();
-  if (std::isfinite(first.normalForce))
+  if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
     text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
                    {shortNumber(first.normalForce, 6)}) +
             "\n";
@@ -105,12 +113,15 @@ std::string tableOf(const CurveSet& set, const CurveCommand& command, const Colu
   const ProvenanceOptions options(optionsFor(command.common.given, ".csv"));
   const bool hasMore = command.curves.hasMore(set.present.scene);
   return commentOf(set, command.curves) +
-         columns.of(hasMore ? curveSetCsv(set) : curveCsv(set.present.points));
+         columns.of(hasMore ? curveSetCsv(set)
+                            : curveCsv(set.present.points,
+                                       columnsFor(set.present.scene, showsForces(set))));
 }
 
 std::string jsonOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
   const ProvenanceOptions options(optionsFor(command.common.given, ".json"));
-  auto answer = nlohmann::ordered_json::parse(curveJson(set.present.points, set.present.scene));
+  auto answer = nlohmann::ordered_json::parse(
+      curveJson(set.present.points, set.present.scene, showsForces(set)));
   if (command.curves.hasMore(set.present.scene)) addCurvesTo(answer, set);
   answer["points"] = columns.of(answer["points"]);
   return answer.dump(2) + "\n";
@@ -137,6 +148,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
   constexpr const char* kOption = "--realizations-table";
   const std::string& file = command.realizationTable;
   if (file.empty()) return;
+  needVelocityAxis(scene, "--realizations-table");
   if (choosesAccuracy(scene))
     throw InputError("", kOption,
                      "needs the same lines at every velocity; with "
@@ -150,7 +162,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const ComparedScene compared = withComparisons(sceneOf(command.common), command.curves);
+  const ComparedScene compared = withCurveOptions(sceneOf(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
@@ -188,7 +200,7 @@ int runCurve(const CurveCommand& command) {
   if (keepsLines) files.push_back(command.realizationTable);
   if (!files.empty())
     printSummary(command.common.json || tableOnStdout, command.common.quiet,
-                 summaryOf(curve, files));
+                 summaryOf(curve, scene, files));
   requireTarget(curve);
   return kDone;
 }

@@ -175,9 +175,7 @@ constexpr std::array<FigureOption, 17> kOptions{{
        return choose(kOnOff, text, style.hasFootnote);
      }},
     {"ticks", "SIDE", "Tick marks inside or outside of the frame, or none", FigurePart::Chart,
-     [](FigureStyle& style, const std::string& text) {
-       return choose(kTicks, text, style.ticks);
-     }},
+     [](FigureStyle& style, const std::string& text) { return choose(kTicks, text, style.ticks); }},
     {"x-scale", "SCALE", "x-axis log or linear", FigurePart::Chart,
      [](FigureStyle& style, const std::string& text) {
        return choose(kScales, text, style.xScale);
@@ -395,8 +393,9 @@ std::vector<std::string_view> shippedStyles() {
 FigureStyle styleFromJson(std::string_view text, const std::string& file) {
   constexpr int kDeepest = 4;
   try {
-    const Json json = parseJson(text, kDeepest, "a style is JSON: {\"schema\": "
-                                                "\"asperity-style/1\", ...}");
+    const Json json = parseJson(text, kDeepest,
+                                "a style is JSON: {\"schema\": "
+                                "\"asperity-style/1\", ...}");
     if (!json.is_object()) throw InputError("", "", "a style is an object of options");
     FigureStyle style;
     std::vector<std::string> known{"schema"};
@@ -412,9 +411,9 @@ FigureStyle styleFromJson(std::string_view text, const std::string& file) {
         const std::vector<std::string_view> words(known.begin(), known.end());
         const std::string_view nearest = nearestOf(key, words);
         throw InputError("", key,
-                         nearest.empty() ? Message("is no option of a style")
-                                         : message("is no option of a style; did you mean {}?",
-                                                   nearest));
+                         nearest.empty()
+                             ? Message("is no option of a style")
+                             : message("is no option of a style; did you mean {}?", nearest));
       }
       if (value.is_array() && option->repeats)
         for (const Json& one : value) setFrom(style, *option, one, "");
@@ -457,9 +456,9 @@ DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style) {
   const std::vector<std::string> names = curveNames(sheet);
   for (const auto& [number, look] : style.curves) {
     if (number > names.size())
-      throw InputError("", "--curve-style",
-                       message("there is no curve {} in the legend, which has {}", number,
-                               names.size()));
+      throw InputError(
+          "", "--curve-style",
+          message("there is no curve {} in the legend, which has {}", number, names.size()));
     forEachNamed(sheet, names[number - 1], [&look = look](DiagramSeries& series) {
       if (look.paint) series.paint = look.paint;
       if (look.mark) series.mark = *look.mark;

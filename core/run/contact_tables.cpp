@@ -193,22 +193,23 @@ Json derivedNumbers(const Frame& frame) {
     largestGap = std::max(largestGap, size.largest);
     area += size.area;
   }
-  return {{"length", frame.length},
-          {"spacing", frame.spacing},
-          {"velocity", frame.velocity},
-          {"normal_force", frame.normalForce},
-          {"tangential_force", number(frame.tangentialForce)},
-          {"rms_height", frame.rmsHeight},
-          {"rms_slope", frame.rmsSlope},
-          {"contact_spots", contacts.size()},
-          {"mean_contact_length",
-           number(contacts.empty() ? kNotApplicable
-                                   : inContact / static_cast<double>(contacts.size()))},
-          {"largest_contact_length", longest},
-          {"mean_line_load", number(inContact > 0 ? frame.normalForce / inContact : kNotApplicable)},
-          {"largest_line_load", largestLoad},
-          {"mean_gap", area / frame.length},
-          {"largest_gap", largestGap}};
+  return {
+      {"length", frame.length},
+      {"spacing", frame.spacing},
+      {"velocity", frame.velocity},
+      {"normal_force", frame.normalForce},
+      {"tangential_force", number(frame.tangentialForce)},
+      {"rms_height", frame.rmsHeight},
+      {"rms_slope", frame.rmsSlope},
+      {"contact_spots", contacts.size()},
+      {"mean_contact_length",
+       number(contacts.empty() ? kNotApplicable
+                               : inContact / static_cast<double>(contacts.size()))},
+      {"largest_contact_length", longest},
+      {"mean_line_load", number(inContact > 0 ? frame.normalForce / inContact : kNotApplicable)},
+      {"largest_line_load", largestLoad},
+      {"mean_gap", area / frame.length},
+      {"largest_gap", largestGap}};
 }
 
 }  // namespace asperity

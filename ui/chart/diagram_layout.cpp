@@ -200,8 +200,8 @@ float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& 
   top += title.height();
   room -= title.height();
   const Paragraph subtitle =
-      paragraph(sheet.subtitle.text, sizes.subtitle, least(0.85F * sizes.subtitle), false,
-                width, linesIn(room, sizes.subtitle, 3));
+      paragraph(sheet.subtitle.text, sizes.subtitle, least(0.85F * sizes.subtitle), false, width,
+                linesIn(room, sizes.subtitle, 3));
   addParagraph(list, subtitle, {side, top}, false, theme.faintText);
   return std::round(top + subtitle.height() + 2 * sizes.unit);
 }
@@ -210,9 +210,9 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
               const Theme& theme) {
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   const auto bottom = static_cast<float>(list.height);
-  const Paragraph note = paragraph(sheet.note.text, sizes.note,
-                                   std::max(sizes.least, std::round(0.85F * sizes.note)), false,
-                                   width, linesIn(0.2F * bottom, sizes.note, 5));
+  const Paragraph note =
+      paragraph(sheet.note.text, sizes.note, std::max(sizes.least, std::round(0.85F * sizes.note)),
+                false, width, linesIn(0.2F * bottom, sizes.note, 5));
   if (note.lines.empty()) return bottom - std::round(8 * sizes.unit);
   const float top = std::round(bottom - 10 * sizes.unit - note.height());
   addParagraph(list, note, {side, top}, false, theme.faintText);

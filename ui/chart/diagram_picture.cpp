@@ -104,9 +104,9 @@ class Panel {
       addLegend(list, legend_, legendBox_, isOver(legendBox_, box), sizes_, theme_);
     const float baseline =
         std::round(top_ - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
-    const float size =
-        fittingSize(diagram_.title.text, sizes_.panel,
-                    std::max(sizes_.least, std::round(0.8F * sizes_.panel)), true, cell_.right() - box.x);
+    const float size = fittingSize(diagram_.title.text, sizes_.panel,
+                                   std::max(sizes_.least, std::round(0.8F * sizes_.panel)), true,
+                                   cell_.right() - box.x);
     const std::string title = elided(diagram_.title.text, size, true, cell_.right() - box.x);
     if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
   }
@@ -230,10 +230,10 @@ class Panel {
     styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
     // Letters that must not get smaller need more of a narrow frame.
     const float widest = sizes_.least > 7 ? 0.95F : 0.7F;
-    legend_ = sizes_.legendMode == LegendMode::None || below_ > 0
-                  ? Legend{}
-                  : legendFor(diagram_, styles_, sizes_.legend, widest * box.width,
-                              0.7F * box.height);
+    legend_ =
+        sizes_.legendMode == LegendMode::None || below_ > 0
+            ? Legend{}
+            : legendFor(diagram_, styles_, sizes_.legend, widest * box.width, 0.7F * box.height);
     OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
     if (diagram_.marker) series.addLine(markerLine(), 1);

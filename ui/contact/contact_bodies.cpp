@@ -183,8 +183,7 @@ void addStrokesBelow(DrawLayer& layer, const Curve& stretch, const ContactLayout
       hasAny = true;
     }
   }
-  if (!hasAny && largest)
-    stroke(layout.px(largest->x), layout.py(largest->height), largest->value);
+  if (!hasAny && largest) stroke(layout.px(largest->x), layout.py(largest->height), largest->value);
 }
 
 /// Draws the free surface in the colours of its age, with a band of them below. Nothing is drawn in

@@ -114,8 +114,8 @@ class SvgWriter {
       return std::string(text, end.ptr) + "mm";
     };
     svg += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + side(list_.width) +
-           "\" height=\"" + side(list_.height) +
-           "\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+           "\" height=\"" + side(list_.height) + "\" viewBox=\"0 0 " + width + " " + height +
+           "\">\n";
     if (!options_.title.empty()) svg += "<title>" + xmlText(options_.title) + "</title>\n";
     if (!options_.metadata.empty())
       svg += "<metadata>" + xmlText(options_.metadata) + "</metadata>\n";

@@ -77,7 +77,9 @@ Rgba colourFrom(std::uint32_t rgb) {
 }
 
 void removeColours(DrawList& list) {
-  const auto toGrey = [](Rgba& c) { c.r = c.g = c.b = 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b; };
+  const auto toGrey = [](Rgba& c) {
+    c.r = c.g = c.b = 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b;
+  };
   toGrey(list.background);
   for (DrawLayer& layer : list.layers) {
     for (DrawVertex& vertex : layer.triangles) toGrey(vertex.colour);
