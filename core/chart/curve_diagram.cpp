@@ -336,7 +336,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   if (drawsLawOfPoints(set))
     if (DiagramSeries law = lawSeries(set.present, set.axes); !law.points.empty())
       diagram.series.push_back(std::move(law));
-  std::ranges::move(theoriesOf(set), std::back_inserter(diagram.series));
+  addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
   DiagramSeries mean = meanSeries(set.present, set);
