@@ -114,8 +114,10 @@ TEST_F(RemakeTest, CompletionsNameCommandsOptionsAndKeys) {
     EXPECT_THAT(script, HasSubstr("realizations-table"));
     EXPECT_THAT(script, HasSubstr("load.normal_force"));
     program.folder.write("script", script);
-    if (shell == "bash")
-      EXPECT_EQ(std::system(("bash -n '" + (program.folder / "script").string() + "'").c_str()), 0);
+    if (shell == "bash") {
+      const std::string check = "bash -n '" + (program.folder / "script").string() + "'";
+      EXPECT_EQ(std::system(check.c_str()), 0);
+    }
   }
   expectRefused("--completions csh", 2, "csh is not one of bash, zsh, fish");
 }

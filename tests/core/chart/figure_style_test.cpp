@@ -85,21 +85,21 @@ TEST(FigureOptions, RefuseWhatTheyDoNotKnow) {
 
 TEST(StyleFile, HasTheSameWords) {
   const FigureStyle style = styleFromJson(
-      R"({"schema": "asperity-style/1", "font_size": 8.5, "regions": false, "title": "none",
-          "labels": ["x=speed", "y=friction"], "panel_letters": "(a)"})",
+      R"style({"schema": "asperity-style/1", "font_size": 8.5, "regions": false, "title": "none",
+               "labels": ["x=speed", "y=friction"], "panel_letters": "(a)"})style",
       "mine.json");
-EXPECT_EQ(style.fontSize, 8.5);
-EXPECT_FALSE(style.hasRegions);
-EXPECT_FALSE(style.hasTitle);
-EXPECT_EQ(style.labels.size(), 2U);
-EXPECT_EQ(style.letters, PanelLetters::Bracketed);
-EXPECT_THAT(refusedFile(R"({"fontsize": 8})"),
-            HasSubstr("mine.json: fontsize: is no option of a style; did you mean font_size?"));
-EXPECT_THAT(refusedFile(R"({"font_size": "x"})"), HasSubstr("mine.json: font_size: 'x' is not"));
-EXPECT_THAT(refusedFile(R"({"font_size": [1]})"), HasSubstr("mine.json: font_size"));
-EXPECT_THAT(refusedFile(R"([])"), HasSubstr("mine.json"));
-EXPECT_THAT(refusedFile("nonsense"), HasSubstr("mine.json"));
-EXPECT_THAT(refusedFile(R"({"schema": "asperity-scene/1"})"), HasSubstr("schema"));
+  EXPECT_EQ(style.fontSize, 8.5);
+  EXPECT_FALSE(style.hasRegions);
+  EXPECT_FALSE(style.hasTitle);
+  EXPECT_EQ(style.labels.size(), 2U);
+  EXPECT_EQ(style.letters, PanelLetters::Bracketed);
+  EXPECT_THAT(refusedFile(R"({"fontsize": 8})"),
+              HasSubstr("mine.json: fontsize: is no option of a style; did you mean font_size?"));
+  EXPECT_THAT(refusedFile(R"({"font_size": "x"})"), HasSubstr("mine.json: font_size: 'x' is not"));
+  EXPECT_THAT(refusedFile(R"({"font_size": [1]})"), HasSubstr("mine.json: font_size"));
+  EXPECT_THAT(refusedFile(R"([])"), HasSubstr("mine.json"));
+  EXPECT_THAT(refusedFile("nonsense"), HasSubstr("mine.json"));
+  EXPECT_THAT(refusedFile(R"({"schema": "asperity-scene/1"})"), HasSubstr("schema"));
 }
 
 TEST(StyleFile, ShippedOnesAreWhole) {

@@ -60,7 +60,9 @@ TEST(ContactTables, GapsAreTheDistanceBetweenLineAndSurface) {
     const double gap = number(shape, i, "gap");
     EXPECT_GE(gap, 0);
     EXPECT_EQ(number(shape, i, "line_load") > 0, number(shape, i, "time_since_contact") == 0);
-    if (number(shape, i, "line_load") > 0) EXPECT_EQ(gap, 0);
+    if (number(shape, i, "line_load") > 0) {
+      EXPECT_EQ(gap, 0);
+    }
   }
   EXPECT_NEAR(sum(gaps, "area"), sum(shape, "gap") * frame.spacing, 1e-18);
 }
