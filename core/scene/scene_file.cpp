@@ -349,7 +349,9 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
   return scene;
 }
 
-void checkWhole(const Scene& scene) {
+}  // namespace
+
+void checkScene(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     throw InputError("", "surface.file", "is missing; a profile needs a file");
   if (scene.surface.kind == SurfaceKind::Measured && scene.surface.file.empty())
@@ -368,6 +370,8 @@ void checkWhole(const Scene& scene) {
   checkEffects(scene);
 }
 
+namespace {
+
 /// Checks the sweep, and the states at its two ends.
 void checkSweepAndEnds(const Scene& scene) {
   checkSweep(scene);
@@ -375,7 +379,7 @@ void checkSweepAndEnds(const Scene& scene) {
   for (const auto& [key, value] :
        {std::pair{"sweep.from", scene.sweep.from}, {"sweep.to", scene.sweep.to}})
     try {
-      checkWhole(sceneAt(scene, value));
+      checkScene(sceneAt(scene, value));
     } catch (const InputError& error) {
       throw InputError("", key, message("{}: {}", error.key(), error.message()));
     }
@@ -408,7 +412,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
     chooseAccuracy(all);
     Scene scene = build(std::move(all), folder);
-    checkWhole(scene);
+    checkScene(scene);
     checkSweepAndEnds(scene);
     scene.folder = folder;
     return scene;

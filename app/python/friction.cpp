@@ -1,0 +1,266 @@
+// Friction for Python: curves, many states in one call, sensitivities, fits.
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/python/arrays.h"
+#include "app/python/call.h"
+#include "app/python/module.h"
+#include "core/accuracy/compute_curve.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/chart/comparison.h"
+#include "core/chart/fit_report.h"
+#include "core/fit/derivatives.h"
+#include "core/fit/fit.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/steady_states.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "core/scene/range.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+namespace py = pybind11;
+using Json = nlohmann::ordered_json;
+using Texts = std::vector<std::string>;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// ---- curves
+
+/// A curve with the scene that it belongs to.
+struct CurveOfScene {
+  Scene scene;
+  Curve curve;
+};
+
+std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py::object& progress) {
+  needSteadySliding(scene, "asperity.curve");
+  return compute(progress, [scene, threads](const Call& call) {
+    CurveOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](const CurveProgress& done) {
+      call.tell(done.realizationsDone, done.realizationsTotal);
+    };
+    return std::make_shared<CurveOfScene>(CurveOfScene{scene, computeCurve(scene, options)});
+  });
+}
+
+/// Returns the columns of the answer that the program writes, which has them for any swept key.
+py::dict curveColumns(const CurveOfScene& found) {
+  return columnsOf(Json::parse(curveJson(found.curve.points, found.scene))["points"]);
+}
+
+// ---- many states in one call
+
+/// Values of a key, one for each state.
+struct Override {
+  const Parameter* row;
+  std::vector<double> values;
+};
+
+void setNumber(const Override& one, Scene& scene, std::size_t i) {
+  const bool isWhole = std::holds_alternative<IntegerField>(one.row->field);
+  const double value = one.values[i];
+  if (isWhole && value == std::round(value) && std::abs(value) < 0x1p53)
+    setValue(*one.row, scene, static_cast<std::int64_t>(value));
+  else
+    setValue(*one.row, scene, value);
+}
+
+std::vector<Scene> statesOf(const Scene& scene, const std::vector<Override>& overrides,
+                            std::size_t count, const std::stop_token& stop) {
+  Scene plain = scene;  // words and lists beside a curve mean nothing here, but would be copied
+  plain.title.clear();
+  plain.description.clear();
+  plain.chapter.clear();
+  plain.comparison = {};
+  plain.sweep = {};
+  std::vector<Scene> states;
+  states.reserve(count);
+  for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) {
+    Scene& state = states.emplace_back(plain);
+    for (const Override& one : overrides) setNumber(one, state, i);
+    checkScene(state);
+  }
+  return states;
+}
+
+double processSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct FoundStates {
+  std::vector<CurvePoint> points;
+  std::size_t computed = 0;
+  double kernelSeconds = 0;
+};
+
+/// Returns the columns, how many states were slid, and the processor time of sliding them.
+py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numbers>& values,
+                   int threads, const py::object& progress) {
+  needSteadySliding(scene, "asperity.friction");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "states side by side have the same lines; give accuracy.scheme and "
+                     "ensemble.realizations instead of a target");
+  std::vector<Override> overrides;
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const Parameter& row = numberRow(keys[k]);
+    if (!isApplicable(row, scene)) throw InputError("", keys[k], "has no meaning in this scene");
+    const double* first = values[k].data();
+    overrides.push_back({&row, {first, first + values[k].size()}});
+    count = overrides.back().values.size();
+  }
+  FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
+    const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
+    StateOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](double part) { call.tell(part); };
+    const double before = processSeconds();
+    SteadyStates slid = slideStates(states, options);
+    return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
+  });
+  return py::make_tuple(columnsOf(found.points), found.computed, found.kernelSeconds);
+}
+
+// ---- sensitivity
+
+py::list sensitivity(const Scene& scene, int threads, const py::object& progress) {
+  needSteadySliding(scene, "asperity.sensitivity");
+  const std::vector<Sensitivity> all = compute(progress, [scene, threads](const Call& call) {
+    StateOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](double part) { call.tell(part); };
+    return sensitivities(scene, options);
+  });
+  py::list rows;
+  for (const Sensitivity& one : all)
+    rows.append(py::make_tuple(std::string(one.key), one.slope.value, one.slope.standardError,
+                               one.isLogarithmic));
+  return rows;
+}
+
+// ---- fits
+
+/// KEY or KEY=LOW:HIGH, where the limits may have units.
+VariedParameter variedFrom(const std::string& text, const Scene& scene) {
+  const std::size_t equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  if (equals == text.npos) return {key, scene};
+  const std::string range = text.substr(equals + 1);
+  const std::size_t colon = range.find(':');
+  if (colon == range.npos)
+    throw InputError("", "--vary", message("'{}' is not KEY or KEY=LOW:HIGH", text));
+  const Parameter& row = numberRow(key);
+  return {key, scene, numberFromText(row, range.substr(0, colon)),
+          numberFromText(row, range.substr(colon + 1))};
+}
+
+std::vector<VariedParameter> variedFrom(const Texts& texts, const Scene& scene) {
+  if (texts.empty()) throw InputError("", "--vary", "no key is given");
+  std::vector<VariedParameter> varied;
+  for (const std::string& text : texts) {
+    varied.push_back(variedFrom(text, scene));
+    for (std::size_t i = 0; i + 1 < varied.size(); ++i)
+      if (varied[i].key() == varied.back().key())
+        throw InputError("", "--vary", message("{} is given more than once", varied.back().key()));
+  }
+  return varied;
+}
+
+struct FitOfScene {
+  Scene scene;
+  Fit fit;
+  std::vector<FrictionData> data;
+  Texts varied;
+
+  Json answer() const {
+    Json root = provenance("fit", fit.scene);
+    root["vary"] = varied;
+    root["fit"] = fitJson(fit);
+    return root;
+  }
+};
+
+/// Adds the tables as the program does: their names are relative to the scene's folder.
+Scene withData(Scene scene, const Texts& files) {
+  for (const std::string& name : files) {
+    const std::filesystem::path file(name);
+    readFrictionData(file);  // what is wrong with it names the file as it was given
+    std::error_code error;
+    const std::filesystem::path beside =
+        std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
+    scene.comparison.data.push_back({error ? name : beside.string(), {}});
+  }
+  return scene;
+}
+
+/// tables: names and texts of tables that are no files.
+std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
+                                  const std::vector<std::pair<std::string, std::string>>& tables,
+                                  const Texts& varied, bool hasProfiles, int threads,
+                                  const py::object& progress) {
+  const Scene scene = withData(given, files);
+  if (scene.comparison.data.empty() && tables.empty())
+    throw InputError("", "--data", "no measured friction is given, nor named by the scene");
+  needSteadySliding(scene, "asperity fit");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "a fit needs the same lines everywhere, not a target");
+  const std::vector<VariedParameter> parameters = variedFrom(varied, scene);
+  std::vector<FrictionData> data = readComparisonData(scene);
+  for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));
+  return compute(progress, [scene, data, varied, parameters, hasProfiles,
+                            threads](const Call& call) {
+    FitOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.hasProfiles = hasProfiles;
+    options.progress = [&call](int evaluations, double) {
+      // The number of steps is not known beforehand: the rest shrinks by a part with each.
+      constexpr double kUsual = 50;
+      call.tell(1 - std::exp(-evaluations / kUsual));
+    };
+    return std::make_shared<FitOfScene>(
+        FitOfScene{scene, fitFriction(scene, data, parameters, options), data, varied});
+  });
+}
+
+}  // namespace
+
+void addFriction(py::module_& module) {
+  py::class_<CurveOfScene, std::shared_ptr<CurveOfScene>>(module, "Curve")
+      .def("columns", &curveColumns)
+      .def("scene", [](const CurveOfScene& found) { return found.scene; })
+      .def("csv",
+           [](const CurveOfScene& found) {
+             // The lines of the program's table, from its answer's columns, are those of the file.
+             return provenanceComment("curve", found.scene) + curveCsv(found.curve.points);
+           })
+      .def("json",
+           [](const CurveOfScene& found) { return curveJson(found.curve.points, found.scene); })
+      .def("achieved_error", [](const CurveOfScene& found) { return found.curve.achievedError; })
+      .def("is_target_met", [](const CurveOfScene& found) { return found.curve.isTargetMet; });
+  py::class_<FitOfScene, std::shared_ptr<FitOfScene>>(module, "Fit")
+      .def("scene", [](const FitOfScene& found) { return found.fit.scene; })
+      .def("json", [](const FitOfScene& found) { return found.answer().dump(2) + "\n"; })
+      .def("csv", [](const FitOfScene& found) { return fitCsv(found.fit, found.data); });
+  module.def("curve", &curveOf);
+  module.def("friction", &friction);
+  module.def("sensitivity", &sensitivity);
+  module.def("fit", &fitOf);
+}
+
+}  // namespace asperity
