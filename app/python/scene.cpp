@@ -51,6 +51,14 @@ py::object numberOf(const std::string& key, const std::string& text) {
   return py::float_(number);
 }
 
+/// Whether two scenes mean the same: their folders count only where they name files.
+bool areEqual(const Scene& a, Scene b) {
+  const bool hasFiles = hasSurfaceFile(a.surface) || !a.elastomer.material.empty() ||
+                        !a.comparison.data.empty();
+  if (!hasFiles) b.folder = a.folder;
+  return a == b;
+}
+
 py::list parameterTable() {
   py::list all;
   for (const Parameter& row : parameters()) {
@@ -88,21 +96,15 @@ void addScene(py::module_& module) {
         return std::make_shared<Scene>(readSceneFile(file, assignments));
       }))
       .def(py::init([](const Scene& scene) { return std::make_shared<Scene>(scene); }))
-      .def("_assign",
+      .def("assign",
            [](Scene& scene, const Assignments& assignments) {
              scene = readScene(writeScene(scene), "", scene.folder, assignments);
            })
-      .def("_value", &valueIn)
-      .def("_keys", &keysOf)
-      .def("to_json", &writeScene, "Return the canonical scene file, as text.")
-      .def_property_readonly(
-          "folder", [](const Scene& scene) { return scene.folder.string(); },
-          "Folder against which the files that the scene names are resolved.")
-      .def("__eq__", [](const Scene& scene, const py::object& other) -> py::object {
-        if (!py::isinstance<Scene>(other))
-          return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-        return py::bool_(scene == other.cast<const Scene&>());
-      });
+      .def("value", &valueIn)
+      .def("keys", &keysOf)
+      .def("json", &writeScene)
+      .def_property_readonly("folder", [](const Scene& scene) { return scene.folder.string(); })
+      .def("__eq__", &areEqual);
   module.def("found_scene", [](const std::string& file) {
     return std::make_shared<Scene>(findScene(std::filesystem::path(file)).scene);
   });

@@ -165,3 +165,11 @@ def test_the_scene_of_a_result_is_found(tmp_path, scene_file):
     file = scene_file(SMALL)
     run("curve", file, "-o", tmp_path / "c.csv", "--quiet")
     assert asperity.Scene.from_result(tmp_path / "c.csv") == asperity.Scene(SMALL)
+
+
+def test_a_scene_that_was_never_made_cannot_crash():
+    # Debuggers and test reports show objects whose making has failed.
+    empty = asperity.Scene.__new__(asperity.Scene)
+    for use in (repr, str, dict, copy.copy, asperity.curve, asperity.state):
+        with pytest.raises(AttributeError):
+            use(empty)

@@ -25,7 +25,8 @@ def test_the_contact_obeys_the_model():
     assert contact.normal_force == pytest.approx(scene["load.normal_force"], rel=1e-9)
     assert np.sum(contact.p) * contact.spacing == pytest.approx(contact.normal_force, rel=0.05)
     assert contact.mu == pytest.approx(contact.tangential_force / contact.normal_force, rel=1e-12)
-    assert contact.z.min() == pytest.approx(-contact.indentation, rel=1e-12)
+    # The lowest point of the line lies between two of its points.
+    assert -contact.indentation <= contact.z.min() <= -0.95 * contact.indentation
     assert contact.x[-1] == pytest.approx(contact.length - contact.spacing)
     assert np.all(contact.time_since_contact[touches] == 0)
 
@@ -41,7 +42,10 @@ def test_the_contact_is_that_of_a_figure_of_the_program(tmp_path):
                            "pressure": contact.p}.items():
         place = rows[0].index(column)
         expected = np.array([float(row[place]) for row in rows[1:]])
-        np.testing.assert_array_equal(values + 0.0, expected + 0.0, err_msg=column)
+        if column == "line_height":  # z - d, rounded twice or once
+            np.testing.assert_allclose(values, expected, rtol=1e-12, atol=1e-15 * contact.indentation)
+        else:
+            np.testing.assert_array_equal(values, expected, err_msg=column)
 
 
 def test_realizations_differ_and_a_single_line_has_one():

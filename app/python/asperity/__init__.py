@@ -35,6 +35,8 @@ _SCENES = os.path.join(os.path.dirname(__file__), "scenes")
 
 def _plain(key, value):
     """A value as JSON has it: a text with a unit becomes the number in the key's SI unit."""
+    if key in _SECTIONS:
+        return value  # that a section needs an object of keys is said by the reader
     kind = _core.kind(key)
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -111,7 +113,7 @@ def _input_error(key, message):
     return error
 
 
-class Scene(_core.Scene):
+class Scene:
     """What slides over what: the values of a scene file, by dotted keys.
 
     ``Scene()`` has the defaults; ``Scene("file.json")`` reads a file or a shipped scene
@@ -130,38 +132,48 @@ class Scene(_core.Scene):
 
     def __init__(self, source=None, /, **values):
         assignments = _assignments(values) if values else []
-        if isinstance(source, _core.Scene):
-            super().__init__(source)
+        if isinstance(source, Scene):
+            self._core = _core.Scene(source._core)
             if assignments:
-                self._assign(assignments)
+                self._core.assign(assignments)
         elif isinstance(source, Mapping):
-            super().__init__(_file_text(source), "", "", assignments)
+            self._core = _core.Scene(_file_text(source), "", "", assignments)
         elif source is None:
-            super().__init__("{}", "", "", assignments)
+            self._core = _core.Scene("{}", "", "", assignments)
         else:
             name = os.fspath(source)
             shipped = os.path.join(_SCENES, name)
             if (not os.path.exists(name) and name.endswith(".json") and os.sep not in name
                     and os.path.exists(shipped)):
                 with open(shipped, encoding="utf-8") as file:
-                    super().__init__(file.read(), name, "", assignments)
+                    self._core = _core.Scene(file.read(), name, "", assignments)
             else:
-                super().__init__(name, assignments)
+                self._core = _core.Scene(name, assignments)
+
+    @classmethod
+    def _of(cls, core):
+        """The scene with this object of _core."""
+        scene = cls.__new__(cls)
+        scene._core = core
+        return scene
 
     @classmethod
     def from_json(cls, text, folder=""):
         """The scene of a file's text; files that it names are relative to the folder."""
-        scene = cls.__new__(cls)
-        _core.Scene.__init__(scene, text, "", os.fspath(folder), [])
-        return scene
+        return cls._of(_core.Scene(text, "", os.fspath(folder), []))
 
     @classmethod
     def from_result(cls, file):
         """The scene inside a picture, film or table that the program wrote."""
-        return cls(_core.found_scene(os.fspath(file)))
+        return cls._of(_core.found_scene(os.fspath(file)))
+
+    @property
+    def folder(self):
+        """str: the folder against which the files that the scene names are resolved."""
+        return self._core.folder
 
     def __getitem__(self, key):
-        value = self._value(_dotted(key))
+        value = self._core.value(_dotted(key))
         if _core.kind(_dotted(key)) == "list":
             import json
 
@@ -169,17 +181,17 @@ class Scene(_core.Scene):
         return value
 
     def __setitem__(self, key, value):
-        self._assign(_assignments({key: value}))
+        self._core.assign(_assignments({key: value}))
 
     def set(self, values=None, /, *value, **more):
         """Set one value, ``set("load.normal_force", "20mN")``, or several at once, as a dict or as
         keywords. All are set, or none where one is refused."""
-        self._assign(_assignments(_given(values, value, more)))
+        self._core.assign(_assignments(_given(values, value, more)))
 
     def replace(self, values=None, /, *value, **more):
         """Return a copy with other values, given as for ``set``."""
         changed = Scene(self)
-        changed._assign(_assignments(_given(values, value, more)))
+        changed._core.assign(_assignments(_given(values, value, more)))
         return changed
 
     def copy(self):
@@ -187,17 +199,17 @@ class Scene(_core.Scene):
         return Scene(self)
 
     def __contains__(self, key):
-        return _dotted(key) in self._keys()
+        return _dotted(key) in self._core.keys()
 
     def __iter__(self):
-        return iter(self._keys())
+        return iter(self._core.keys())
 
     def __len__(self):
-        return len(self._keys())
+        return len(self._core.keys())
 
     def keys(self):
         """list of str: the keys that have a meaning in this scene."""
-        return self._keys()
+        return self._core.keys()
 
     def get(self, key, default=None):
         """The value of a key, or the default where the key has no meaning in this scene."""
@@ -206,6 +218,10 @@ class Scene(_core.Scene):
     def items(self):
         """Pairs of keys and values."""
         return [(key, self[key]) for key in self]
+
+    def to_json(self):
+        """The canonical scene file, as text."""
+        return self._core.json()
 
     def to_dict(self):
         """The canonical scene file as nested dicts."""
@@ -217,6 +233,9 @@ class Scene(_core.Scene):
         """Write the canonical scene file."""
         with open(file, "w", encoding="utf-8") as opened:
             opened.write(self.to_json())
+
+    def __eq__(self, other):
+        return self._core == other._core if isinstance(other, Scene) else NotImplemented
 
     __hash__ = None
 
@@ -260,7 +279,7 @@ def _given(values, value, more):
 
 
 def _scene(source):
-    return source if isinstance(source, _core.Scene) else Scene(source)
+    return source if isinstance(source, Scene) else Scene(source)
 
 
 class _Result:
@@ -272,7 +291,7 @@ class _Result:
     @property
     def scene(self):
         """Scene: a copy of the scene that was computed."""
-        return Scene(self._core.scene())
+        return Scene._of(self._core.scene())
 
     def to_csv(self):
         """The table as the program writes it to a .csv file, with the line of its origin."""
@@ -345,7 +364,7 @@ def curve(scene, *, threads=0, progress=None):
     ``mu_standard_error``, ``contact_fraction``, ``indentation`` (m), ... Raises InputError for a
     scene that cannot run, RuntimeError where a force balance is not met.
     """
-    return Curve(*_timed(_core.curve, _scene(scene), threads, progress))
+    return Curve(*_timed(_core.curve, _scene(scene)._core, threads, progress))
 
 
 class States(Table):
@@ -392,7 +411,7 @@ def _slid(scene, overrides, threads, progress):
     flat = [numpy.ascontiguousarray(values, dtype=float).ravel() for values in shaped.values()]
     if flat and flat[0].size == 0:
         raise _input_error(next(iter(shaped)), "no value is given")
-    columns, computed, seconds = _core.friction(scene, list(shaped), flat, threads, progress)
+    columns, computed, seconds = _core.friction(scene._core, list(shaped), flat, threads, progress)
     columns = {name: column.reshape(shape) for name, column in table_columns(columns).items()}
     given = {key: numpy.array(values) for key, values in shaped.items()}
     return States(scene, {**given, **columns}, _units_of(shaped), computed, seconds)
@@ -428,7 +447,7 @@ def _axis(scene, given):
     key = _dotted(key)
     _core.kind(key)
     if isinstance(values, str):
-        return key, _core.range_values(scene, key, values)[0]
+        return key, _core.range_values(scene._core, key, values)[0]
     values = _values(key, values)
     if values.ndim != 1:
         raise _input_error(key, "a side of a map is a range or a list of numbers")
@@ -462,7 +481,7 @@ def sensitivity(scene, *, threads=0, progress=None):
     """
     import numpy
 
-    rows = _core.sensitivity(_scene(scene), threads, progress)
+    rows = _core.sensitivity(_scene(scene)._core, threads, progress)
     keys, slopes, errors, logarithmic = zip(*rows) if rows else ((), (), (), ())
     return Table({"key": numpy.array(keys, dtype=str), "slope": numpy.array(slopes, dtype=float),
                   "standard_error": numpy.array(errors, dtype=float),
@@ -504,7 +523,7 @@ class Contact:
     @property
     def scene(self):
         """Scene: a copy of the scene that was computed."""
-        return Scene(self._core.scene())
+        return Scene._of(self._core.scene())
 
     def __repr__(self):
         return (f"<Contact of {len(self.x)} points: mu {self.mu:.4g}, contact fraction "
@@ -521,10 +540,10 @@ class Contact:
 def state(scene, *, realization=0, progress=None):
     """The steady contact of one line at the scene's velocity, at the scene's own points.
 
-    realization: which of the random lines, from 0 on. Returns a Contact. Raises InputError for a
+    scene: Scene, dict or file; realization: which of the random lines, from 0 on. Returns a Contact. Raises InputError for a
     scene that cannot run, RuntimeError where the force balance is not met.
     """
-    return Contact(*_timed(_core.state, _scene(scene), realization, progress))
+    return Contact(*_timed(_core.state, _scene(scene)._core, realization, progress))
 
 
 class Motion(_Result, Table):
@@ -550,13 +569,13 @@ class Motion(_Result, Table):
 def march(scene, *, every=1, lines=1, threads=0, progress=None):
     """A motion that is not steady, in time, as ``asperity motion``.
 
-    every: time steps for a row; lines: realizations 0, 1, ..., one after another in the table.
+    scene: Scene, dict or file, whose sliding is not steady; every: time steps for a row; lines: realizations 0, 1, ..., one after another in the table.
     Returns a Motion, whose columns have shape (n,): ``time`` (s), ``displacement`` (m),
     ``velocity`` (m/s), ``normal_force`` (N), ``tangential_force`` (N), ``mu``, ``indentation`` (m),
     ``contact_fraction``, ``contact_spots``, ``power_in``, ``power_dissipated`` (W),
     ``mu_interface``, ``realization``.
     """
-    return Motion(*_timed(_core.march, _scene(scene), every, lines, threads, progress))
+    return Motion(*_timed(_core.march, _scene(scene)._core, every, lines, threads, progress))
 
 
 class Surface(_Result, Table):
@@ -618,11 +637,10 @@ def surface(source, *, realization=0, progress=None, **values):
 
         file = os.fspath(source)
         text = json.dumps({"surface": {"kind": "measured", "file": os.path.basename(file)}})
-        scene = Scene.__new__(Scene)
-        _core.Scene.__init__(scene, text, file, os.path.dirname(file), _assignments(values))
+        scene = Scene._of(_core.Scene(text, file, os.path.dirname(file), _assignments(values)))
     else:
         scene = Scene(source, **values)
-    return Surface(*_timed(_core.surface, scene, file, realization, progress))
+    return Surface(*_timed(_core.surface, scene._core, file, realization, progress))
 
 
 # ---- materials and fits
@@ -693,7 +711,7 @@ class Fit:
 
         self._core = core
         self.data = json.loads(core.json())["fit"]
-        self.scene = Scene(core.scene())
+        self.scene = Scene._of(core.scene())
         self.points = Table(columns_of_csv(core.csv()))
         rows = self.data["parameters"]
         self.parameters = Table({
@@ -755,7 +773,7 @@ def fit(scene, data=None, vary=(), *, profiles=True, threads=0, progress=None):
         keys = [_range_text(_dotted(key), limits) for key, limits in vary.items()]
     else:
         keys = [vary] if isinstance(vary, str) else [str(key) for key in vary]
-    return Fit(_core.fit(_scene(scene), files, tables, keys, profiles, threads, progress))
+    return Fit(_core.fit(_scene(scene)._core, files, tables, keys, profiles, threads, progress))
 
 
 # ---- dictionaries
