@@ -80,7 +80,7 @@ void runAndWait(std::function<void(const Call&)> work, const py::object& progres
   });
   double told = -1;
   const auto tell = [&](double part) {
-    if (progress.is_none() || part == told) return;
+    if (progress.is_none() || !(part > told)) return;  // it never goes back
     told = part;
     progress(part);
   };

@@ -41,8 +41,7 @@ std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization)
   needSteadySliding(scene, "asperity.state");
   if (realization < 0) throw InputError("", "--realization", "is below 0");
   if (realization > 0 && !LineSource(scene, 1).isRandom())
-    throw InputError("", "--realization",
-                     "this surface has one line, and no other realization");
+    throw InputError("", "--realization", "this surface has one line, and no other realization");
   const auto contact = std::make_shared<Contact>();
   contact->scene = scene;
   const SteadySolver sliding(scene);
@@ -204,8 +203,7 @@ void addContact(py::module_& module) {
                     provenanceLine(motionProvenance("motion", found.scene, found.table)) + "\n" +
                     motionCsv(found.table);
            })
-      .def("json",
-           [](const MotionOfScene& found) { return motionJson(found.scene, found.table); })
+      .def("json", [](const MotionOfScene& found) { return motionJson(found.scene, found.table); })
       .def("mu_error", [](const MotionOfScene& found) { return found.table.muError; })
       .def("relative_error", [](const MotionOfScene& found) { return found.table.relativeError; });
   py::class_<SurfaceOfScene, std::shared_ptr<SurfaceOfScene>>(module, "Surface")
@@ -237,8 +235,7 @@ void addContact(py::module_& module) {
   module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
                            const py::object& progress) {
     return compute(progress, [scene, file, realization](const Call&) {
-      return file.empty() ? surfaceOf(scene, realization)
-                          : surfaceOfFile(scene, file, realization);
+      return file.empty() ? surfaceOf(scene, realization) : surfaceOfFile(scene, file, realization);
     });
   });
 }

@@ -21,7 +21,7 @@
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/range.h"
-#include "core/scene/scene_file.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {
@@ -222,20 +222,20 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
   const std::vector<VariedParameter> parameters = variedFrom(varied, scene);
   std::vector<FrictionData> data = readComparisonData(scene);
   for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));
-  return compute(progress, [scene, data, varied, parameters, hasProfiles,
-                            threads](const Call& call) {
-    FitOptions options;
-    options.threads = threads;
-    options.stop = call.stop();
-    options.hasProfiles = hasProfiles;
-    options.progress = [&call](int evaluations, double) {
-      // The number of steps is not known beforehand: the rest shrinks by a part with each.
-      constexpr double kUsual = 50;
-      call.tell(1 - std::exp(-evaluations / kUsual));
-    };
-    return std::make_shared<FitOfScene>(
-        FitOfScene{scene, fitFriction(scene, data, parameters, options), data, varied});
-  });
+  return compute(
+      progress, [scene, data, varied, parameters, hasProfiles, threads](const Call& call) {
+        FitOptions options;
+        options.threads = threads;
+        options.stop = call.stop();
+        options.hasProfiles = hasProfiles;
+        options.progress = [&call](int evaluations, double) {
+          // The number of steps is not known beforehand: the rest shrinks by a part with each.
+          constexpr double kUsual = 50;
+          call.tell(1 - std::exp(-evaluations / kUsual));
+        };
+        return std::make_shared<FitOfScene>(
+            FitOfScene{scene, fitFriction(scene, data, parameters, options), data, varied});
+      });
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ Choice chosenFrom(const std::array<std::pair<std::string_view, Choice>, N>& choi
 double kelvins(const Option& option) {
   const auto temperature = temperatureFrom(option.value);
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
-    throw InputError("", option.name,
-                     message("'{}' is not a temperature such as 20C, 293.15K or 68F",
-                             option.value));
+    throw InputError(
+        "", option.name,
+        message("'{}' is not a temperature such as 20C, 293.15K or 68F", option.value));
   return *temperature;
 }
 
@@ -66,9 +66,9 @@ double numberWithin(const Option& option, double least, double most) {
                      message("'{}' is not a number; allowed is {} to {}", shortened(option.value),
                              plain(least), plain(most)));
   if (number < least || number > most)
-    throw InputError("", option.name,
-                     message("{} is outside {} to {}", shortened(option.value), plain(least),
-                             plain(most)));
+    throw InputError(
+        "", option.name,
+        message("{} is outside {} to {}", shortened(option.value), plain(least), plain(most)));
   return number;
 }
 
@@ -99,8 +99,7 @@ constexpr std::array<Row, 25> kRows{{
          throw InputError("", o.name, message("{} is not a whole number", shortened(o.value)));
        c.series.terms = static_cast<int>(terms);
      }},
-    {"--vertical-shifts",
-     [](const Option& o, MaterialChoices& c) { c.isVertical = isTrue(o); }},
+    {"--vertical-shifts", [](const Option& o, MaterialChoices& c) { c.isVertical = isTrue(o); }},
     {"--shift",
      [](const Option& o, MaterialChoices& c) {
        using Shift = std::optional<ShiftKind>;
@@ -125,8 +124,7 @@ constexpr std::array<Row, 25> kRows{{
      [](const Option& o, MaterialChoices& c) {
        c.temperatureTolerance = numberWithin(o, 0.001, 100);
      }},
-    {"--leave-out",
-     [](const Option& o, MaterialChoices& c) { c.leftOut.push_back(kelvins(o)); }},
+    {"--leave-out", [](const Option& o, MaterialChoices& c) { c.leftOut.push_back(kelvins(o)); }},
     {"--equilibrium-modulus",
      [](const Option& o, MaterialChoices& c) { c.series.equilibriumModulus = pascals(o); }},
     {"--instantaneous-modulus",
@@ -149,8 +147,7 @@ constexpr std::array<Row, 25> kRows{{
      [](const Option& o, MaterialChoices& c) { c.columns.strainColumn = o.value; }},
     {"--frequency-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.frequencyUnit =
-           unitOf(o, frequencyUnit(o.value, false).has_value(), "Hz, rad/s");
+       c.columns.frequencyUnit = unitOf(o, frequencyUnit(o.value, false).has_value(), "Hz, rad/s");
      }},
     {"--temperature-unit",
      [](const Option& o, MaterialChoices& c) {
@@ -158,8 +155,7 @@ constexpr std::array<Row, 25> kRows{{
      }},
     {"--modulus-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.modulusUnit =
-           unitOf(o, pressureUnit(o.value).has_value(), "Pa, kPa, MPa, GPa");
+       c.columns.modulusUnit = unitOf(o, pressureUnit(o.value).has_value(), "Pa, kPa, MPa, GPa");
      }},
     {"--name", [](const Option& o, MaterialChoices& c) { c.name = o.value; }},
     {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},

@@ -53,8 +53,8 @@ py::object numberOf(const std::string& key, const std::string& text) {
 
 /// Whether two scenes mean the same: their folders count only where they name files.
 bool areEqual(const Scene& a, Scene b) {
-  const bool hasFiles = hasSurfaceFile(a.surface) || !a.elastomer.material.empty() ||
-                        !a.comparison.data.empty();
+  const bool hasFiles =
+      hasSurfaceFile(a.surface) || !a.elastomer.material.empty() || !a.comparison.data.empty();
   if (!hasFiles) b.folder = a.folder;
   return a == b;
 }

@@ -13,6 +13,7 @@
 #include "core/material/material_library.h"
 #include "core/scene/effects.h"
 #include "core/scene/parameters.h"
+#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -348,29 +349,6 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
   checkRequired(assignments, scene);
   return scene;
 }
-
-}  // namespace
-
-void checkScene(const Scene& scene) {
-  if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
-    throw InputError("", "surface.file", "is missing; a profile needs a file");
-  if (scene.surface.kind == SurfaceKind::Measured && scene.surface.file.empty())
-    throw InputError("", "surface.file", "is missing; a measured surface needs a file");
-  if (scene.surface.kind == SurfaceKind::Spectrum && scene.surface.file.empty())
-    throw InputError("", "surface.file", "is missing; a spectrum needs a file");
-  if (scene.surface.kind == SurfaceKind::Spectrum &&
-      scene.surface.spectrumKind == SpectrumKind::Unstated)
-    throw InputError("", "surface.spectrum_kind",
-                     "is missing; allowed is one of c1_two_sided, c1_one_sided, c2");
-  const ProcessingChoices& processing = scene.surface.processing;
-  if (processing.longWaveCut > 0 && processing.longWaveCut <= processing.shortWaveCut)
-    throw InputError("", "surface.long_wave_cut",
-                     message("{} is not above surface.short_wave_cut, {}",
-                             plain(processing.longWaveCut), plain(processing.shortWaveCut)));
-  checkEffects(scene);
-}
-
-namespace {
 
 /// Checks the sweep, and the states at its two ends.
 void checkSweepAndEnds(const Scene& scene) {

@@ -24,10 +24,6 @@ Scene readScene(std::string_view json, const std::string& name,
                 const std::filesystem::path& folder = {},
                 const std::vector<std::string>& assignments = {});
 
-/// Throws InputError with the key where values that are each allowed do not go together. Reading a
-/// scene checks it; code that sets values of its own calls this afterwards.
-void checkScene(const Scene& scene);
-
 /// The canonical text: every applicable key, in the table's order, numbers in shortest form that
 /// reads back to the same value. readScene(writeScene(s)) == s up to the folder.
 std::string writeScene(const Scene& scene);
