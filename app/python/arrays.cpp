@@ -1,5 +1,7 @@
 #include "app/python/arrays.h"
 
+#include <pybind11/stl.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,31 +14,46 @@ namespace {
 namespace py = pybind11;
 using Json = nlohmann::ordered_json;
 
-py::object columnOf(const Json& rows, const std::string& name) {
-  bool isText = false, isWhole = true;
-  for (const Json& row : rows) {
-    const Json& cell = row.at(name);
-    isText = isText || cell.is_string();
-    isWhole = isWhole && cell.is_number_integer();
+/// Gathers rows of a table, which all have the same names.
+class ColumnsOfRows {
+ public:
+  void add(const Json& row) {
+    if (columns_.empty())
+      for (const auto& [name, cell] : row.items()) columns_.push_back({name, {}, {}, true});
+    for (Column& column : columns_) {
+      const Json& cell = row.at(column.name);
+      column.isWhole = column.isWhole && cell.is_number_integer();
+      column.numbers.push_back(cell.is_number() ? cell.get<double>() : kNotApplicable);
+      if (!cell.is_string() && column.texts.empty()) continue;
+      column.texts.resize(column.numbers.size());
+      if (cell.is_string()) column.texts.back() = cell.get<std::string>();
+    }
   }
-  if (isText) {
-    py::list texts;
-    for (const Json& row : rows)
-      texts.append(row.at(name).is_string() ? row.at(name).get<std::string>() : std::string());
-    return texts;
+
+  py::dict take() {
+    py::dict columns;
+    for (Column& column : columns_) columns[py::str(column.name)] = objectOf(column);
+    return columns;
   }
-  if (isWhole) {
-    std::vector<std::int64_t> numbers;
-    for (const Json& row : rows) numbers.push_back(row.at(name).get<std::int64_t>());
-    return arrayOf(std::move(numbers));
+
+ private:
+  struct Column {
+    std::string name;
+    std::vector<double> numbers;
+    std::vector<std::string> texts;  // empty: there are none
+    bool isWhole;
+  };
+
+  static py::object objectOf(Column& column) {
+    if (!column.texts.empty()) return py::cast(column.texts);
+    if (!column.isWhole) return arrayOf(std::move(column.numbers));
+    std::vector<std::int64_t> whole;
+    for (const double number : column.numbers) whole.push_back(std::llround(number));
+    return arrayOf(std::move(whole));
   }
-  std::vector<double> numbers;
-  for (const Json& row : rows) {
-    const Json& cell = row.at(name);
-    numbers.push_back(cell.is_number() ? cell.get<double>() : kNotApplicable);
-  }
-  return arrayOf(std::move(numbers));
-}
+
+  std::vector<Column> columns_;
+};
 
 }  // namespace
 
@@ -47,11 +64,9 @@ py::array viewOf(const std::vector<double>& numbers, const py::object& owner) {
 }
 
 py::dict columnsOf(const Json& rows) {
-  py::dict columns;
-  if (rows.empty()) return columns;
-  for (const auto& [name, first] : rows.front().items())
-    columns[py::str(name)] = columnOf(rows, name);
-  return columns;
+  ColumnsOfRows columns;
+  for (const Json& row : rows) columns.add(row);
+  return columns.take();
 }
 
 py::dict columnsOf(const std::vector<CurvePoint>& points) {
@@ -62,9 +77,9 @@ py::dict columnsOf(const std::vector<CurvePoint>& points) {
   single.reserve(points.size());
   for (const CurvePoint& point : points) curves.push_back(&single.emplace_back(1, point));
   const CurveTable table(curves);
-  Json rows = Json::array();
-  for (const CurvePoint& point : points) rows.push_back(table.json(point));
-  return columnsOf(rows);
+  ColumnsOfRows columns;
+  for (const CurvePoint& point : points) columns.add(table.json(point));
+  return columns.take();
 }
 
 }  // namespace asperity

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/input_error.h"
+
 namespace asperity {
 namespace {
 
@@ -107,6 +109,12 @@ void runAndWait(std::function<void(const Call&)> work, const py::object& progres
   worker.join();
   if (shared->error) std::rethrow_exception(shared->error);
   tell(1);
+}
+
+void checkThreads(int threads) {
+  constexpr int kMost = 1024;
+  if (threads < 0 || threads > kMost)
+    throw InputError("", "--threads", message("{} is outside 0 to {}", threads, kMost));
 }
 
 void joinLeftBehind() {

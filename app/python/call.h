@@ -39,6 +39,9 @@ class Call {
 /// is left behind and its result is dropped.
 void runAndWait(std::function<void(const Call&)> work, const pybind11::object& progress);
 
+/// Throws InputError for a number of threads that the program does not take either.
+void checkThreads(int threads);
+
 /// Joins what was left behind. Called once, when the interpreter ends.
 void joinLeftBehind();
 

@@ -111,6 +111,7 @@ struct MotionOfScene {
 
 std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, std::int64_t lines,
                                         int threads, const py::object& progress) {
+  checkThreads(threads);
   if (every < 1) throw InputError("", "--every", "is below 1");
   if (lines < 1) throw InputError("", "--lines", "is below 1");
   return compute(progress, [scene, every, lines, threads](const Call& call) {

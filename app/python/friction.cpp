@@ -40,6 +40,7 @@ struct CurveOfScene {
 };
 
 std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py::object& progress) {
+  checkThreads(threads);
   needSteadySliding(scene, "asperity.curve");
   return compute(progress, [scene, threads](const Call& call) {
     CurveOptions options;
@@ -74,6 +75,9 @@ void setNumber(const Override& one, Scene& scene, std::size_t i) {
     setValue(*one.row, scene, value);
 }
 
+/// States of one call: each is a scene of about a kilobyte.
+constexpr std::size_t kMostStates = 200000;
+
 std::vector<Scene> statesOf(const Scene& scene, const std::vector<Override>& overrides,
                             std::size_t count, const std::stop_token& stop) {
   Scene plain = scene;  // words and lists beside a curve mean nothing here, but would be copied
@@ -107,6 +111,7 @@ struct FoundStates {
 /// Returns the columns, how many states were slid, and the processor time of sliding them.
 py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numbers>& values,
                    int threads, const py::object& progress) {
+  checkThreads(threads);
   needSteadySliding(scene, "asperity.friction");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
@@ -120,6 +125,9 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
     const double* first = values[k].data();
     overrides.push_back({&row, {first, first + values[k].size()}});
     count = overrides.back().values.size();
+    if (count > kMostStates)
+      throw InputError("", keys[k],
+                       message("{} states are more than {} in one call", count, kMostStates));
   }
   FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
     const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
@@ -137,6 +145,7 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
 // ---- sensitivity
 
 py::list sensitivity(const Scene& scene, int threads, const py::object& progress) {
+  checkThreads(threads);
   needSteadySliding(scene, "asperity.sensitivity");
   const std::vector<Sensitivity> all = compute(progress, [scene, threads](const Call& call) {
     StateOptions options;
@@ -212,6 +221,7 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
                                   const std::vector<std::pair<std::string, std::string>>& tables,
                                   const Texts& varied, bool hasProfiles, int threads,
                                   const py::object& progress) {
+  checkThreads(threads);
   const Scene scene = withData(given, files);
   if (scene.comparison.data.empty() && tables.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");

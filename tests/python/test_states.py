@@ -104,6 +104,14 @@ def test_overrides_are_broadcast():
     assert table.units["elastomer.shear_modulus"] == "Pa" and table.units["indentation"] == "m"
 
 
+def test_numbers_of_threads_are_those_of_the_program():
+    for call in (asperity.curve, asperity.friction, asperity.march, asperity.sensitivity):
+        for threads in (-1, 1025):
+            with pytest.raises(asperity.InputError) as caught:
+                call(SMALL, threads=threads)
+            assert caught.value.key == "threads"
+
+
 def test_threads_do_not_change_a_bit():
     overrides = {"load.normal_force": np.geomspace(1e-3, 1, 40)}
     one = asperity.friction(SMALL, overrides, threads=1)
@@ -148,6 +156,11 @@ def test_wrong_overrides_name_their_key(overrides, key):
     with pytest.raises(asperity.InputError) as caught:
         asperity.friction(SMALL, overrides)
     assert caught.value.key == key
+
+
+def test_too_many_states_are_refused_before_they_are_made():
+    with pytest.raises(asperity.InputError, match="more than 200000"):
+        asperity.map(SMALL, "load.normal_force=1mN:1N:1000", "sliding.velocity=1:2:1000")
 
 
 def test_wrong_sides_of_a_map():

@@ -327,6 +327,12 @@ class _Result:
 
         return drawn_or_none(self)
 
+    def _repr_html_(self):
+        from .pictures import can_be_drawn
+
+        # A notebook that is given both shows the table.
+        return None if can_be_drawn(self) else Table._repr_html_(self)
+
 
 def _timed(function, *arguments):
     begin = time.perf_counter()

@@ -11,6 +11,8 @@ import shutil
 import subprocess
 import tempfile
 
+from . import Scene
+
 
 def program():
     """The path of the program: $ASPERITY_PROGRAM, or `asperity` on the PATH; None where there is none."""
@@ -57,8 +59,18 @@ def draw(verb, scene, *options, extension="png"):
             return file.read()
 
 
+def can_be_drawn(result):
+    """Whether a notebook draws a result unasked: the program is there and takes some seconds. It
+    computes what it draws."""
+    return program() is not None and result._seconds <= 10
+
+
 def drawn_or_none(result):
-    """The picture of a result for a notebook; None where it cannot be or would take long."""
-    if program() is None or result._seconds > 10:
+    """The picture of a result for a notebook, drawn once; None where it is not drawn unasked."""
+    if not can_be_drawn(result):
         return None
-    return result.picture()
+    scene = result.to_json() if isinstance(result, Scene) else None
+    kept = result.__dict__.get("_picture")
+    if kept is None or kept[0] != scene:
+        kept = result.__dict__["_picture"] = (scene, result.picture())
+    return kept[1]
