@@ -78,6 +78,15 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 }  // namespace
 
+Message titleOfKey(std::string_view key) {
+  const Parameter& row = knownParameter(key);
+  // "shift C1" names its symbol C_1 already.
+  std::string plainSymbol(row.symbol);
+  std::erase(plainSymbol, '_');
+  if (row.symbol.empty() || row.label.ends_with(" " + plainSymbol)) return row.label;
+  return message("{} {}", Message(row.label), printed(row.symbol));
+}
+
 Message parameterInWords(std::string_view key, const Scene& scene) {
   const Parameter* row = findParameter(key);
   if (!row || isList(*row)) return {};

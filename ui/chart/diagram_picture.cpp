@@ -5,9 +5,12 @@
 #include <limits>
 
 #include "ui/chart/diagram_annotations.h"
+#include "ui/chart/diagram_bars.h"
 #include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -42,6 +45,24 @@ class Panel {
     arrange();
   }
 
+  DiagramFrame place() const {
+    const AxisRange &x = axes_.xAxis.range, &y = axes_.yAxis.range;
+    const auto value = [](AxisScale scale, double at) {
+      return scale == AxisScale::Logarithmic ? std::pow(10, at) : at;
+    };
+    const Box& box = axes_.box;
+    return {box.x,
+            box.y,
+            box.width,
+            box.height,
+            axes_.xAxis.scale,
+            axes_.yAxis.scale,
+            value(axes_.xAxis.scale, x.from),
+            value(axes_.xAxis.scale, x.to),
+            value(axes_.yAxis.scale, y.from),
+            value(axes_.yAxis.scale, y.to)};
+  }
+
   float frameHeight() const { return axes_.box.height; }
 
   /// Returns whether the title of the y-axis fits.
@@ -62,11 +83,20 @@ class Panel {
     if (!isReadable()) return;
     const Box& box = axes_.box;
     addSpans(list, diagram_, axes_, sizes_, theme_);
-    addDiagramGrid(list, axes_, sizes_, theme_);
+    if (diagram_.field) {
+      addFieldColours(list, *diagram_.field, axes_);
+      std::vector<Box> taken;
+      for (const PlacedLabel& label : labels_) taken.push_back(label.box);
+      addContours(list, *diagram_.field, axes_, sizes_, taken);
+      addColourBar(list, colours_, box, sizes_, theme_);
+    } else {
+      addDiagramGrid(list, axes_, sizes_, theme_);
+    }
     const float above = aboveFrame(diagram_, sizes_);
     addDiagramFrame(list, axes_, sizes_, theme_,
                     above);  // marks at the frame's edge are drawn over it
     addMarkerLine(list);
+    addBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
     addBlank(list);
     addLabels(list, labels_, sizes_, theme_);
@@ -98,8 +128,17 @@ class Panel {
     if (!diagram_.marker) return;
     const std::vector<Place> line = markerLine();
     if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
+    std::vector<Polyline> lines{line};
+    const Place at = axes_.place(diagram_.marker->x, diagram_.marker->y);
+    if (diagram_.marker->isCross && at.y >= box.y && at.y <= box.bottom())
+      lines.push_back({{box.x, at.y}, {box.right(), at.y}});
     DrawLayer layer;
-    addLine(layer, line, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
+    // On colours a line needs an edge to be seen.
+    if (diagram_.field)
+      for (const Polyline& one : lines)
+        addLine(layer, one, 3.2F * sizes_.unit, withAlpha(theme_.background, 0.6F));
+    for (const Polyline& one : lines)
+      addLine(layer, one, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
     list.layers.push_back(std::move(layer));
   }
 
@@ -155,10 +194,17 @@ class Panel {
     Box& box = axes_.box;
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
-    axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
+    axes_.yAxis = diagram_.bars.empty()
+                      ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)
+                      : barAxis(diagram_, 0.45F * cell_.width, sizes_);
+    float bar = 0;
+    if (diagram_.field) {
+      colours_ = colourAxis(*diagram_.field, box.height, sizes_);
+      bar = widthOfColourBar(colours_, sizes_);
+    }
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
-      const float end = right_ > 0 ? right_ : cell_.right() - right - overhang;
+      const float end = right_ > 0 ? right_ : cell_.right() - right - std::max(bar, overhang);
       box.width = std::max(1.0F, std::floor(end - box.x));
       axes_.xAxis = tickedXAxis(diagram_.x, xRange_, box.width, sizes_);
     };
@@ -208,6 +254,7 @@ class Panel {
   Theme theme_;
   AxisRange xRange_;
   DiagramAxes axes_;
+  TickedAxis colours_;  // of a field
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;
@@ -340,6 +387,45 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   for (const Panel& panel : panelsOf(sheet, options, list))
     lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
   return lowest / sizesFor(sheet, options).tick;
+}
+
+namespace {
+
+double valueAt(AxisScale scale, double from, double to, double part) {
+  return scale == AxisScale::Logarithmic ? from * std::pow(to / from, part)
+                                         : from + (to - from) * part;
+}
+
+double partOf(AxisScale scale, double from, double to, double value) {
+  return scale == AxisScale::Logarithmic ? std::log(value / from) / std::log(to / from)
+                                         : (value - from) / (to - from);
+}
+
+}  // namespace
+
+double DiagramFrame::xAt(float right) const {
+  return valueAt(xScale, xFrom, xTo, static_cast<double>((right - left) / width));
+}
+
+double DiagramFrame::yAt(float down) const {
+  return valueAt(yScale, yFrom, yTo, static_cast<double>((top + height - down) / height));
+}
+
+float DiagramFrame::rightOf(double x) const {
+  return left + width * static_cast<float>(partOf(xScale, xFrom, xTo, x));
+}
+
+float DiagramFrame::downOf(double y) const {
+  return top + height - height * static_cast<float>(partOf(yScale, yFrom, yTo, y));
+}
+
+std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
+                                        const DiagramOptions& options) {
+  const DiagramSheet sheet = prepared(english);
+  DrawList list = emptyList(options);
+  std::vector<DiagramFrame> frames;
+  for (const Panel& panel : panelsOf(sheet, options, list)) frames.push_back(panel.place());
+  return frames;
 }
 
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) {
