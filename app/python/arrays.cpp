@@ -70,13 +70,7 @@ py::dict columnsOf(const Json& rows) {
 }
 
 py::dict columnsOf(const std::vector<CurvePoint>& points) {
-  // A table looks at the first point of each curve for what further columns there are: each point
-  // is a curve of its own.
-  std::vector<std::vector<CurvePoint>> single;
-  std::vector<const std::vector<CurvePoint>*> curves;
-  single.reserve(points.size());
-  for (const CurvePoint& point : points) curves.push_back(&single.emplace_back(1, point));
-  const CurveTable table(curves);
+  const CurveTable table(points, {});
   ColumnsOfRows columns;
   for (const CurvePoint& point : points) columns.add(table.json(point));
   return columns.take();

@@ -14,9 +14,11 @@
 #include "core/base/number_text.h"
 #include "core/chart/comparison.h"
 #include "core/chart/fit_report.h"
+#include "core/chart/sensitivity_sheet.h"
 #include "core/fit/derivatives.h"
 #include "core/fit/fit.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/parameter_map.h"
 #include "core/friction/steady_states.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
@@ -142,22 +144,67 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
   return py::make_tuple(columnsOf(found.points), found.computed, found.kernelSeconds);
 }
 
+// ---- maps
+
+std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Texts& y, int threads,
+                                    const py::object& progress) {
+  checkThreads(threads);
+  needSteadySliding(scene, "asperity.map");
+  const MapAxis alongX = mapAxis(scene, rangeFrom(x.at(0), x.at(1)));
+  const MapAxis alongY = mapAxis(scene, rangeFrom(y.at(0), y.at(1)));
+  return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
+    MapOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](double part) { call.tell(part); };
+    return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
+  });
+}
+
+constexpr const char* kShown = "mu";  // as the program where it is not asked for another quantity
+
+std::string mapText(const ParameterMap& map) {
+  return "# asperity: " + provenanceLine(mapProvenance(map, kShown)) + "\n" + mapCsv(map, kShown);
+}
+
 // ---- sensitivity
 
-py::list sensitivity(const Scene& scene, int threads, const py::object& progress) {
+struct SensitivityOfScene {
+  Scene scene;
+  std::vector<Sensitivity> all;
+  std::vector<Exponent> exponents;
+};
+
+std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int threads,
+                                                  const py::object& progress) {
   checkThreads(threads);
   needSteadySliding(scene, "asperity.sensitivity");
-  const std::vector<Sensitivity> all = compute(progress, [scene, threads](const Call& call) {
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "differences need the same lines on both sides; give accuracy.scheme and "
+                     "ensemble.realizations instead of a target");
+  return compute(progress, [scene, threads](const Call& call) {
     StateOptions options;
     options.threads = threads;
     options.stop = call.stop();
     options.progress = [&call](double part) { call.tell(part); };
-    return sensitivities(scene, options);
+    std::vector<Sensitivity> all = sensitivities(scene, options);
+    std::vector<Exponent> exponents = exponentsOf(scene, all);
+    return std::make_shared<SensitivityOfScene>(
+        SensitivityOfScene{scene, std::move(all), std::move(exponents)});
   });
+}
+
+/// Returns key, value, exponent and its error as the program writes them, then the slope with its
+/// error, and whether it is by the logarithm.
+py::list sensitivityRows(const SensitivityOfScene& found) {
   py::list rows;
-  for (const Sensitivity& one : all)
-    rows.append(py::make_tuple(std::string(one.key), one.slope.value, one.slope.standardError,
-                               one.isLogarithmic));
+  for (const Exponent& one : found.exponents) {
+    const auto its = std::ranges::find(found.all, one.key, &Sensitivity::key);
+    rows.append(py::make_tuple(std::string(one.key), one.value, one.exponent.value,
+                               one.exponent.standardError, its->slope.value,
+                               its->slope.standardError, its->isLogarithmic));
+  }
   return rows;
 }
 
@@ -203,17 +250,19 @@ struct FitOfScene {
   }
 };
 
-/// Adds the tables as the program does: their names are relative to the scene's folder.
-Scene withData(Scene scene, const Texts& files) {
+/// Adds the tables as the program does: their names are relative to the scene's folder. Reads each
+/// once, so that an error names the file as it was given.
+std::vector<FrictionData> addTables(Scene& scene, const Texts& files) {
+  std::vector<FrictionData> given;
   for (const std::string& name : files) {
     const std::filesystem::path file(name);
-    readFrictionData(file);  // what is wrong with it names the file as it was given
+    given.push_back(readFrictionData(file));
     std::error_code error;
     const std::filesystem::path beside =
         std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
     scene.comparison.data.push_back({error ? name : beside.string(), {}});
   }
-  return scene;
+  return given;
 }
 
 /// tables: names and texts of tables that are no files.
@@ -222,15 +271,16 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
                                   const Texts& varied, bool hasProfiles, int threads,
                                   const py::object& progress) {
   checkThreads(threads);
-  const Scene scene = withData(given, files);
+  Scene scene = given;
+  const std::vector<FrictionData> read = addTables(scene, files);
   if (scene.comparison.data.empty() && tables.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
-  needSteadySliding(scene, "asperity fit");
+  needSteadySliding(scene, "a fit");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "a fit needs the same lines everywhere, not a target");
   const std::vector<VariedParameter> parameters = variedFrom(varied, scene);
-  std::vector<FrictionData> data = readComparisonData(scene);
+  std::vector<FrictionData> data = readComparisonData(scene, read);
   for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));
   return compute(
       progress, [scene, data, varied, parameters, hasProfiles, threads](const Call& call) {
@@ -267,9 +317,28 @@ void addFriction(py::module_& module) {
       .def("scene", [](const FitOfScene& found) { return found.fit.scene; })
       .def("json", [](const FitOfScene& found) { return found.answer().dump(2) + "\n"; })
       .def("csv", [](const FitOfScene& found) { return fitCsv(found.fit, found.data); });
+  py::class_<SensitivityOfScene, std::shared_ptr<SensitivityOfScene>>(module, "Sensitivity")
+      .def("rows", &sensitivityRows)
+      .def("scene", [](const SensitivityOfScene& found) { return found.scene; })
+      .def("csv",
+           [](const SensitivityOfScene& found) {
+             return provenanceComment("sensitivity", found.scene) + sensitivityCsv(found.exponents);
+           })
+      .def("json", [](const SensitivityOfScene& found) {
+        return sensitivityJson(found.scene, found.exponents);
+      });
+  py::class_<ParameterMap, std::shared_ptr<ParameterMap>>(module, "Map")
+      .def("columns", [](const ParameterMap& map) { return columnsOf(map.points); })
+      .def("x", [](const ParameterMap& map) { return arrayOf(map.x.values); })
+      .def("y", [](const ParameterMap& map) { return arrayOf(map.y.values); })
+      .def("computed", [](const ParameterMap& map) { return map.computed; })
+      .def("scene", [](const ParameterMap& map) { return map.scene; })
+      .def("csv", &mapText)
+      .def("json", [](const ParameterMap& map) { return mapJson(map, kShown); });
   module.def("curve", &curveOf);
   module.def("friction", &friction);
-  module.def("sensitivity", &sensitivity);
+  module.def("sensitivity", &sensitivityOf);
+  module.def("map", &mapOf);
   module.def("fit", &fitOf);
 }
 

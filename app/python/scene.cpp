@@ -76,12 +76,12 @@ py::list parameterTable() {
   return all;
 }
 
-/// Returns the values of a range such as "1mN:1N:20:log" in the key's unit, and whether they are
-/// spaced by their logarithm.
-py::tuple rangeValues(const Scene& scene, const std::string& key, const std::string& text) {
+/// Returns the values of a range such as "1mN:1N:20:log" in the key's unit.
+std::vector<double> rangeValues(const Scene& scene, const std::string& key,
+                                const std::string& text) {
   const ParameterRange range = rangeFrom(key, text);
   checkRange(range, scene);
-  return py::make_tuple(valuesOf(range), range.isLogarithmic);
+  return valuesOf(range);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 import pytest
-from conftest import SMALL, run
+from conftest import SMALL, complaint, run, table_of
 
 import asperity
 
@@ -128,17 +128,26 @@ def test_a_map_has_the_states_of_its_cells():
     np.testing.assert_allclose(cells.mu[1], table.mu, rtol=1e-8)
 
 
-def test_a_map_is_the_programs(scene_file):
-    try:
-        said = run("map", scene_file(SMALL), "--x", "load.normal_force=0.001:1:3", "--y",
-                   "sliding.velocity=0.1:1:2", "--json")
-    except AssertionError:
-        pytest.skip("the program has no map")
-    import json
-    rows = json.loads(said)["points"]
-    cells = asperity.map(SMALL, "load.normal_force=0.001:1:3", "sliding.velocity=0.1:1:2")
-    for name in ("mu", "mu_standard_error", "contact_fraction", "indentation"):
-        assert cells[name].ravel().tolist() == [row[name] for row in rows]
+def test_a_map_is_the_programs(scene_file, tmp_path):
+    sides = "load.normal_force=0.001:1:12", "sliding.velocity=0.1:10:7"
+    run("map", scene_file(SMALL), "--x", sides[0], "--y", sides[1], "--quiet", "-o", tmp_path / "m.csv", "-o",
+        tmp_path / "m.json")
+    cells = asperity.map(SMALL, *sides)
+    assert cells.mu.shape == (7, 12) == (len(cells.y), len(cells.x))
+    assert cells.to_csv() == (tmp_path / "m.csv").read_text()
+    assert cells.to_json() == (tmp_path / "m.json").read_text()
+    columns = table_of((tmp_path / "m.csv").read_text())
+    for name in ("normal_force", "velocity", "mu", "mu_standard_error", "contact_fraction", "indentation"):
+        key = "load.normal_force" if name == "normal_force" else name
+        assert cells[key].ravel().tolist() == [float(cell) for cell in columns[name]], name
+
+
+def test_lists_and_ranges_make_the_same_map():
+    by_range = asperity.map(SMALL, "load.normal_force=1mN:1N:4", "sliding.velocity=0.1:10:3")
+    by_list = asperity.map(SMALL, ("load.normal_force", by_range.x), ("sliding.velocity", by_range.y.tolist()))
+    assert list(by_list) == list(by_range)
+    np.testing.assert_array_equal(by_list.mu, by_range.mu)
+    np.testing.assert_array_equal(by_list["sliding.velocity"], by_range["sliding.velocity"])
 
 
 @pytest.mark.parametrize("overrides, key", [
@@ -172,6 +181,21 @@ def test_wrong_sides_of_a_map():
         asperity.map(SMALL, ("sliding.velocity", [1, 2]), ("sliding.velocity", [1, 2]))
 
 
+def test_sensitivities_are_those_of_the_program(scene_file, tmp_path):
+    file = scene_file(SMALL)
+    run("sensitivity", file, "--quiet", "-o", tmp_path / "s.csv", "-o", tmp_path / "s.json")
+    table = asperity.sensitivity(SMALL)
+    assert table.to_csv() == (tmp_path / "s.csv").read_text()
+    assert table.to_json() == (tmp_path / "s.json").read_text()
+    columns = table_of((tmp_path / "s.csv").read_text())
+    for name, cells in columns.items():
+        assert table[name].tolist() == [cell if name == "key" else float(cell) for cell in cells]
+    target = {**SMALL, "accuracy": {"target_relative_error": 0.1}}
+    with pytest.raises(asperity.InputError) as caught:
+        asperity.sensitivity(target)
+    assert complaint("sensitivity", scene_file(target)).endswith(str(caught.value))
+
+
 def test_sensitivities_are_slopes_of_friction_on_the_same_lines():
     table = asperity.sensitivity(SMALL)
     slopes = dict(zip(table["key"].tolist(), table.slope.tolist()))
@@ -186,7 +210,7 @@ def test_sensitivities_are_slopes_of_friction_on_the_same_lines():
     # Friction in units of h depends on F_N/(G h) alone: mu = h f(F_N/(G h)).
     assert slopes["surface.rms_height"] + slopes["load.normal_force"] == pytest.approx(1, abs=1e-3)
     assert slopes["elastomer.shear_modulus"] == pytest.approx(-slopes["load.normal_force"], abs=1e-3)
-    assert np.all(table.standard_error > 0) and table.is_logarithmic.any()
+    assert np.all(table.slope_standard_error > 0) and table.is_logarithmic.any()
 
 
 def test_a_thousand_overrides_cost_what_the_kernel_costs():

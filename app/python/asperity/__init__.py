@@ -24,9 +24,9 @@ from ._core import InputError
 from .tables import Table, columns_of_csv, table_columns
 
 __version__ = _core.version
-__all__ = ["Contact", "Curve", "Fit", "InputError", "Material", "Motion", "Scene", "Surface",
-           "Table", "columns", "curve", "fit", "friction", "map", "march", "material",
-           "parameters", "sensitivity", "state", "surface"]
+__all__ = ["Contact", "Curve", "Fit", "InputError", "Map", "Material", "Motion", "Scene",
+           "Sensitivity", "States", "Surface", "Table", "columns", "curve", "fit", "friction", "map",
+           "march", "material", "parameters", "sensitivity", "state", "surface"]
 
 _SCENES = os.path.join(os.path.dirname(__file__), "scenes")
 
@@ -442,8 +442,43 @@ def friction(scene, overrides=None, /, *, threads=0, progress=None, **more):
     return _slid(scene, {**(overrides or {}), **more}, threads, progress)
 
 
-def _axis(scene, given):
-    """Key and values of a side of a map."""
+class Map(_Result, Table):
+    """Friction over two keys: both keys and the columns of a curve, shape (len(y), len(x)).
+
+    ``x``, ``y``: the values of the two sides, in the keys' units; computed: how many states had to
+    be slid, the others being equal to one of them.
+    """
+
+    _verb = "map"
+
+    def __init__(self, core, seconds, x_key, y_key):
+        self._core, self._seconds = core, seconds
+        self.x, self.y, self.computed = core.x(), core.y(), core.computed()
+        self._sides = x_key, y_key
+        shape = (len(self.y), len(self.x))
+        columns = {name: column.reshape(shape)
+                   for name, column in table_columns(core.columns()).items()}
+        Table.__init__(self, {**_grid(x_key, self.x, y_key, self.y), **columns},
+                       _units_of((x_key, y_key)))
+
+    def picture(self, extension="png", *options):
+        """The map as a picture with contour lines, drawn (and for that computed again) by the
+        program: bytes of PNG, SVG or PDF. options: more options of ``asperity map``."""
+        from .pictures import draw
+
+        return draw("map", self.scene, *self._options, *options, extension=extension)
+
+
+def _grid(x_key, x, y_key, y):
+    import numpy
+
+    x, y = numpy.asarray(x)[numpy.newaxis, :], numpy.asarray(y)[:, numpy.newaxis]
+    x, y = numpy.broadcast_arrays(x, y)
+    return {x_key: numpy.array(x), y_key: numpy.array(y)}
+
+
+def _side(given):
+    """Key and values of a side of a map: a text of a range, or a list."""
     if isinstance(given, str):
         key, equals, text = given.partition("=")
         if not equals:
@@ -452,46 +487,67 @@ def _axis(scene, given):
     key, values = given
     key = _dotted(key)
     _core.kind(key)
-    if isinstance(values, str):
-        return key, _core.range_values(scene._core, key, values)[0]
-    values = _values(key, values)
-    if values.ndim != 1:
-        raise _input_error(key, "a side of a map is a range or a list of numbers")
+    if not isinstance(values, str):
+        values = _values(key, values)
+        if values.ndim != 1:
+            raise _input_error(key, "a side of a map is a range or a list of numbers")
     return key, values
 
 
 def map(scene, x, y, *, threads=0, progress=None):  # noqa: A001, the program's word
-    """Friction over two keys, on common random lines.
+    """Friction over two keys, on common random lines, as ``asperity map``.
 
     x, y: ``"load.normal_force=1mN:1N:20"``, or a pair of a key and a range (``"1mN:1N:20:log"``) or
-    a list of values. Returns States whose columns have shape (len(y), len(x)), the two keys among
-    them.
+    a list of values. Returns a Map whose columns have shape (len(y), len(x)), the two keys among
+    them; where a side is a list, States of the same shape, which no file of the program describes.
     """
-    import numpy
-
     scene = _scene(scene)
-    (x_key, x_values), (y_key, y_values) = _axis(scene, x), _axis(scene, y)
+    (x_key, x_values), (y_key, y_values) = _side(x), _side(y)
     if x_key == y_key:
         raise _input_error(y_key, "is both sides of the map; they need two different keys")
-    return _slid(scene, {x_key: numpy.asarray(x_values)[numpy.newaxis, :],
-                         y_key: numpy.asarray(y_values)[:, numpy.newaxis]}, threads, progress)
+    if isinstance(x_values, str) and isinstance(y_values, str):
+        core, seconds = _timed(_core.map, scene._core, [x_key, x_values], [y_key, y_values], threads,
+                               progress)
+        found = Map(core, seconds, x_key, y_key)
+        found._options = ("--x", f"{x_key}={x_values}", "--y", f"{y_key}={y_values}")
+        return found
+    if isinstance(x_values, str):
+        x_values = _core.range_values(scene._core, x_key, x_values)
+    if isinstance(y_values, str):
+        y_values = _core.range_values(scene._core, y_key, y_values)
+    return _slid(scene, _grid(x_key, x_values, y_key, y_values), threads, progress)
+
+
+class Sensitivity(_Result, Table):
+    """How friction changes with each parameter: the columns of ``asperity sensitivity``, and slopes.
+
+    Columns of shape (n,), the largest exponent first: ``key``; ``value`` in its unit; ``mu_exponent``
+    p d ln mu / d p, and ``mu_exponent_standard_error``; ``slope`` d ln mu / d ln p, or d ln mu / d p
+    (in the inverse of the key's unit) where ``is_logarithmic`` is False, for values that may be 0 or
+    below, and ``slope_standard_error``. Errors are those of the mean over the lines.
+    """
+
+    _verb = "sensitivity"
+
+    def __init__(self, core, seconds=0.0):
+        import numpy
+
+        self._core, self._seconds = core, seconds
+        names = ("key", "value", "mu_exponent", "mu_exponent_standard_error", "slope",
+                 "slope_standard_error", "is_logarithmic")
+        columns = list(zip(*core.rows())) or [()] * len(names)
+        kinds = (str, float, float, float, float, float, bool)
+        Table.__init__(self, {name: numpy.array(column, dtype=kind)
+                              for name, column, kind in zip(names, columns, kinds)})
 
 
 def sensitivity(scene, *, threads=0, progress=None):
     """How friction changes with each parameter, at the scene's velocity, on common random lines.
 
-    Returns a Table of shape (n,): ``key``, ``slope``, ``standard_error``, ``is_logarithmic``. The
-    slope is d ln mu / d ln p, of friction with what the interface adds, or d ln mu / d p (in the
-    inverse of the key's unit) where ``is_logarithmic`` is False, for values that may be 0 or below.
-    Its standard error is that of the mean over the lines.
+    scene: Scene, dict or file; sliding must be steady. Returns a Sensitivity, a table of shape (n,)
+    with a row for each number that friction depends on.
     """
-    import numpy
-
-    rows = _core.sensitivity(_scene(scene)._core, threads, progress)
-    keys, slopes, errors, logarithmic = zip(*rows) if rows else ((), (), (), ())
-    return Table({"key": numpy.array(keys, dtype=str), "slope": numpy.array(slopes, dtype=float),
-                  "standard_error": numpy.array(errors, dtype=float),
-                  "is_logarithmic": numpy.array(logarithmic, dtype=bool)})
+    return Sensitivity(*_timed(_core.sensitivity, _scene(scene)._core, threads, progress))
 
 
 # ---- one contact, motions, surfaces

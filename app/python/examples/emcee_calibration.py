@@ -22,7 +22,7 @@ def friction_of(places):
     return asperity.friction(scene, {"sliding.velocity": velocities, **overrides}).mu
 
 
-random = np.random.default_rng(1)
+random = np.random.RandomState(1)
 measured = friction_of(truth[np.newaxis]) * np.exp(0.05 * random.standard_normal(velocities.shape))
 
 
@@ -32,8 +32,8 @@ def log_probability(places):
 
 start = truth + 0.3 * random.standard_normal((8, 2))
 sampler = emcee.EnsembleSampler(8, 2, log_probability, vectorize=True)
+sampler.random_state = random.get_state()  # the same samples each time
 sampler.run_mcmc(start, 60)
 samples = np.exp(sampler.get_chain(discard=20, flat=True))
-low, middle, high = np.percentile(samples, [16, 50, 84], axis=0)
-for key, a, b, c in zip(KEYS, low, middle, high):
+for key, a, b, c in zip(KEYS, *np.percentile(samples, [16, 50, 84], axis=0)):
     print(f"{key}: {b:.3g} ({a:.3g} to {c:.3g})")
