@@ -56,7 +56,7 @@ std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py:
 }
 
 /// Returns the columns of the answer that the program writes, which has them for any swept key.
-py::dict curveColumns(const CurveOfScene& found) {
+py::dict curveTableOf(const CurveOfScene& found) {
   return columnsOf(Json::parse(curveJson(found.curve.points, found.scene))["points"]);
 }
 
@@ -302,7 +302,7 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
 
 void addFriction(py::module_& module) {
   py::class_<CurveOfScene, std::shared_ptr<CurveOfScene>>(module, "Curve")
-      .def("columns", &curveColumns)
+      .def("columns", &curveTableOf)
       .def("scene", [](const CurveOfScene& found) { return found.scene; })
       .def("csv",
            [](const CurveOfScene& found) {
