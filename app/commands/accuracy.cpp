@@ -15,6 +15,7 @@
 #include "core/run/motion_accuracy.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
@@ -119,7 +120,10 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 
 int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
-  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
+  withSceneContext(command.common, [&] {
+    needSteadySliding(scene, "asperity accuracy");
+    needVelocityAxis(scene, "asperity accuracy");
+  });
   makeFolder(command.output);
   for (const char* name : kFiles) {
     checkWritable(fileIn(command.output, name));

@@ -1,4 +1,4 @@
-// asperity curve: friction over velocity, averaged over the scene's realizations.
+// asperity curve: friction over velocity or any other key, averaged over the scene's realizations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,15 +48,22 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
   pictures.finish();
 }
 
-std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
+std::string axisOf(const Curve& curve, const Scene& scene) {
+  const std::size_t points = curve.points.size();
+  if (!scene.sweep.isOfVelocity())
+    return points == 1
+               ? filled(Words::tr("one value of %1"), {scene.sweep.key})
+               : filled(Words::tr("%1 values of %2"), {std::to_string(points), scene.sweep.key});
+  return points == 1 ? Words::tr("one velocity")
+                     : filled(Words::tr("%1 velocities"), {std::to_string(points)});
+}
+
+std::string summaryOf(const Curve& curve, const Scene& scene,
+                      const std::vector<std::string>& outputs) {
   const std::int64_t lines = curve.points.front().realizations;
-  const std::size_t velocities = curve.points.size();
-  std::string text =
-      (velocities == 1 ? Words::tr("one velocity")
-                       : filled(Words::tr("%1 velocities"), {std::to_string(velocities)})) +
-      ", " +
-      (lines == 1 ? Words::tr("one realization")
-                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
+  std::string text = axisOf(curve, scene) + ", " +
+                     (lines == 1 ? Words::tr("one realization")
+                                 : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
     text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
                           {shortNumber(100 * curve.marginalFraction, 2)});
@@ -71,7 +78,7 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
     return noteSetOf(point).has(Note::UnresolvedFriction);
   });
   const CurvePoint& first = curve.points.front();
-  if (std::isfinite(first.normalForce))
+  if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
     text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
                    {shortNumber(first.normalForce, 6)}) +
             "\n";
@@ -91,11 +98,13 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
 
 /// Returns one table of all curves where there are more than the scene's own.
 std::string tableOf(const CurveSet& set, const CurveArguments& arguments) {
-  return arguments.hasMore(set.present.scene) ? curveSetCsv(set) : curveCsv(set.present.points);
+  return arguments.hasMore(set.present.scene)
+             ? curveSetCsv(set)
+             : curveCsv(set.present.points, columnsFor(set.present.scene, showsForces(set)));
 }
 
 std::string jsonOf(const CurveSet& set, const CurveArguments& arguments) {
-  const std::string own = curveJson(set.present.points, set.present.scene);
+  const std::string own = curveJson(set.present.points, set.present.scene, showsForces(set));
   if (!arguments.hasMore(set.present.scene)) return own;
   auto answer = nlohmann::ordered_json::parse(own);
   addCurvesTo(answer, set);
@@ -112,7 +121,7 @@ std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const ComparedScene compared = withComparisons(sceneOf(command.common), command.curves);
+  const ComparedScene compared = withCurveOptions(sceneOf(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
@@ -141,7 +150,8 @@ int runCurve(const CurveCommand& command) {
   else if (tableOnStdout)
     fmt::print("{}", tableOf(set, command.curves));
   if (!tableOnStdout)
-    printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
+    printSummary(command.common.json, command.common.quiet,
+                 summaryOf(curve, scene, command.outputs));
   requireTarget(curve);
   return kDone;
 }

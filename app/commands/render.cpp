@@ -55,7 +55,7 @@ class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
       : command_(command),
-        compared_(withComparisons(sceneOf(command.common), command.curves)),
+        compared_(withCurveOptions(sceneOf(command.common), command.curves)),
         scene_(compared_.scene),
         kind_(kindOf(command.output)),
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),

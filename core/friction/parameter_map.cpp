@@ -33,12 +33,6 @@ void setNumber(const Parameter& row, Scene& scene, double value) {
     setValue(row, scene, value);
 }
 
-double numberOf(const Parameter& row, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::get<double>(value);
-}
-
 /// At most kCoarse values of a side, with both ends.
 MapAxis coarse(const MapAxis& axis) {
   const std::size_t count = axis.values.size();

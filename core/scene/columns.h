@@ -99,8 +99,16 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
      "", "curve, curves, map, cutoff"},
     {"normal_force", "N",
-     "Normal force on one period that the nominal pressure means; only with such a load.",
+     "Normal force on one period; only where a nominal pressure means it, over another key than "
+     "velocity, and in maps.",
      "F_N = p_0 L width", "curve, curves, map, cutoff"},
+    {"tangential_force", "N",
+     "Mean tangential force of the deformation on one period; only over another key than velocity, "
+     "where a chart shows forces, and in maps.",
+     "|F_x| = mu F_N", "curve, curves, map, cutoff"},
+    {"power", "W",
+     "Mean power that sliding puts into the deformation on one period; where tangential_force is.",
+     "|F_x| v", "curve, curves, map, cutoff"},
     {"nominal_pressure", "Pa", "Normal force over the area of one period and the width.", "p_0",
      "curve, curves, map, cutoff"},
     {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",

@@ -431,6 +431,14 @@
         <source>friction does not depend on %1 in this scene</source>
         <translation>die Reibung hängt in dieser Szene nicht von %1 ab</translation>
     </message>
+    <message>
+        <source>one value of %1</source>
+        <translation>ein Wert von %1</translation>
+    </message>
+    <message>
+        <source>%1 values of %2</source>
+        <translation>%1 Werte von %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -780,6 +788,30 @@
     <message>
         <source>Pictures (*.png *.svg *.pdf);;Table (*.csv)</source>
         <translation>Bilder (*.png *.svg *.pdf);;Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Horizontal axis</source>
+        <translation>Waagrechte Achse</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Family of curves</source>
+        <translation>Kurvenschar</translation>
+    </message>
+    <message>
+        <source>Pins five curves, at five values of another parameter</source>
+        <translation>Heftet fünf Kurven an, bei fünf Werten eines anderen Parameters</translation>
+    </message>
+    <message>
+        <source>Linear horizontal axis</source>
+        <translation>Waagrechte Achse linear</translation>
+    </message>
+    <message>
+        <source>Linear vertical axis</source>
+        <translation>Senkrechte Achse linear</translation>
     </message>
 </context>
 <context>
@@ -2013,6 +2045,10 @@
     <message>
         <source>Fit</source>
         <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Axis of the curve</source>
+        <translation>Achse der Kurve</translation>
     </message>
 </context>
 <context>
