@@ -306,8 +306,8 @@ void addFriction(py::module_& module) {
       .def("scene", [](const CurveOfScene& found) { return found.scene; })
       .def("csv",
            [](const CurveOfScene& found) {
-             // The lines of the program's table, from its answer's columns, are those of the file.
-             return provenanceComment("curve", found.scene) + curveCsv(found.curve.points);
+             return provenanceComment("curve", found.scene) +
+                    curveCsv(found.curve.points, columnsFor(found.scene));
            })
       .def("json",
            [](const CurveOfScene& found) { return curveJson(found.curve.points, found.scene); })

@@ -37,10 +37,17 @@ def test_curve(name, scene_file, tmp_path):
     assert curve.scene == asperity.Scene(values)
 
 
-def test_curve_over_another_key(scene_file):
-    values = {**SMALL, "sweep": {"key": "load.normal_force", "from": 1e-3, "to": 1, "points": 4}}
+@pytest.mark.parametrize("sweep", [{"key": "load.normal_force", "from": 1e-3, "to": 1},
+                                   {"key": "surface.hurst", "from": 0.9, "to": 0.3, "scale": "linear"}])
+def test_curve_over_another_key(sweep, scene_file, tmp_path):
+    values = {**SMALL, "sweep": {**sweep, "points": 4}}
+    file = scene_file(values)
     curve = asperity.curve(values)
-    assert_equal_columns(curve, run("curve", scene_file(values)))
+    assert_equal_columns(curve, run("curve", file))
+    assert list(curve)[0] == sweep["key"].rpartition(".")[2]
+    run("curve", file, "--quiet", "-o", tmp_path / "a.csv", "-o", tmp_path / "a.json")
+    assert curve.to_csv() == (tmp_path / "a.csv").read_text()
+    assert curve.to_json() == (tmp_path / "a.json").read_text()
 
 
 def test_curve_of_a_motion_is_refused_as_by_the_program(scene_file):
