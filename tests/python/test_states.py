@@ -169,6 +169,8 @@ def test_wrong_overrides_name_their_key(overrides, key):
 
 def test_too_many_states_are_refused_before_they_are_made():
     with pytest.raises(asperity.InputError, match="more than 200000"):
+        asperity.friction(SMALL, {"load.normal_force": np.linspace(1e-3, 1, 200001)})
+    with pytest.raises(asperity.InputError, match="more than 100000 cells"):
         asperity.map(SMALL, "load.normal_force=1mN:1N:1000", "sliding.velocity=1:2:1000")
 
 

@@ -79,6 +79,7 @@ class Map(_Result, Table):
     x: Floats
     y: Floats
     computed: int
+    def picture(self, extension: str = "png", *options: str) -> bytes: ...
 
 class Sensitivity(_Result, Table): ...
 
