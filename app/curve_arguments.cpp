@@ -22,6 +22,7 @@
 #include "core/chart/curve_words.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/realization_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
@@ -264,17 +265,23 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command
       .add_option(kAxes, arguments.axes,
                   "physical, or dimensionless: Eq. (13), and mu over the rms slope")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kPictureGroup);
   command
       .add_option(kXScale, arguments.xScale, "log or linear (default: as the values are spaced)")
-      ->type_name("SCALE");
-  command.add_option(kYScale, arguments.yScale, "log or linear (default: log)")->type_name("SCALE");
+      ->type_name("SCALE")
+      ->group(kPictureGroup);
+  command.add_option(kYScale, arguments.yScale, "log or linear (default: log)")
+      ->type_name("SCALE")
+      ->group(kPictureGroup);
   command
       .add_option(kXRange, arguments.xRange,
                   "Limits of the x-axis, in its unit (default: automatic)")
-      ->type_name("FROM:TO");
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
   command.add_option(kYRange, arguments.yRange, "Limits of the vertical axis (default: automatic)")
-      ->type_name("FROM:TO");
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
 }
 
 ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
@@ -323,7 +330,7 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
+    if (file != "-" && extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
   for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
                                       {kXScale, !arguments.xScale.empty()},
                                       {kYScale, !arguments.yScale.empty()},
@@ -332,13 +339,17 @@ void checkUseful(const CurveArguments& arguments, const std::vector<std::string>
     if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
-Curve computeCurve(const Scene& scene, const CommonOptions& common) {
+Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationTable* lines) {
   ProgressBar bar(Words::tr("realizations"), common.quiet);
   CurveOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
+  if (lines)
+    options.eachLine = [lines](std::int64_t realization, std::span<const SteadyResult> results) {
+      lines->add(realization, results);
+    };
   return computeCurve(scene, options);
 }
 

@@ -16,6 +16,7 @@ class App;
 namespace asperity {
 
 struct CommonOptions;
+class RealizationTable;
 
 /// The options as text from the command line; empty: not given.
 struct CurveArguments {
@@ -59,7 +60,9 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 /// Computes the scene's curve with the options that all commands share
 /// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;
 /// requireTarget() makes it one.
-Curve computeCurve(const Scene& scene, const CommonOptions& common);
+/// lines: gets the results of each random line; may be null.
+Curve computeCurve(const Scene& scene, const CommonOptions& common,
+                   RealizationTable* lines = nullptr);
 
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.

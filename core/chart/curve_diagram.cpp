@@ -35,6 +35,18 @@ Message nameOfMean(const NamedCurve& curve) {
                 : message("mean of {} lines \u00B1 standard error", lines);
 }
 
+/// Returns the name of the present curve: beside others by the values in which it differs from
+/// them, as they are named.
+Message nameOfPresent(const CurveSet& set) {
+  std::vector<Message> words;
+  for (const NamedCurve& curve : set.pinned) {
+    Message difference = differencesInWords(set.present.scene, curve.scene);
+    if (!difference.empty() && std::ranges::find(words, difference) == words.end())
+      words.push_back(std::move(difference));
+  }
+  return words.empty() || words.size() > 3 ? nameOfMean(set.present) : listed(words);
+}
+
 /// Returns a point on the axes. It has its own factors: lines with different slopes have different
 /// factors at each velocity.
 DiagramPoint pointOf(const CurvePoint& point, const CurveSet& set, int row) {
@@ -115,7 +127,9 @@ std::optional<DiagramRamp> rampOf(const CurveSet& set) {
 /// Returns a pinned curve. It keeps its colour and mark when others leave; where colours repeat,
 /// mark and stroke differ.
 DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
-  constexpr std::array marks{SeriesMark::Square, SeriesMark::Triangle, SeriesMark::Diamond};
+  constexpr std::array marks{SeriesMark::Circle, SeriesMark::Square, SeriesMark::Triangle,
+                             SeriesMark::Diamond};
+  constexpr std::array strokes{SeriesStroke::Solid, SeriesStroke::Dashed, SeriesStroke::Dotted};
   DiagramSeries series = meanSeries(curve, set);
   series.name = curve.name;
   series.id = curve.id;
@@ -126,9 +140,11 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
     return series;
   }
   series.colour = colourOfPin(curve.place);
-  const int turn = curve.place / kPinColours;
-  series.mark = marks[static_cast<std::size_t>(curve.place + 2 * turn) % marks.size()];
-  if (turn % 2 == 1) series.stroke = SeriesStroke::Dashed;
+  // The present curve is the first of them all: twelve pairs of marks and strokes, so that curves
+  // are told apart without their colours.
+  const auto number = static_cast<std::size_t>(curve.place) + 1;
+  series.mark = marks[number % marks.size()];
+  series.stroke = strokes[number / marks.size() % strokes.size()];
   return series;
 }
 
@@ -320,11 +336,11 @@ Diagram curvesDiagram(const CurveSet& set) {
   if (drawsLawOfPoints(set))
     if (DiagramSeries law = lawSeries(set.present, set.axes); !law.points.empty())
       diagram.series.push_back(std::move(law));
-  std::ranges::move(theoriesOf(set), std::back_inserter(diagram.series));
+  addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
   DiagramSeries mean = meanSeries(set.present, set);
-  mean.name = nameOfMean(set.present);
+  mean.name = nameOfPresent(set);
   mean.mark = SeriesMark::Circle;
   mean.colour = 0;
   mean.id = kPresentCurve;

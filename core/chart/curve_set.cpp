@@ -8,20 +8,10 @@
 
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
-namespace {
-
-/// Returns a text as one cell of CSV.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
 
 AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
   if (axes == CurveAxes::Physical) return {1, 1};
@@ -94,7 +84,7 @@ std::string curveSetCsv(const CurveSet& set) {
   const auto addRow = [&](const std::string& series, const CurvePoint& point,
                           const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
-    text += cell(series) + ",";
+    text += csvCell(series) + ",";
     if (!family.empty()) text += csvNumber(ofFamily) + ",";
     text += table.row(point);
     if (set.difference)

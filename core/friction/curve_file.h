@@ -67,7 +67,6 @@ class CurveTable {
  private:
   bool isLeftOut(std::string_view column) const;
   bool isOfVelocity() const { return columns_.sweptKey == kVelocityKey; }
-  bool isLeftOut(std::string_view column) const;
   double extraValue(std::size_t i, const CurvePoint& point) const;
 
   CurveColumns columns_;

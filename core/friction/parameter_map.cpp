@@ -199,7 +199,9 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
     throw InputError("", "accuracy.target_relative_error",
                      "a map has the same lines in every cell; give accuracy.scheme and "
                      "ensemble.realizations instead of a target");
-  StateOptions work{options.threads, options.stop, {}, false};
+  StateOptions work;
+  work.threads = options.threads;
+  work.stop = options.stop;
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
   const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
     if (!options.preview || options.stop.stop_requested()) return;

@@ -34,7 +34,7 @@ struct StateOptions {
   /// Called like `progress` with the lines slid of all and the states so far, averaged over the
   /// lines slid; a state without realizations is not yet known. May be empty.
   std::function<void(std::int64_t done, std::int64_t total, const std::vector<CurvePoint>& points)>
-      partial;
+      partial{};
 };
 
 struct SteadyStates {
