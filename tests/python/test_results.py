@@ -202,3 +202,22 @@ def test_without_the_program_there_are_tables_and_no_pictures(monkeypatch):
     assert curve._repr_html_().count("<tr>") == 4
     with pytest.raises(FileNotFoundError, match="not installed"):
         curve.picture()
+
+
+def test_a_program_that_cannot_draw_is_said_and_interrupts_nothing(monkeypatch):
+    curve = asperity.curve({**SMALL, "sweep": {"points": 3}})
+    monkeypatch.setenv("ASPERITY_PROGRAM", "/bin/false")
+    with pytest.warns(UserWarning, match="/bin/false drew no picture"):
+        assert curve._repr_png_() is None
+    with pytest.raises(RuntimeError):
+        curve.picture()
+
+
+def test_a_picture_is_kept_until_its_scene_changes(monkeypatch):
+    scene = asperity.Scene(SMALL)
+    first = scene._repr_png_()
+    monkeypatch.setenv("ASPERITY_PROGRAM", "/bin/false")
+    assert scene._repr_png_() is first
+    scene["surface.seed"] = 7
+    with pytest.warns(UserWarning):
+        assert scene._repr_png_() is None

@@ -72,5 +72,12 @@ def drawn_or_none(result):
     scene = result.to_json() if isinstance(result, Scene) else None
     kept = result.__dict__.get("_picture")
     if kept is None or kept[0] != scene:
-        kept = result.__dict__["_picture"] = (scene, result.picture())
+        try:
+            kept = result.__dict__["_picture"] = (scene, result.picture())
+        except RuntimeError as error:
+            # A notebook that asked for nothing is not interrupted: the program may be another one.
+            import warnings
+
+            warnings.warn(f"{program()} drew no picture: {error}", stacklevel=2)
+            return None
     return kept[1]
