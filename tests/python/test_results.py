@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 import pytest
-from conftest import MOVING, ROOT, SMALL, assert_equal_columns, complaint, run
+from conftest import MOVING, ROOT, SMALL, assert_equal_columns, complaint, run, without_options
 
 import asperity
 
@@ -30,10 +30,10 @@ def test_curve(name, scene_file, tmp_path):
     curve = asperity.curve(values, threads=1)
     assert_equal_columns(curve, run("curve", file))
     run("curve", file, "--quiet", "-o", tmp_path / "a.csv", "-o", tmp_path / "a.json")
-    assert curve.to_csv() == (tmp_path / "a.csv").read_text()
-    assert curve.to_json() == (tmp_path / "a.json").read_text()
+    assert without_options(curve.to_csv()) == without_options((tmp_path / "a.csv").read_text())
+    assert without_options(curve.to_json()) == without_options((tmp_path / "a.json").read_text())
     curve.save(tmp_path / "b.csv")
-    assert (tmp_path / "b.csv").read_bytes() == (tmp_path / "a.csv").read_bytes()
+    assert (tmp_path / "b.csv").read_text() == curve.to_csv()
     assert curve.scene == asperity.Scene(values)
 
 
@@ -46,8 +46,8 @@ def test_curve_over_another_key(sweep, scene_file, tmp_path):
     assert_equal_columns(curve, run("curve", file))
     assert list(curve)[0] == sweep["key"].rpartition(".")[2]
     run("curve", file, "--quiet", "-o", tmp_path / "a.csv", "-o", tmp_path / "a.json")
-    assert curve.to_csv() == (tmp_path / "a.csv").read_text()
-    assert curve.to_json() == (tmp_path / "a.json").read_text()
+    assert without_options(curve.to_csv()) == without_options((tmp_path / "a.csv").read_text())
+    assert without_options(curve.to_json()) == without_options((tmp_path / "a.json").read_text())
 
 
 def test_curve_of_a_motion_is_refused_as_by_the_program(scene_file):
@@ -63,8 +63,8 @@ def test_motion(options, scene_file, tmp_path):
     motion = asperity.march(MOVING, **options)
     assert_equal_columns(motion, run("motion", file, *words))
     run("motion", file, *words, "--quiet", "-o", tmp_path / "m.csv", "-o", tmp_path / "m.json")
-    assert motion.to_csv() == (tmp_path / "m.csv").read_text()
-    assert motion.to_json() == (tmp_path / "m.json").read_text()
+    assert without_options(motion.to_csv()) == without_options((tmp_path / "m.csv").read_text())
+    assert without_options(motion.to_json()) == without_options((tmp_path / "m.json").read_text())
 
 
 def test_motion_of_steady_sliding_is_refused(scene_file):
@@ -80,8 +80,8 @@ def test_surface_of_a_scene(values, scene_file, tmp_path):
     surface = asperity.surface(values)
     run("surface", file, "-o", tmp_path / "s.csv", "-o", tmp_path / "s.json", "--quiet")
     assert_equal_columns(surface, (tmp_path / "s.csv").read_text())
-    assert surface.to_csv() == (tmp_path / "s.csv").read_text()
-    assert surface.data == json.loads((tmp_path / "s.json").read_text())
+    assert without_options(surface.to_csv()) == without_options((tmp_path / "s.csv").read_text())
+    assert surface.data == {**json.loads(without_options((tmp_path / "s.json").read_text()))}
     assert surface.statistics["points"] == len(surface.height) == len(surface.slope)
 
 
@@ -93,7 +93,7 @@ def test_surface_of_a_measured_file(tmp_path):
     surface = asperity.surface(file)
     run("surface", file, "-o", tmp_path / "s.csv", "-o", tmp_path / "s.json", "--quiet")
     assert_equal_columns(surface, (tmp_path / "s.csv").read_text())
-    assert surface.to_json() == (tmp_path / "s.json").read_text()
+    assert without_options(surface.to_json()) == without_options((tmp_path / "s.json").read_text())
     assert surface.facts
     changed = asperity.surface(file, surface={"form": "parabola"})
     assert changed.scene["surface.form"] == "parabola"
@@ -118,7 +118,7 @@ def test_material(options, tmp_path):
             words += ["--" + name.replace("_", "-"), one]
     run("material", file, "-o", tmp_path / "out", "--quiet", *words)
     material = asperity.material(file, **options)
-    assert material.to_json() == (tmp_path / "out/material.json").read_text()
+    assert without_options(material.to_json()) == without_options((tmp_path / "out/material.json").read_text())
     for name in ("prony", "isotherms", "shifts"):
         assert_equal_columns(getattr(material, name), (tmp_path / f"out/{name}.csv").read_text())
     material.save(tmp_path / "m.json")
@@ -160,7 +160,7 @@ def test_fit(measured, scene_file, tmp_path):
     run("fit", scene_file(SMALL), "--data", file, "--vary", keys[0], "--vary", keys[1], "--no-profiles",
         "-o", tmp_path / "out", "--quiet")
     fit = asperity.fit(scene_file(SMALL), file, keys, profiles=False)
-    assert fit.to_json() == (tmp_path / "out/fit.json").read_text()
+    assert without_options(fit.to_json()) == without_options((tmp_path / "out/fit.json").read_text())
     assert_equal_columns(fit.points, (tmp_path / "out/fit.csv").read_text())
     # The numbers are those of the rubber that the table was made with.
     assert fit["elastomer.shear_modulus"] == pytest.approx(8e6, rel=1e-3)

@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 import pytest
-from conftest import SMALL, complaint, run, table_of
+from conftest import SMALL, complaint, run, table_of, without_options
 
 import asperity
 
@@ -134,8 +134,8 @@ def test_a_map_is_the_programs(scene_file, tmp_path):
         tmp_path / "m.json")
     cells = asperity.map(SMALL, *sides)
     assert cells.mu.shape == (7, 12) == (len(cells.y), len(cells.x))
-    assert cells.to_csv() == (tmp_path / "m.csv").read_text()
-    assert cells.to_json() == (tmp_path / "m.json").read_text()
+    assert without_options(cells.to_csv()) == without_options((tmp_path / "m.csv").read_text())
+    assert without_options(cells.to_json()) == without_options((tmp_path / "m.json").read_text())
     columns = table_of((tmp_path / "m.csv").read_text())
     for name in ("normal_force", "velocity", "mu", "mu_standard_error", "contact_fraction", "indentation"):
         key = "load.normal_force" if name == "normal_force" else name
@@ -187,8 +187,8 @@ def test_sensitivities_are_those_of_the_program(scene_file, tmp_path):
     file = scene_file(SMALL)
     run("sensitivity", file, "--quiet", "-o", tmp_path / "s.csv", "-o", tmp_path / "s.json")
     table = asperity.sensitivity(SMALL)
-    assert table.to_csv() == (tmp_path / "s.csv").read_text()
-    assert table.to_json() == (tmp_path / "s.json").read_text()
+    assert without_options(table.to_csv()) == without_options((tmp_path / "s.csv").read_text())
+    assert without_options(table.to_json()) == without_options((tmp_path / "s.json").read_text())
     columns = table_of((tmp_path / "s.csv").read_text())
     for name, cells in columns.items():
         assert table[name].tolist() == [cell if name == "key" else float(cell) for cell in cells]
