@@ -78,6 +78,12 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 }  // namespace
 
+Message titleOfKey(std::string_view key) {
+  const Parameter& row = knownParameter(key);
+  if (row.symbol.empty()) return row.label;
+  return message("{} {}", Message(row.label), printed(row.symbol));
+}
+
 Message parameterInWords(std::string_view key, const Scene& scene) {
   const Parameter* row = findParameter(key);
   if (!row || isList(*row)) return {};

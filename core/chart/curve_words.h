@@ -9,6 +9,9 @@
 
 namespace asperity {
 
+/// Returns "normal force F\u2099" as the title of an axis; without a symbol "seed".
+Message titleOfKey(std::string_view key);
+
 /// Returns one parameter: "H = 0.3", "F\u2099 = 10 mN"; without a symbol, "seed 3", "linear". Empty
 /// for arms and for an unknown key.
 Message parameterInWords(std::string_view key, const Scene& scene);

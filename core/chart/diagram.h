@@ -72,6 +72,7 @@ struct DiagramMarker {
   bool isFixed = false;               // moves by itself and cannot be dragged
   bool isFaded = false;               // belongs to an earlier state
   std::vector<DiagramPoint> trace{};  // its earlier places; interrupted where a point has no place
+  bool isCross = false;               // with a horizontal line at y, too
 };
 
 /// A text at a point, with an arrow from (x, y) to (arrowX, arrowY) where these are given.
@@ -88,6 +89,21 @@ struct DiagramRamp {
   Message from, to;  // "1 mN", "100 N"
 };
 
+/// A line along which a field has one value.
+struct DiagramContour {
+  double value = 0;
+  Message label{};                                 // on the line: "0.02"
+  std::vector<std::vector<DiagramPoint>> lines{};  // of x and y alone
+};
+
+/// A quantity over the plane of the axes, as colours under everything else, with a colour bar.
+struct DiagramField {
+  DiagramAxis colours{};         // title, unit, scale and range of the quantity
+  std::vector<double> x{}, y{};  // places of the grid's columns and rows, rising on their axes
+  std::vector<double> values{};  // x fastest; NaN: not known, and left blank
+  std::vector<DiagramContour> contours{};
+};
+
 struct Diagram {
   Message title{};  // over this diagram; may be empty
   DiagramAxis x, y;
@@ -99,6 +115,7 @@ struct Diagram {
   std::vector<DiagramSpan> shades{};  // tinted over the spans, named inside the frame at its foot
   std::optional<DiagramMarker> marker{};
   Message blank{};  // why there is no curve, in the middle of the frame
+  std::optional<DiagramField> field{};
 };
 
 /// Diagrams side by side under one heading.

@@ -75,6 +75,18 @@ bool SteadySolver::sweep(const PreparedProfile& line, const Load& load,
   return done;
 }
 
+bool SteadySolver::sweepForces(const PreparedProfile& line, std::span<const double> forces,
+                               std::span<const double> velocities, std::span<SteadyResult> results,
+                               const std::stop_token& stop,
+                               std::span<const SteadyResult> others) const {
+  countSteady({LoadKind::Force});
+  if (velocities.size() > 1) countStage(Stage::Sweep);
+  if (!slideAtForces(line, conditions(0), forces, velocities, results, stop, others)) return false;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    addInterface(line, velocities[i % velocities.size()], results[i]);
+  return true;
+}
+
 SteadyState SteadySolver::at(const PreparedProfile& line, double velocity) const {
   const Load held = loadOn(load_, line.length);
   countSteady(held);

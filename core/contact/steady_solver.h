@@ -46,6 +46,12 @@ class SteadySolver {
              std::span<SteadyResult> results, const std::stop_token& stop = {},
              std::span<const SteadyResult> others = {}) const;
 
+  /// Computes several forces (N, ascending) on elements without arms; as slideAtForces.
+  bool sweepForces(const PreparedProfile& line, std::span<const double> forces,
+                   std::span<const double> velocities, std::span<SteadyResult> results,
+                   const std::stop_token& stop = {},
+                   std::span<const SteadyResult> others = {}) const;
+
   /// Returns the state under the scene's load. velocity: m/s, >= 0.
   SteadyState at(const PreparedProfile& line, double velocity) const;
   /// Return whether contact is complete at this depth (m), and the depth above which it is. Not for

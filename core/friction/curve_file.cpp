@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
@@ -61,11 +62,6 @@ bool hasNotes(const std::vector<CurvePoint>& points) {
                              [](const CurvePoint& point) { return !notesOf(point).empty(); });
 }
 
-std::string withoutLineEnd(std::string row) {
-  row.pop_back();
-  return row;
-}
-
 }  // namespace
 
 std::string csvNumber(double value) {
@@ -112,6 +108,22 @@ std::string notesOf(const CurvePoint& point) {
   return noteSetOf(point).words();
 }
 
+std::vector<std::string_view> curveColumns() {
+  std::vector<std::string_view> names;
+  for (const CurveColumn& column : kCurveColumns) names.push_back(column.name);
+  names.push_back(kRealizations);
+  for (const ExtraColumn& column : kExtraColumns) names.push_back(column.name);
+  return names;
+}
+
+double curveValue(const CurvePoint& point, std::string_view column) {
+  for (const CurveColumn& one : kCurveColumns)
+    if (one.name == column) return point.*one.member;
+  for (const ExtraColumn& one : kExtraColumns)
+    if (one.name == column) return one.value(point);
+  return column == kRealizations ? static_cast<double>(point.realizations) : kNotApplicable;
+}
+
 CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {
   for (std::size_t i = 0; i < kExtraColumns.size(); ++i)
     if (std::ranges::any_of(curves, [&](const std::vector<CurvePoint>* points) {
@@ -121,14 +133,34 @@ CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {
   for (const std::vector<CurvePoint>* points : curves) hasNotes_ = hasNotes_ || hasNotes(*points);
 }
 
+CurveTable::CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without)
+    : without_(std::move(without)), hasNotes_(hasNotes(rows)) {
+  for (std::size_t i = 0; i < kExtraColumns.size(); ++i)
+    if (!isLeftOut(kExtraColumns[i].name) &&
+        std::ranges::any_of(rows, [&](const CurvePoint& point) {
+          return std::isfinite(kExtraColumns[i].value(point));
+        }))
+      extra_.push_back(i);
+}
+
+bool CurveTable::isLeftOut(std::string_view column) const {
+  return std::ranges::find(without_, column) != without_.end();
+}
+
 std::string CurveTable::header() const {
-  std::string text = withoutLineEnd(curveHeader());
+  std::string text;
+  for (const CurveColumn& column : kCurveColumns)
+    if (!isLeftOut(column.name)) text += column.name.text() + ",";
+  text += kRealizations.text();
   for (const std::size_t i : extra_) text += "," + kExtraColumns[i].name.text();
   return hasNotes_ ? text + "," + kNotesColumn.text() : text;
 }
 
 std::string CurveTable::row(const CurvePoint& point) const {
-  std::string text = withoutLineEnd(curveRow(point));
+  std::string text;
+  for (const CurveColumn& column : kCurveColumns)
+    if (!isLeftOut(column.name)) text += csvNumber(point.*column.member) + ",";
+  text += point.realizations > 0 ? fmt::format("{}", point.realizations) : std::string();
   for (const std::size_t i : extra_) text += "," + csvNumber(kExtraColumns[i].value(point));
   return hasNotes_ ? text + "," + notesOf(point) : text;
 }
@@ -138,7 +170,7 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   const auto cell = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json row;
   for (const CurveColumn& column : kCurveColumns)
-    row[column.name.text()] = cell(point.*column.member);
+    if (!isLeftOut(column.name)) row[column.name.text()] = cell(point.*column.member);
   row[kRealizations.text()] = point.realizations;
   for (const std::size_t i : extra_)
     row[kExtraColumns[i].name.text()] = cell(kExtraColumns[i].value(point));

@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/friction/curve_point.h"
@@ -29,11 +30,19 @@ std::string curveRow(const CurvePoint& point);
 std::string notesOf(const CurvePoint& point);
 NoteSet noteSetOf(const CurvePoint& point);
 
+/// The names of all columns of a curve that are numbers, in the order of the tables.
+std::vector<std::string_view> curveColumns();
+/// Returns the number in a column; NaN where it does not apply.
+double curveValue(const CurvePoint& point, std::string_view column);
+
 /// The columns of a table that may contain several curves: the columns of every curve, and further
 /// ones (local friction, an interval, notes, ...) where one of the curves needs them.
 class CurveTable {
  public:
   explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves);
+  /// Of rows that are no curve, because they differ in more than velocity: a further column is
+  /// there where any of them has it. Columns of these names are left out.
+  CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without);
 
   /// Return names and cells of one row, separated by commas, without a line end.
   std::string header() const;
@@ -41,7 +50,10 @@ class CurveTable {
   nlohmann::ordered_json json(const CurvePoint& point) const;
 
  private:
+  bool isLeftOut(std::string_view column) const;
+
   std::vector<std::size_t> extra_;  // indices in the list of further columns
+  std::vector<std::string> without_;
   bool hasNotes_ = false;
 };
 

@@ -40,24 +40,45 @@ CurvePoint CurveAverages::point(double velocity) const {
   return point;
 }
 
-LawColumns::LawColumns(const Scene& scene, const LineSource& source)
-    : LawColumns(scene, source.statistics(), source) {}
+LawLines lawLines(const LineSource& source, const Elastomer& elastomer) {
+  LawLines lines;
+  lines.rmsHeight = source.statistics().rmsHeight;
+  lines.rmsSlope = source.statistics().rmsSlope;
+  lines.length = source.length();
+  lines.slopesDiffer = source.slopesDiffer();
+  lines.notes = notesOf(source);
+  if (measuredFrequencies(elastomer)) lines.waves = excitedWaves(source);
+  return lines;
+}
 
-LawColumns::LawColumns(const Scene& scene, const LineStatistics& statistics,
-                       const LineSource& source)
+LawLines LawLines::scaled(double factor) const {
+  LawLines lines = *this;
+  lines.rmsHeight *= factor;
+  lines.rmsSlope *= factor;
+  // The slope is noted for the lines as they are now.
+  lines.notes = {};
+  for (const Note note : notes.list()) lines.notes.add(note, note != Note::SlopeAbove);
+  lines.notes.add(Note::SlopeAbove, lines.rmsSlope > kSmallSlope);
+  return lines;
+}
+
+LawColumns::LawColumns(const Scene& scene, const LineSource& source)
+    : LawColumns(scene, lawLines(source, scene.elastomer)) {}
+
+LawColumns::LawColumns(const Scene& scene, const LawLines& lines)
     : scene_(scene),
-      excitation_(measuredFrequencies(scene.elastomer)
-                      ? std::make_shared<const Excitation>(scene, source)
+      excitation_(lines.waves && measuredFrequencies(scene.elastomer)
+                      ? std::make_shared<const Excitation>(scene.elastomer, lines.waves)
                       : nullptr),
-      rmsHeight_(statistics.rmsHeight),
-      length_(source.length()),
-      rmsSlope_(statistics.rmsSlope),
+      rmsHeight_(lines.rmsHeight),
+      length_(lines.length),
+      rmsSlope_(lines.rmsSlope),
       hasLaw_(scene.surface.kind == SurfaceKind::SelfAffine),
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
-      slopesDiffer_(source.slopesDiffer()),
-      notes_(notesOf(source)) {
-  notes_.add(notesOf(scene.elastomer, source, kNotApplicable));
+      slopesDiffer_(lines.slopesDiffer),
+      notes_(lines.notes) {
+  notes_.add(notesOf(scene.elastomer, lines.rmsSlope, kNotApplicable));
 }
 
 /// Returns the mean of the lines' own ratios, for a mean `mu` that may include other lines.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -40,18 +41,21 @@ bool isExtrapolated(double shareNotMeasured) {
   return !std::isnan(shareNotMeasured) && shareNotMeasured > kMostNotMeasured;
 }
 
-NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured) {
+NoteSet notesOf(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured) {
   NoteSet notes;
   notes.add(Note::ExtrapolatedMaterial, isExtrapolated(shareNotMeasured));
   notes.add(Note::ExtrapolatedTemperature, isAtForeignTemperature(elastomer));
   const double strain = elastomer.measured.strainAmplitude;
-  notes.add(Note::StrainBeyondMeasured, elastomer.rheology == Rheology::Prony && strain > 0 &&
-                                            source.statistics().rmsSlope > strain);
+  notes.add(Note::StrainBeyondMeasured,
+            elastomer.rheology == Rheology::Prony && strain > 0 && rmsSlope > strain);
   return notes;
 }
 
-Excitation::Excitation(const Scene& scene, const LineSource& source)
-    : law_(lawOf(scene.elastomer)), measured_(measuredFrequencies(scene.elastomer)) {
+NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured) {
+  return notesOf(elastomer, source.statistics().rmsSlope, shareNotMeasured);
+}
+
+ExcitedWaves excitedWaves(const LineSource& source) {
   const FourierLine modes = modesOf(source);
   const double lowest = 2 * std::numbers::pi / modes.length;
   // Logarithms of wave numbers are averaged by strength.
@@ -69,18 +73,26 @@ Excitation::Excitation(const Scene& scene, const LineSource& source)
     sum.logWave += strength * std::log(lowest * number);
     ++sum.count;
   }
+  std::vector<WaveStretch> stretches;
   for (const auto& [place, sum] : sums) {
     const double wave = std::exp(sum.logWave / sum.strength);
     // A single mode of the long waves covers the distance to its neighbours.
     const double decades = static_cast<double>(sum.count) * lowest / wave / std::numbers::ln10;
-    stretches_.push_back({wave, sum.strength, decades});
+    stretches.push_back({wave, sum.strength, decades});
   }
+  return std::make_shared<const std::vector<WaveStretch>>(std::move(stretches));
 }
+
+Excitation::Excitation(const Scene& scene, const LineSource& source)
+    : Excitation(scene.elastomer, excitedWaves(source)) {}
+
+Excitation::Excitation(const Elastomer& elastomer, ExcitedWaves waves)
+    : waves_(std::move(waves)), law_(lawOf(elastomer)), measured_(measuredFrequencies(elastomer)) {}
 
 std::optional<ExcitedBand> Excitation::band(double velocity) const {
   double total = 0;
   std::vector<double> sums;
-  for (const Stretch& stretch : stretches_) {
+  for (const WaveStretch& stretch : *waves_) {
     total += stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
     sums.push_back(total);
   }
@@ -88,7 +100,7 @@ std::optional<ExcitedBand> Excitation::band(double velocity) const {
   const auto at = [&](double share) {
     const auto found = std::ranges::lower_bound(sums, share * total);
     const auto i = std::min<std::ptrdiff_t>(found - sums.begin(), std::ssize(sums) - 1);
-    return frequencyOf(stretches_[static_cast<std::size_t>(i)].waveNumber, velocity);
+    return frequencyOf((*waves_)[static_cast<std::size_t>(i)].waveNumber, velocity);
   };
   return ExcitedBand{at(0.05), at(0.5), at(0.95)};
 }
@@ -97,7 +109,7 @@ double Excitation::shareNotMeasured(double velocity) const {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   if (!measured_) return kUnknown;
   double total = 0, outside = 0;
-  for (const Stretch& stretch : stretches_) {
+  for (const WaveStretch& stretch : *waves_) {
     const double weight =
         stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
     const double frequency = frequencyOf(stretch.waveNumber, velocity);
@@ -110,7 +122,7 @@ double Excitation::shareNotMeasured(double velocity) const {
 std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
   std::vector<Weight> weights;
   double largest = 0;
-  for (const Stretch& stretch : stretches_) {
+  for (const WaveStretch& stretch : *waves_) {
     const double loss = complexModulus(law_, stretch.waveNumber * velocity).loss;
     weights.push_back(
         {frequencyOf(stretch.waveNumber, velocity), stretch.strength * loss / stretch.decades});

@@ -5,6 +5,7 @@
 // after construction; any thread.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -42,11 +43,26 @@ bool isExtrapolated(double shareNotMeasured);
 /// What to know of an elastomer on these lines: frequencies, temperature and strains at which it
 /// was not measured. Strains are about as large as the slopes.
 NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured);
+/// The same for lines of this rms slope.
+NoteSet notesOf(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured);
+
+/// Modes of neighbouring wave numbers together.
+struct WaveStretch {
+  double waveNumber = 0;  // 1/m
+  double strength = 0;    // sum of q |c_q|^2
+  double decades = 0;     // of wave number that it covers
+};
+
+/// The waves of the first line of a source. Making them takes as long as making the line; any
+/// number of elastomers may share them, and lines that differ in height, which is a factor on all.
+using ExcitedWaves = std::shared_ptr<const std::vector<WaveStretch>>;
+ExcitedWaves excitedWaves(const LineSource& source);
 
 class Excitation {
  public:
   /// Uses the scene's first line; elastomer and load may be any.
   Excitation(const Scene& scene, const LineSource& source);
+  Excitation(const Elastomer& elastomer, ExcitedWaves waves);
 
   /// Nothing where nothing is dissipated: at rest, without roughness, in an elastic body.
   std::optional<ExcitedBand> band(double velocity) const;
@@ -62,14 +78,7 @@ class Excitation {
   std::vector<Weight> weights(double velocity) const;
 
  private:
-  /// Modes of neighbouring wave numbers together.
-  struct Stretch {
-    double waveNumber = 0;  // 1/m
-    double strength = 0;    // sum of q |c_q|^2
-    double decades = 0;     // of wave number that it covers
-  };
-
-  std::vector<Stretch> stretches_;
+  ExcitedWaves waves_;
   ElementLaw law_;
   std::optional<FrequencyRange> measured_;
 };

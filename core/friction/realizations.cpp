@@ -1,6 +1,9 @@
 #include "core/friction/realizations.h"
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/base/jobs.h"
@@ -14,10 +17,12 @@ using Results = std::vector<SteadyResult>;
 /// Memory that a thread uses again for one realization after another, also in later ensembles: the
 /// system needs more time to allocate and free the pages of a long line than it takes to fill them,
 /// and a cancelled ensemble would wait for that. Lines far shorter than the last one get new
-/// memory.
+/// memory. A line that several chunks of work need is kept.
 struct Buffers {
   Line line;
   PreparedProfile profile;
+  std::uint64_t owner = 0;  // the work that the profile belongs to; 0: none
+  std::int64_t realization = 0;
 
   static Buffers& forNodes(std::int64_t nodes) {
     constexpr std::int64_t kMostSpare = 16;
@@ -28,61 +33,121 @@ struct Buffers {
   }
 };
 
+std::size_t statesOf(const RealizationPart& part) {
+  std::size_t count = 0;
+  for (const LoadCase& one : part.cases) count += one.velocities.size();
+  return count;
+}
+
 class Realizations {
  public:
-  Realizations(const RealizationTask& task, int threads, const std::stop_token& stop)
-      : task_(task), sliding_(task.scene), stop_(stop), jobs_(threads) {}
+  Realizations(const RealizationParts& work, int threads, const std::stop_token& stop)
+      : work_(work), stop_(stop), jobs_(threads) {
+    static std::atomic<std::uint64_t> owners{0};
+    owner_ = ++owners;
+    const Scene* last = nullptr;
+    for (std::size_t i = 0; i < work.parts.size(); ++i) {
+      const RealizationPart& part = work.parts[i];
+      // Parts of one scene share its tables.
+      if (&part.scene != last) solvers_.push_back(std::make_unique<SteadySolver>(part.scene));
+      last = &part.scene;
+      if (part.beginsChunk || chunks_.empty()) chunks_.push_back({i, i, states_});
+      chunks_.back().end = i + 1;
+      solverOf_.push_back(solvers_.size() - 1);
+      states_ += statesOf(part);
+    }
+  }
 
   /// Computes realizations. The first call is for one realization, from whose depths the others
   /// begin.
   std::vector<Results> compute(std::int64_t first, std::int64_t count) {
-    std::vector<Results> batch(static_cast<std::size_t>(count));
-    jobs_.run(count, [&](std::int64_t i) {
+    std::vector<Results> batch(static_cast<std::size_t>(count), Results(states_));
+    const auto chunks = static_cast<std::int64_t>(chunks_.size());
+    jobs_.run(count * chunks, [&](std::int64_t job) {
+      const Chunk& chunk = chunks_[static_cast<std::size_t>(job % chunks)];
+      Results& results = batch[static_cast<std::size_t>(job / chunks)];
       if (!stop_.stop_requested())
-        batch[static_cast<std::size_t>(i)] = slide(task_.first + first + i);
+        slide(work_.first + first + job / chunks, chunk,
+              std::span(results).subspan(chunk.firstState));
     });
     if (first_.empty()) first_ = batch.front();
     return batch;
   }
 
  private:
-  /// Slides one realization; stops early where stop is requested.
-  Results slide(std::int64_t realization) {
-    Buffers& buffers = Buffers::forNodes(task_.source.nodes());
-    const Scheme scheme = task_.scene.accuracy.scheme;
+  /// Parts that one job slides on a line.
+  struct Chunk {
+    std::size_t begin = 0, end = 0, firstState = 0;
+  };
+
+  /// Makes the line of a realization; returns null where stop was requested.
+  const PreparedProfile* lineOf(std::int64_t realization) const {
+    Buffers& buffers = Buffers::forNodes(work_.source.nodes());
+    if (buffers.owner == owner_ && buffers.realization == realization) return &buffers.profile;
+    buffers.owner = 0;
     // The making of a long line takes as long as everything else.
-    const Slopes slopes = scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
-    if (!task_.source.makeInto(buffers.line, realization, slopes, stop_) ||
-        !prepareProfileInto(buffers.profile, buffers.line, scheme, Direction::Forward, stop_))
-      return {};
-    std::size_t count = 0;
-    for (const LoadCase& one : task_.cases) count += one.velocities.size();
-    Results results(count);
-    std::span<SteadyResult> left(results);
-    std::span<const SteadyResult> others(first_);
-    for (const LoadCase& one : task_.cases) {
-      const std::span<SteadyResult> row = left.first(one.velocities.size());
-      left = left.subspan(row.size());
-      const auto other = others.first(others.empty() ? 0 : row.size());
-      others = others.subspan(other.size());
-      if (!sliding_.sweep(buffers.profile, one.load, one.velocities, row, stop_, other)) return {};
-      for (SteadyResult& result : row) result.rmsSlopeLine = buffers.profile.rmsSlope;
-      requireBalances(one, row, realization);
-    }
-    return results;
+    const Slopes slopes = work_.scheme == Scheme::Linear ? Slopes::NotWanted : Slopes::Wanted;
+    if (!work_.source.makeInto(buffers.line, realization, slopes, stop_) ||
+        !prepareProfileInto(buffers.profile, buffers.line, work_.scheme, Direction::Forward, stop_))
+      return nullptr;
+    buffers.owner = owner_;
+    buffers.realization = realization;
+    return &buffers.profile;
   }
 
-  static void requireBalances(const LoadCase& one, std::span<const SteadyResult> row,
-                              std::int64_t realization) {
+  /// Slides one realization; stops early where stop is requested.
+  void slide(std::int64_t realization, const Chunk& chunk, std::span<SteadyResult> left) {
+    const PreparedProfile* profile = lineOf(realization);
+    if (!profile) return;
+    std::span<const SteadyResult> others(first_);
+    if (!others.empty()) others = others.subspan(chunk.firstState);
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const RealizationPart& part = work_.parts[i];
+      const SteadySolver& solver = *solvers_[solverOf_[i]];
+      const auto takeRows = [&](std::size_t size) {
+        const std::span<SteadyResult> rows = left.first(size);
+        left = left.subspan(size);
+        const auto other = others.first(others.empty() ? 0 : size);
+        others = others.subspan(other.size());
+        return std::pair{rows, other};
+      };
+      if (part.sharesForces) {
+        const auto [rows, other] = takeRows(statesOf(part));
+        std::vector<double> forces;
+        for (const LoadCase& one : part.cases)
+          forces.push_back(loadOn(one.load, profile->length).normalForce);
+        const std::span<const double> velocities = part.cases.front().velocities;
+        if (!solver.sweepForces(*profile, forces, velocities, rows, stop_, other)) return;
+        for (std::size_t k = 0; k < part.cases.size(); ++k)
+          check(part.cases[k], rows.subspan(k * velocities.size(), velocities.size()), *profile,
+                realization);
+        continue;
+      }
+      for (const LoadCase& one : part.cases) {
+        const auto [row, other] = takeRows(one.velocities.size());
+        if (!solver.sweep(*profile, one.load, one.velocities, row, stop_, other)) return;
+        check(one, row, *profile, realization);
+      }
+    }
+  }
+
+  /// Completes the results of a case, and throws where a balance is not met.
+  static void check(const LoadCase& one, std::span<SteadyResult> row,
+                    const PreparedProfile& profile, std::int64_t realization) {
+    for (SteadyResult& result : row) result.rmsSlopeLine = profile.rmsSlope;
     const Message where = message("on realization {}", realization);
     for (std::size_t i = 0; i < row.size(); ++i) requireBalance(row[i], one.velocities[i], where);
   }
 
-  const RealizationTask& task_;
-  SteadySolver sliding_;
+  const RealizationParts& work_;
+  std::vector<std::unique_ptr<SteadySolver>> solvers_;
+  std::vector<std::size_t> solverOf_;  // [part]
+  std::vector<Chunk> chunks_;
+  std::size_t states_ = 0;
   Results first_;
   const std::stop_token& stop_;
   Jobs jobs_;
+  std::uint64_t owner_ = 0;
 };
 
 }  // namespace
@@ -90,7 +155,15 @@ class Realizations {
 bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone) {
-  Realizations realizations(task, threads, stop);
+  const RealizationPart part{task.scene, task.cases};
+  const RealizationParts work{task.source, task.scene.accuracy.scheme, {&part, 1}, task.first};
+  return slideRealizations(work, count, threads, stop, take, batchDone);
+}
+
+bool slideRealizations(const RealizationParts& work, std::int64_t count, int threads,
+                       const std::stop_token& stop, const TakeRealization& take,
+                       const BatchDone& batchDone) {
+  Realizations realizations(work, threads, stop);
   // The first result comes at once; later batches are large enough to keep all threads busy.
   for (std::int64_t done = 0, batch = 1; done < count;
        batch = std::min<std::int64_t>(2 * batch, 32)) {

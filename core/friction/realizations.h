@@ -32,6 +32,25 @@ struct RealizationTask {
   std::int64_t first = 0;  // first realization
 };
 
+/// What slides on each line: the elastomer and the interface of a scene, at some loads and
+/// velocities.
+struct RealizationPart {
+  const Scene& scene;
+  std::span<const LoadCase> cases;
+  /// Whether depths found at one force are where the search at the next one begins. It changes the
+  /// cost and the last digits within the residual; all cases must have the same velocities.
+  bool sharesForces = false;
+  bool beginsChunk = true;  // false: slid by the same thread as the part before it
+};
+
+/// Several parts on the same lines, each made once for as many parts as a thread slides together.
+struct RealizationParts {
+  const LineSource& source;
+  Scheme scheme;
+  std::span<const RealizationPart> parts;
+  std::int64_t first = 0;  // first realization
+};
+
 /// Called with the results of one realization: the velocities of the first case, of the second, ...
 using TakeRealization = std::function<void(std::span<const SteadyResult> results)>;
 
@@ -41,6 +60,11 @@ using BatchDone = std::function<void(std::int64_t done)>;
 /// Slides `count` realizations from the first. threads: 0 means as many as the machine has. Returns
 /// false where `stop` was requested; the realizations taken by then are the first ones of all.
 bool slideRealizations(const RealizationTask& task, std::int64_t count, int threads,
+                       const std::stop_token& stop, const TakeRealization& take,
+                       const BatchDone& batchDone = {});
+
+/// Does the same for several parts, whose results follow one another.
+bool slideRealizations(const RealizationParts& work, std::int64_t count, int threads,
                        const std::stop_token& stop, const TakeRealization& take,
                        const BatchDone& batchDone = {});
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <optional>
 
 #include "core/contact/steady_sliding.h"
+#include "core/friction/excitation.h"
 #include "core/friction/realizations.h"
 #include "core/material/element_law.h"
 #include "core/scene/plan.h"
@@ -59,20 +61,29 @@ double heightRatio(const Surface& surface, const Surface& reference) {
 /// A state in the units of its group.
 struct Member {
   std::size_t state = 0;
-  double height = 1, force = 1;  // of the state, over those of the group
-  Load load;                     // in the group's units
+  std::size_t place = 0;         // among the members of its lines
+  double height = 1, force = 1;  // of the state, over those of the lines and the group
+  Load load;                     // in these units; a pressure as the force that it means
   double velocity = 0;           // m/s, likewise
   std::size_t result = 0;        // place among the group's results
 };
 
-/// States that slide on the same lines with the same law, but for units.
+/// States of the same law on the same lines, but for units.
 struct Group {
-  Surface shape;
-  Scene scene;  // the first state, whose units are the group's
+  Scene scene;  // the first state, whose moduli and times are the units
   ElementLaw law;
-  std::int64_t points;  // per element
   std::vector<Member> members;
   std::vector<LoadCase> cases;
+  std::size_t firstResult = 0;  // place of its results among those of its lines
+};
+
+/// Groups whose lines are the same, but for the scale of their heights. The unit of height is that
+/// of the first state.
+struct Lines {
+  Surface shape;
+  std::int64_t points;  // per element
+  std::vector<Group> groups;
+  std::size_t members = 0;
 };
 
 double amountOf(const Load& load) {
@@ -103,65 +114,135 @@ std::size_t setCases(Group& group) {
   return results;
 }
 
+/// Cuts the cases of all groups on some lines into pieces that one thread slides on one line. They
+/// do not depend on the number of threads, because guesses go from state to state within a piece.
+class Pieces {
+ public:
+  explicit Pieces(std::span<const Group> groups) {
+    for (const Group& group : groups) add(group);
+  }
+
+  std::span<const RealizationPart> parts() const { return parts_; }
+
+ private:
+  // States that a piece should have: many against the making of a line, few against the time that
+  // the slowest piece takes. Elements with arms cost some ten times as much.
+  static constexpr std::size_t kStates = 512, kStatesWithArms = 64;
+
+  void add(const Group& group) {
+    const bool hasArms = group.law.kind() == ElementKind::Arms;
+    const std::size_t most = hasArms ? kStatesWithArms : kStates;
+    const std::span<const LoadCase> cases(group.cases);
+    if (!hasArms && cases.size() > 1 && isTable(cases)) {
+      const std::size_t rows = std::max<std::size_t>(1, most / cases.front().velocities.size());
+      for (std::size_t i = 0; i < cases.size(); i += rows)
+        addPart(group.scene, cases.subspan(i, std::min(rows, cases.size() - i)), true, most);
+      return;
+    }
+    for (const LoadCase& one : cases) {
+      if (one.velocities.size() <= most) {
+        addPart(group.scene, {&one, 1}, false, most);
+        continue;
+      }
+      for (std::size_t i = 0; i < one.velocities.size(); i += most) {
+        const auto begin = one.velocities.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto count = std::min(most, one.velocities.size() - i);
+        cut_.push_back({one.load, {begin, begin + static_cast<std::ptrdiff_t>(count)}});
+        addPart(group.scene, {&cut_.back(), 1}, false, most);
+      }
+    }
+  }
+
+  /// Whether all forces have the same velocities, so that one leads to the next.
+  static bool isTable(std::span<const LoadCase> cases) {
+    return std::ranges::all_of(cases, [&](const LoadCase& one) {
+      return one.load.kind == LoadKind::Force && one.load.normalForce > 0 &&
+             one.velocities.front() > 0 && one.velocities == cases.front().velocities;
+    });
+  }
+
+  void addPart(const Scene& scene, std::span<const LoadCase> cases, bool sharesForces,
+               std::size_t most) {
+    std::size_t states = 0;
+    for (const LoadCase& one : cases) states += one.velocities.size();
+    const bool begins = parts_.empty() || states_ + states > most;
+    states_ = begins ? states : states_ + states;
+    parts_.push_back({scene, cases, sharesForces, begins});
+  }
+
+  std::vector<RealizationPart> parts_;
+  std::deque<LoadCase> cut_;  // pieces of long cases, in places that stay
+  std::size_t states_ = 0;    // in the newest piece
+};
+
 class States {
  public:
   States(std::span<const Scene> states, const StateOptions& options)
       : states_(states), options_(options) {
-    for (std::size_t i = 0; i < states.size(); ++i) add(i);
+    for (std::size_t i = 0; i < states.size() && !options.stop.stop_requested(); ++i) add(i);
   }
 
   SteadyStates slide() {
     SteadyStates found;
     found.points.resize(states_.size());
     if (options_.keepsLines) found.muOfLines.resize(states_.size());
-    for (Group& group : groups_) found.computed += setCases(group);
     double done = 0;
-    for (const Group& group : groups_) {
-      const double part =
-          static_cast<double>(group.members.size()) / static_cast<double>(states_.size());
-      if (!slide(group, done, part, found)) {
+    for (Lines& lines : lines_) {
+      const double part = static_cast<double>(lines.members) / static_cast<double>(states_.size());
+      if (!slide(lines, done, part, found)) {
         found.isComplete = false;
         return found;
       }
       done += part;
     }
+    found.isComplete = !options_.stop.stop_requested();
     return found;
   }
 
  private:
+  /// Lines and groups to which a state is likely to belong come first: those of its neighbours.
   void add(std::size_t index) {
     const Scene& scene = states_[index];
-    ElementLaw law = lawOf(scene.elastomer);
-    const Surface shape = shapeOf(scene.surface);
     const std::int64_t points = pointsPerElementOfCurve(scene);
-    // Neighbours are likely to be of one kind: the newest group comes first.
-    for (auto group = groups_.rbegin(); group != groups_.rend(); ++group) {
-      if (group->points != points || !(group->shape == shape) ||
-          !(group->scene.interface == scene.interface) ||
-          group->scene.accuracy.scheme != scene.accuracy.scheme ||
-          group->scene.ensemble.realizations != scene.ensemble.realizations ||
-          group->scene.load.kind != scene.load.kind)
+    const Surface shape = shapeOf(scene.surface);
+    const auto isSame = [&](const Lines& lines) {
+      const Scene& first = lines.groups.front().scene;
+      return lines.points == points && lines.shape == shape &&
+             first.accuracy.scheme == scene.accuracy.scheme &&
+             choosesAccuracy(first) == choosesAccuracy(scene) &&
+             first.ensemble.realizations == scene.ensemble.realizations &&
+             first.folder == scene.folder;
+    };
+    auto lines = std::find_if(lines_.rbegin(), lines_.rend(), isSame);
+    if (lines == lines_.rend()) {
+      lines_.push_back({shape, points, {}, 0});
+      lines = lines_.rbegin();
+    }
+    const ElementLaw law = lawOf(scene.elastomer);
+    for (auto group = lines->groups.rbegin(); group != lines->groups.rend(); ++group) {
+      // A pressure may be compared with a force as soon as the length of the line is known.
+      const bool isDepth = scene.load.kind == LoadKind::Indentation;
+      if (!(group->scene.interface == scene.interface) ||
+          (group->scene.load.kind == LoadKind::Indentation) != isDepth)
         continue;
       const std::optional<LawRatio> ratio = ratioOf(law, group->law);
       if (!ratio) continue;
-      addTo(*group, index, *ratio);
+      addTo(*lines, *group, index, *ratio);
       return;
     }
     Scene reference = scene;
     reference.sliding.kind = SlidingKind::Steady;
-    groups_.push_back({shape, std::move(reference), std::move(law), points, {}, {}});
-    addTo(groups_.back(), index, {});
+    lines->groups.push_back({std::move(reference), law, {}, {}, 0});
+    addTo(*lines, lines->groups.back(), index, {});
   }
 
-  void addTo(Group& group, std::size_t index, const LawRatio& ratio) const {
+  void addTo(Lines& lines, Group& group, std::size_t index, const LawRatio& ratio) const {
     const Scene& scene = states_[index];
     Member member;
     member.state = index;
-    member.height = heightRatio(scene.surface, group.scene.surface);
+    member.place = lines.members++;
+    member.height = heightRatio(scene.surface, lines.groups.front().scene.surface);
     member.force = ratio.modulus * member.height;
-    member.load = scene.load;
-    member.load.normalForce /= member.force;
-    member.load.depth /= member.height;
     member.velocity = scene.sliding.velocity * ratio.time;
     group.members.push_back(member);
   }
@@ -181,42 +262,66 @@ class States {
     return result;
   }
 
-  bool slide(const Group& group, double done, double part, SteadyStates& found) {
-    const LineSource source(group.scene, group.points);
-    const std::int64_t total = source.isRandom() ? group.scene.ensemble.realizations : 1;
-    std::vector<CurveAverages> averages(group.members.size());
-    const RealizationTask task{group.scene, source, group.cases, 0};
-    const auto take = [&](std::span<const SteadyResult> results) {
-      for (std::size_t i = 0; i < group.members.size(); ++i) {
-        const Member& member = group.members[i];
-        const SteadyResult result = inUnitsOf(member, source.length(), results[member.result]);
-        averages[i].add(result);
-        if (options_.keepsLines)
-          found.muOfLines[member.state].push_back(result.mu + result.muInterface);
+  bool slide(Lines& lines, double done, double part, SteadyStates& found) {
+    const LineSource source(lines.groups.front().scene, lines.points);
+    std::size_t results = 0;
+    for (Group& group : lines.groups) {
+      for (Member& member : group.members) {
+        member.load = loadOn(states_[member.state].load, source.length());
+        member.load.normalForce /= member.force;
+        member.load.depth /= member.height;
       }
-    };
-    const auto report = [&](std::int64_t lines) {
-      if (options_.progress)
-        options_.progress(done + part * static_cast<double>(lines) / static_cast<double>(total));
-    };
-    if (!slideRealizations(task, total, options_.threads, options_.stop, take, report))
-      return false;
-    for (std::size_t i = 0; i < group.members.size(); ++i) {
-      const Member& member = group.members[i];
-      const Scene& scene = states_[member.state];
-      LineStatistics statistics = source.statistics();
-      statistics.rmsHeight *= member.height;
-      statistics.rmsSlope *= member.height;
-      CurvePoint& point = found.points[member.state];
-      point = averages[i].point(scene.sliding.velocity);
-      LawColumns(scene, statistics, source).addTo(point, averages[i]);
+      group.firstResult = results;
+      results += setCases(group);
     }
+    found.computed += results;
+    const Pieces pieces(lines.groups);
+    const std::int64_t total = source.lines();
+    std::vector<CurveAverages> averages(lines.members);
+    const RealizationParts work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
+                                0};
+    const auto take = [&](std::span<const SteadyResult> all) {
+      for (const Group& group : lines.groups)
+        for (const Member& member : group.members) {
+          const SteadyResult result =
+              inUnitsOf(member, source.length(), all[group.firstResult + member.result]);
+          averages[member.place].add(result);
+          if (options_.keepsLines)
+            found.muOfLines[member.state].push_back(result.mu + result.muInterface);
+        }
+    };
+    const auto report = [&](std::int64_t lineCount) {
+      if (options_.progress)
+        options_.progress(done +
+                          part * static_cast<double>(lineCount) / static_cast<double>(total));
+    };
+    if (!slideRealizations(work, total, options_.threads, options_.stop, take, report))
+      return false;
+    return addColumns(lines, source, averages, found);
+  }
+
+  /// Makes the rows of the states from the averages over the lines.
+  bool addColumns(const Lines& lines, const LineSource& source,
+                  const std::vector<CurveAverages>& averages, SteadyStates& found) const {
+    LawLines shared;
+    const Scene* last = nullptr;
+    for (const Group& group : lines.groups)
+      for (const Member& member : group.members) {
+        if (options_.stop.stop_requested()) return false;
+        const Scene& scene = states_[member.state];
+        const bool needsWaves = !shared.waves && measuredFrequencies(scene.elastomer);
+        if (!last || needsWaves) shared = lawLines(source, scene.elastomer);
+        last = &scene;
+        CurvePoint& point = found.points[member.state];
+        point = averages[member.place].point(scene.sliding.velocity);
+        LawColumns(scene, shared.scaled(member.height)).addTo(point, averages[member.place]);
+      }
     return true;
   }
 
   std::span<const Scene> states_;
   const StateOptions& options_;
-  std::vector<Group> groups_;
+  std::deque<Lines> lines_;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kBatch = "batch";
+constexpr std::string_view kBatch = "batch", kMap = "map";
 
 /// Splits a list that is separated by ", ".
 std::vector<std::string> itemsOf(std::string_view list) {
@@ -31,6 +31,10 @@ void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
     use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
+  // A side of a map is named by the last word of its key.
+  for (const Parameter& row : parameters())
+    if (allowedRange(row))
+      use(Column{row.key.substr(row.key.rfind('.') + 1), row.unit, row.sentence, row.symbol, kMap});
 }
 
 }  // namespace

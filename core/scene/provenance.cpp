@@ -60,7 +60,8 @@ std::string withoutMarkup(std::string_view json) {
 /// Returns null where a curve with a target accuracy has another number at each velocity.
 Json oversamplingOf(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
-  const bool isOfCurve = verb == "curve" || verb == "figure" || verb == "accuracy";
+  const bool isOfCurve = verb == "curve" || verb == "map" || verb == "sensitivity" ||
+                         verb == "figure" || verb == "accuracy";
   return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
 }
 

@@ -185,7 +185,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
                              0.6F * size, hasArrow ? 24 : 14);
     if (!box) continue;
     out.box = *box;
-    out.covers = map.greatestUnder(*box) > 0;
+    out.covers = diagram.field || map.greatestUnder(*box) > 0;
     if (hasArrow)
       if (const auto start = exitOf(grown(*box, 0.15F * size), target)) {
         out.arrow = {*start, target};

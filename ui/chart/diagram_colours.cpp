@@ -46,7 +46,12 @@ Rgba rampColour(double t, const Theme& theme) {
   const bool dark = isDark(theme);
   const double from = dark ? kDarkEnd : 0, to = dark ? 1 : kLightEnd;
   const double held = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
-  const double place = (from + held * (to - from)) * (kViridis.size() - 1);
+  return fieldColour(from + held * (to - from));
+}
+
+Rgba fieldColour(double t) {
+  const double held = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
+  const double place = held * (kViridis.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
   return mix(kViridis[below], kViridis[below + 1],
              static_cast<float>(place - static_cast<double>(below)));

@@ -16,4 +16,7 @@ Rgba seriesColour(int index, const Theme& theme);
 /// that is invisible on the theme's background. t in [0, 1].
 Rgba rampColour(double t, const Theme& theme);
 
+/// Returns a colour of the whole of "viridis", for areas that touch no background.
+Rgba fieldColour(double t);
+
 }  // namespace asperity

@@ -6,6 +6,7 @@
 
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
@@ -62,7 +63,13 @@ class Panel {
     if (!isReadable()) return;
     const Box& box = axes_.box;
     addSpans(list, diagram_, axes_, sizes_, theme_);
-    addDiagramGrid(list, axes_, sizes_, theme_);
+    if (diagram_.field) {
+      addFieldColours(list, *diagram_.field, axes_);
+      addContours(list, *diagram_.field, axes_, sizes_);
+      addColourBar(list, colours_, box, sizes_, theme_);
+    } else {
+      addDiagramGrid(list, axes_, sizes_, theme_);
+    }
     const float above = aboveFrame(diagram_, sizes_);
     addDiagramFrame(list, axes_, sizes_, theme_,
                     above);  // marks at the frame's edge are drawn over it
@@ -98,8 +105,17 @@ class Panel {
     if (!diagram_.marker) return;
     const std::vector<Place> line = markerLine();
     if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
+    std::vector<Polyline> lines{line};
+    const Place at = axes_.place(diagram_.marker->x, diagram_.marker->y);
+    if (diagram_.marker->isCross && at.y >= box.y && at.y <= box.bottom())
+      lines.push_back({{box.x, at.y}, {box.right(), at.y}});
     DrawLayer layer;
-    addLine(layer, line, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
+    // On colours a line needs an edge to be seen.
+    if (diagram_.field)
+      for (const Polyline& one : lines)
+        addLine(layer, one, 3.2F * sizes_.unit, withAlpha(theme_.background, 0.6F));
+    for (const Polyline& one : lines)
+      addLine(layer, one, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
     list.layers.push_back(std::move(layer));
   }
 
@@ -156,9 +172,14 @@ class Panel {
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
     axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
+    float bar = 0;
+    if (diagram_.field) {
+      colours_ = colourAxis(*diagram_.field, box.height, sizes_);
+      bar = widthOfColourBar(colours_, sizes_);
+    }
     box.x = std::round(std::max(left_, cell_.x + leftOfAxes(axes_, sizes_)));
     const auto fit = [&](float overhang) {
-      const float end = right_ > 0 ? right_ : cell_.right() - right - overhang;
+      const float end = right_ > 0 ? right_ : cell_.right() - right - std::max(bar, overhang);
       box.width = std::max(1.0F, std::floor(end - box.x));
       axes_.xAxis = tickedXAxis(diagram_.x, xRange_, box.width, sizes_);
     };
@@ -208,6 +229,7 @@ class Panel {
   Theme theme_;
   AxisRange xRange_;
   DiagramAxes axes_;
+  TickedAxis colours_;  // of a field
   std::vector<SeriesStyle> styles_;
   std::vector<PlacedLabel> labels_;
   Legend legend_;

@@ -127,13 +127,17 @@ void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& s
 }
 
 void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& style,
-              const DiagramAxes& axes, float unit, const Theme& theme) {
+              const DiagramAxes& axes, float unit, const Theme& theme, bool isOverField) {
   const Box& box = axes.box;
   DrawLayer lines, rims, marks;
   lines.clip = {box.x, box.y, box.width, box.height};
   if (style.hasBars) addBars(lines, series, style, axes, unit);
   if (style.stroke != SeriesStroke::None)
-    for (const Polyline& part : curveOf(series, axes)) addStroke(lines, part, style);
+    for (const Polyline& part : curveOf(series, axes)) {
+      if (isOverField)
+        addLine(lines, part, style.width + 2.4F * unit, withAlpha(theme.background, 0.7F));
+      addStroke(lines, part, style);
+    }
   if (style.mark != SeriesMark::None)
     for (const Place& place : placesOf(series, axes)) {
       if (!isFinite(place) || !holds(box, place)) continue;
@@ -226,7 +230,8 @@ void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesS
   for (const bool theory : {true, false})
     for (std::size_t i = 0; i < diagram.series.size(); ++i)
       if (diagram.series[i].isTheory == theory)
-        addCurve(list, diagram.series[i], styles[i], axes, sizes.unit, theme);
+        addCurve(list, diagram.series[i], styles[i], axes, sizes.unit, theme,
+                 diagram.field.has_value());
 }
 
 void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,

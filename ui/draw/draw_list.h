@@ -42,8 +42,16 @@ struct Clip {
   float x = 0, y = 0, width = 0, height = 0;
 };
 
+/// Colours on a rectangular grid of places, interpolated between neighbours. In a cell of the grid
+/// with a corner without colour (a = 0) nothing is drawn.
+struct DrawField {
+  std::vector<float> x, y;    // pixels, of columns and rows; rising or falling
+  std::vector<Rgba> colours;  // x fastest
+};
+
 struct DrawLayer {
   Clip clip;
+  std::vector<DrawField> fields{};    // under the triangles; vector files have them as images
   std::vector<DrawVertex> triangles;  // three vertices each
   std::vector<DrawLine> lines;        // over the triangles
 };

@@ -12,6 +12,8 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/shapes.h"
 #include "ui/draw/svg_file.h"
 #include "ui/draw/vector_shapes.h"
 
@@ -20,7 +22,8 @@ namespace {
 
 constexpr int kResolution = 1200;  // dots per inch, to which the painter rounds
 constexpr double kPointsPerInch = 72;
-constexpr int kSoftPixels = 2;  // image pixels per picture pixel, in each direction
+constexpr int kFieldPixels = 512;  // of an image for a field, in each direction
+constexpr int kSoftPixels = 2;     // image pixels per picture pixel, in each direction
 
 QPointF pointOf(const Place& place) {
   return {place.x, place.y};
@@ -116,6 +119,11 @@ void paintList(QPainter& painter, const DrawList& list) {
     if (clip.width > 0) {
       shown &= QRectF(clip.x, clip.y, clip.width, clip.height);
       painter.setClipRect(shown);
+    }
+    for (const DrawField& field : layer.fields) {
+      const Box box = boxOf(field);
+      if (const QImage image = imageOf(field, kFieldPixels); !image.isNull())
+        painter.drawImage(QRectF(box.x, box.y, box.width, box.height), image);
     }
     paintFills(painter, vector.fills, shown);
     for (const VectorStroke& stroke : vector.strokes) paintStroke(painter, stroke);

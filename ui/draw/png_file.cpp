@@ -1,6 +1,7 @@
 #include "ui/draw/png_file.h"
 
 #include <libdeflate.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/carried_text.h"
 #include "core/scene/provenance.h"
+#include "ui/draw/shapes.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -121,6 +123,27 @@ void writePng(const std::filesystem::path& path, const QImage& image, const PngO
   if (image.isNull())
     throw std::runtime_error(path.string() + ": the picture cannot be encoded as PNG");
   writeFileAtomically(path, pngOf(image, options));
+}
+
+QImage imageOf(const DrawField& field, int mostPixels) {
+  const Box box = boxOf(field);
+  const auto pixels = [mostPixels](float size) {
+    return std::clamp(static_cast<int>(std::ceil(size)), 1, mostPixels);
+  };
+  const int columns = pixels(box.width), rows = pixels(box.height);
+  const std::vector<Rgba> raster = rasterOf(field, columns, rows);
+  if (raster.empty()) return {};
+  QImage image(columns, rows, QImage::Format_ARGB32);
+  bool isOpaque = true;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const Rgba& colour = raster[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                                  static_cast<std::size_t>(i)];
+      isOpaque = isOpaque && colour.a >= 1;
+      const auto byte = [](float part) { return static_cast<int>(std::lround(255 * part)); };
+      image.setPixel(i, j, qRgba(byte(colour.r), byte(colour.g), byte(colour.b), byte(colour.a)));
+    }
+  return isOpaque ? image.convertToFormat(QImage::Format_RGB888) : image;
 }
 
 std::string pngMetadata(std::string_view bytes) {

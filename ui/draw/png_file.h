@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/scene/scene.h"
+#include "ui/draw/draw_list.h"
 
 namespace asperity {
 
@@ -32,6 +33,9 @@ std::string pngOf(const QImage& image, const PngOptions& options = {});
 /// sentence that names the file.
 void writePng(const std::filesystem::path& path, const QImage& image,
               const PngOptions& options = {});
+
+/// Returns a field as an image for vector files, with at most so many pixels in each direction.
+QImage imageOf(const DrawField& field, int mostPixels);
 
 /// Returns the text chunk "asperity" of a PNG's bytes; empty where there is none.
 std::string pngMetadata(std::string_view bytes);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "ui/draw/fonts.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {
@@ -49,6 +50,33 @@ void appendTriangles(const std::vector<DrawVertex>& corners, Geometry& geometry,
   }
 }
 
+Rgba meanOf(const Rgba& a, const Rgba& b, const Rgba& c, const Rgba& d) {
+  return {(a.r + b.r + c.r + d.r) / 4, (a.g + b.g + c.g + d.g) / 4, (a.b + b.b + c.b + d.b) / 4,
+          (a.a + b.a + c.a + d.a) / 4};
+}
+
+/// Returns a field as triangles, four around the middle of each cell of its grid.
+std::vector<DrawVertex> trianglesOf(const DrawField& field) {
+  const std::size_t columns = field.x.size();
+  std::vector<DrawVertex> corners;
+  for (std::size_t j = 0; j + 1 < field.y.size(); ++j)
+    for (std::size_t i = 0; i + 1 < columns; ++i) {
+      const auto vertex = [&](std::size_t column, std::size_t row) {
+        return DrawVertex{field.x[column], field.y[row], field.colours[row * columns + column]};
+      };
+      const DrawVertex around[] = {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1),
+                                   vertex(i, j + 1)};
+      if (std::ranges::any_of(around, [](const DrawVertex& v) { return v.colour.a == 0; }))
+        continue;
+      const DrawVertex middle{
+          (around[0].x + around[2].x) / 2, (around[0].y + around[2].y) / 2,
+          meanOf(around[0].colour, around[1].colour, around[2].colour, around[3].colour)};
+      for (std::size_t k = 0; k < 4; ++k)
+        corners.insert(corners.end(), {around[k], around[(k + 1) % 4], middle});
+    }
+  return corners;
+}
+
 bool samePlace(const DrawVertex& a, const DrawVertex& b) {
   return a.x == b.x && a.y == b.y;
 }
@@ -91,7 +119,15 @@ void flatten(const DrawList& list, Geometry& geometry) {
   for (const DrawLayer& layer : list.layers) {
     DrawBatch batch;
     batch.scissor = scissorBox(layer.clip, list);
-    appendTriangles(layer.triangles, geometry, batch);
+    if (layer.fields.empty()) {
+      appendTriangles(layer.triangles, geometry, batch);
+    } else {
+      std::vector<DrawVertex> corners;
+      for (const DrawField& field : layer.fields)
+        for (const DrawVertex& corner : trianglesOf(field)) corners.push_back(corner);
+      corners.insert(corners.end(), layer.triangles.begin(), layer.triangles.end());
+      appendTriangles(corners, geometry, batch);
+    }
     batch.segmentOffset = geometry.data.size();
     for (const DrawLine& line : layer.lines) {
       cleanVertices(line, clean);
@@ -140,6 +176,60 @@ TextRuns withLoweredN(const TextRuns& runs) {
 void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
              const DrawVertex& d) {
   layer.triangles.insert(layer.triangles.end(), {a, b, c, a, c, d});
+}
+
+Box boxOf(const DrawField& field) {
+  if (field.x.empty() || field.y.empty()) return {};
+  const auto [left, right] = std::ranges::minmax(field.x);
+  const auto [top, bottom] = std::ranges::minmax(field.y);
+  return {left, top, right - left, bottom - top};
+}
+
+namespace {
+
+/// A place between two neighbours of a list.
+struct Between {
+  std::size_t index = 0;
+  float part = 0;
+};
+
+/// Returns the place of a value on a rising or falling list that holds it.
+Between betweenIn(const std::vector<float>& list, float value) {
+  const bool rises = list.front() <= list.back();
+  std::size_t low = 0, high = list.size() - 1;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    ((list[middle] <= value) == rises ? low : high) = middle;
+  }
+  const float size = list[high] - list[low];
+  return {low, size != 0 ? std::clamp((value - list[low]) / size, 0.0F, 1.0F) : 0};
+}
+
+}  // namespace
+
+std::vector<Rgba> rasterOf(const DrawField& field, int columns, int rows) {
+  std::vector<Rgba> raster;
+  if (field.x.size() < 2 || field.y.size() < 2) return raster;
+  raster.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const Box box = boxOf(field);
+  const std::size_t width = field.x.size();
+  std::vector<Between> across;
+  for (int i = 0; i < columns; ++i)
+    across.push_back(betweenIn(
+        field.x, box.x + box.width * (static_cast<float>(i) + 0.5F) / static_cast<float>(columns)));
+  for (int j = 0; j < rows; ++j) {
+    const Between down = betweenIn(
+        field.y, box.y + box.height * (static_cast<float>(j) + 0.5F) / static_cast<float>(rows));
+    for (const Between& right : across) {
+      const Rgba* row = &field.colours[down.index * width + right.index];
+      const Rgba* next = row + width;
+      const bool isKnown = row[0].a > 0 && row[1].a > 0 && next[0].a > 0 && next[1].a > 0;
+      raster.push_back(isKnown ? mix(mix(row[0], row[1], right.part),
+                                     mix(next[0], next[1], right.part), down.part)
+                               : Rgba{0, 0, 0, 0});
+    }
+  }
+  return raster;
 }
 
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom) {

@@ -42,6 +42,12 @@ struct Place {
   float x = 0, y = 0;
 };
 
+/// Returns the box around a field.
+Box boxOf(const DrawField& field);
+/// Returns the colours of a field at the centres of a raster over its box, row by row from the top;
+/// a = 0 where there is none.
+std::vector<Rgba> rasterOf(const DrawField& field, int columns, int rows);
+
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom);
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
 /// Adds a rectangle whose colour changes from left to right.

@@ -117,6 +117,10 @@ void addPicture(DrawList& list, DrawList part, float right, float down) {
         vertex.y += down;
       }
     };
+    for (DrawField& field : layer.fields) {
+      for (float& x : field.x) x += right;
+      for (float& y : field.y) y += down;
+    }
     move(layer.triangles);
     for (DrawLine& line : layer.lines) move(line.vertices);
     list.layers.push_back(std::move(layer));

@@ -10,6 +10,8 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/shapes.h"
 #include "ui/draw/vector_shapes.h"
 
 namespace asperity {
@@ -97,7 +99,10 @@ class SvgWriter {
   SvgWriter(const DrawList& list, const SvgOptions& options) : list_(list), options_(options) {}
 
   std::string write() {
-    for (const DrawLayer& layer : list_.layers) addLayer(vectorized(layer));
+    for (const DrawLayer& layer : list_.layers) {
+      addFields(layer);
+      addLayer(vectorized(layer));
+    }
     addTexts();
     const std::string width = std::to_string(list_.width), height = std::to_string(list_.height);
     std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
@@ -124,6 +129,23 @@ class SvgWriter {
       body_ += "</g>\n";
     }
     body_ += "</g>\n";
+  }
+
+  /// A mesh of many colours would be large, and viewers would show its seams.
+  void addFields(const DrawLayer& layer) {
+    constexpr int kMostPixels = 320;
+    for (const DrawField& field : layer.fields) {
+      const QImage image = imageOf(field, kMostPixels);
+      if (image.isNull()) continue;
+      const std::string bytes = pngOf(image);
+      const Box box = boxOf(field);
+      body_ +=
+          "<g" + clipOf(layer.clip) + "><image x=\"" + number(box.x) + "\" y=\"" + number(box.y) +
+          "\" width=\"" + number(box.width) + "\" height=\"" + number(box.height) +
+          "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
+          QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())).toBase64().toStdString() +
+          "\"/></g>\n";
+    }
   }
 
   std::string clipOf(const Clip& clip) {

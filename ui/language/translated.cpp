@@ -101,6 +101,10 @@ DiagramSheet translated(DiagramSheet sheet) {
     for (DiagramLabel& label : diagram.labels) translate(label.text);
     if (diagram.marker)
       for (Message* text : {&diagram.marker->name, &diagram.marker->label}) translate(*text);
+    if (diagram.field) {
+      translate(diagram.field->colours.title);
+      for (DiagramContour& contour : diagram.field->contours) translate(contour.label);
+    }
     if (diagram.ramp)
       for (Message* text : {&diagram.ramp->title, &diagram.ramp->from, &diagram.ramp->to})
         translate(*text);

@@ -1,0 +1,350 @@
+#include "core/chart/map_sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/base/number_text.h"
+#include "core/chart/contours.h"
+#include "core/chart/curve_regions.h"
+#include "core/chart/curve_words.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kLevels = 9;  // contour lines that a map has about
+/// Positive quantities that span more than this factor have logarithmic colours.
+constexpr double kLogarithmicSpan = 10;
+
+struct QuantityTitle {
+  std::string_view quantity;
+  const char* title;
+};
+constexpr std::array kTitles{
+    QuantityTitle{"velocity", "velocity v"},
+    QuantityTitle{"mu", "coefficient of friction \u03BC"},
+    QuantityTitle{"mu_standard_error", "standard error of \u03BC"},
+    QuantityTitle{"mu_law", "friction by Eq. (11)"},
+    QuantityTitle{"contact_fraction", "contact fraction"},
+    QuantityTitle{"rms_slope_contact", "rms slope in contact"},
+    QuantityTitle{"indentation", "indentation d"},
+    QuantityTitle{"normalized_mu", "friction over rms slope"},
+    QuantityTitle{"dimensionless_velocity", "dimensionless velocity"},
+    QuantityTitle{"dimensionless_force", "dimensionless force"},
+    QuantityTitle{"realizations", "realizations"},
+    QuantityTitle{"mu_interface", "local friction"},
+    QuantityTitle{"mu_total", "friction, deformation and local"},
+    QuantityTitle{"mu_mean_of_ratios", "mean of the ratios of forces"},
+    QuantityTitle{"mu_ratio_of_means", "ratio of the mean forces"},
+    QuantityTitle{"marginal_share", "share of the marginal element"},
+    QuantityTitle{"extrapolated", "beyond the measured frequencies"},
+    QuantityTitle{"normal_force", "normal force F\u2099"},
+    QuantityTitle{"nominal_pressure", "nominal pressure p\u2080"},
+    QuantityTitle{"mean_pressure", "mean pressure in contact"},
+    QuantityTitle{"exponent", "exponent d ln \u03BC / d ln x"},
+};
+
+Message titleOfQuantity(std::string_view quantity) {
+  for (const QuantityTitle& one : kTitles)
+    if (one.quantity == quantity) return one.title;
+  return Message::name(std::string(quantity));
+}
+
+AxisScale scaleOf(const MapAxis& axis) {
+  return axis.range.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear;
+}
+
+DiagramAxis axisOf(const MapAxis& axis) {
+  const auto [least, most] = std::ranges::minmax(axis.values);
+  return {titleOfKey(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least, most};
+}
+
+double placeOn(AxisScale scale, double value) {
+  return scale == AxisScale::Logarithmic ? std::log10(value) : value;
+}
+
+double valueAt(AxisScale scale, double place) {
+  return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
+}
+
+double numberOf(const Scene& scene, const MapAxis& axis) {
+  const ParameterValue value = valueOf(*axis.range.row, scene);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::get<double>(value);
+}
+
+/// A map with both sides rising.
+class RisingMap {
+ public:
+  RisingMap(const ParameterMap& map, std::string_view quantity) : map_(map) {
+    columns_ = orderOf(map.x);
+    rows_ = orderOf(map.y);
+    const std::vector<double> given = mapValues(map, quantity);
+    for (const std::size_t j : rows_)
+      for (const std::size_t i : columns_) values.push_back(given[j * map.x.values.size() + i]);
+    for (const std::size_t i : columns_) x.push_back(map.x.values[i]);
+    for (const std::size_t j : rows_) y.push_back(map.y.values[j]);
+  }
+
+  /// The cell in this column and row.
+  const CurvePoint& cell(std::size_t i, std::size_t j) const {
+    return map_.at(columns_[i], rows_[j]);
+  }
+  Scene scene(std::size_t i, std::size_t j) const {
+    return sceneOfCell(map_, columns_[i], rows_[j]);
+  }
+
+  std::vector<double> x, y, values;
+
+ private:
+  static std::vector<std::size_t> orderOf(const MapAxis& axis) {
+    std::vector<std::size_t> order(axis.values.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    if (axis.values.front() > axis.values.back()) std::ranges::reverse(order);
+    return order;
+  }
+
+  const ParameterMap& map_;
+  std::vector<std::size_t> columns_, rows_;
+};
+
+std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale) {
+  std::vector<double> places;
+  for (const double value : values) places.push_back(placeOn(scale, value));
+  return places;
+}
+
+/// Scale and range of the colours.
+DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quantity) {
+  DiagramAxis axis{titleOfQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
+                   AxisScale::Linear};
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (!(least <= most)) return axis;
+  if (least > 0 && most > kLogarithmicSpan * least && quantity != "exponent")
+    axis.scale = AxisScale::Logarithmic;
+  axis.from = least;
+  axis.to = most;
+  if (least < most) return axis;
+  const double around = least != 0 ? 0.05 * std::abs(least) : 1;
+  axis.from -= around;
+  axis.to += around;
+  return axis;
+}
+
+std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisScale y) {
+  std::vector<DiagramPoint> points;
+  for (const ContourPlace& place : line)
+    points.push_back({valueAt(x, place.x), valueAt(y, place.y)});
+  return points;
+}
+
+/// Contour lines lie where the quantity changes as the colours do: of logarithms where these are.
+DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
+  DiagramField field;
+  field.colours = coloursOf(map.values, quantity);
+  field.x = map.x;
+  field.y = map.y;
+  field.values = map.values;
+  const bool isLogarithmic = field.colours.scale == AxisScale::Logarithmic;
+  std::vector<double> heights = map.values;
+  if (isLogarithmic)
+    for (double& height : heights)
+      height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
+  const std::vector<double> x = placesOf(map.x, diagram.x.scale);
+  const std::vector<double> y = placesOf(map.y, diagram.y.scale);
+  for (const double level :
+       contourLevels(field.colours.from, field.colours.to, isLogarithmic, kLevels)) {
+    DiagramContour contour{level, PrintedNumber{printedNumber(level)}, {}};
+    for (const ContourLine& line :
+         contourLines(x, y, heights, isLogarithmic ? std::log10(level) : level))
+      contour.lines.push_back(pointsOf(line, diagram.x.scale, diagram.y.scale));
+    if (!contour.lines.empty()) field.contours.push_back(std::move(contour));
+  }
+  return field;
+}
+
+/// The regions of the friction curve at each value of the other parameter.
+struct Regions {
+  /// One line for each border, in the order of regions; empty where no curve shows it.
+  std::array<std::vector<DiagramPoint>, 3> borders;
+  std::array<std::vector<DiagramPoint>, 4> middles;
+};
+
+std::size_t numberOfRegion(std::string_view name) {
+  constexpr std::array<std::string_view, 4> names{"I", "II", "III", "IV"};
+  return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
+Regions regionsOf(const RisingMap& map, bool velocityIsX) {
+  Regions regions;
+  const std::vector<double>& velocities = velocityIsX ? map.x : map.y;
+  const std::vector<double>& others = velocityIsX ? map.y : map.x;
+  const auto point = [&](double velocity, double other) {
+    return velocityIsX ? DiagramPoint{velocity, other} : DiagramPoint{other, velocity};
+  };
+  const DiagramPoint gap{kNotApplicable, kNotApplicable};
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    std::vector<CurvePoint> curve;
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      curve.push_back(velocityIsX ? map.cell(i, k) : map.cell(k, i));
+    const Scene scene = velocityIsX ? map.scene(0, k) : map.scene(k, 0);
+    const std::vector<CurveRegion> found = regionsOfCurve(scene, curve);
+    std::array<bool, 3> isThere{};
+    for (std::size_t r = 0; r < found.size(); ++r) {
+      const std::size_t number = numberOfRegion(found[r].name);
+      if (number > 3) continue;
+      regions.middles[number].push_back(point(std::sqrt(found[r].from * found[r].to), others[k]));
+      if (r + 1 == found.size() || number > 2) continue;
+      regions.borders[number].push_back(point(found[r].to, others[k]));
+      isThere[number] = true;
+    }
+    for (std::size_t border = 0; border < 3; ++border)
+      if (!isThere[border]) regions.borders[border].push_back(gap);
+  }
+  return regions;
+}
+
+bool hasAPlace(const DiagramPoint& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
+  DiagramSeries series;
+  series.isTheory = true;
+  series.stroke = SeriesStroke::Dashed;
+  series.id = kRegionBorder;
+  series.points = std::move(points);
+  return series;
+}
+
+/// Adds the borders of the regions, and their names in the middle. Returns what they are; empty
+/// where there are none.
+Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const RisingMap& map) {
+  constexpr std::string_view kVelocity = "sliding.velocity";
+  const bool isX = given.x.key() == kVelocity, isY = given.y.key() == kVelocity;
+  const bool isLogarithmic =
+      (isX ? given.x : given.y).range.isLogarithmic;  // which the rule of regions needs
+  if ((isX || isY) && isLogarithmic) {
+    Regions regions = regionsOf(map, isX);
+    bool isAny = false;
+    for (std::vector<DiagramPoint>& border : regions.borders) {
+      if (std::ranges::count_if(border, hasAPlace) < 2) continue;
+      isAny = true;
+      diagram.series.push_back(borderSeries(std::move(border)));
+    }
+    if (!isAny) return {};
+    constexpr std::array<const char*, 4> names{"I", "II", "III", "IV"};
+    for (std::size_t number = 0; number < 4; ++number) {
+      const std::vector<DiagramPoint>& middles = regions.middles[number];
+      if (middles.size() < 3) continue;
+      const DiagramPoint& at = middles[middles.size() / 2];
+      diagram.labels.push_back({Message::name(names[number]), at.x, at.y});
+    }
+    return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "
+           "of the other parameter.";
+  }
+  // Where single summits carry the load: v / v_few = 1, from the cells' own rms heights.
+  std::vector<double> heights;
+  for (std::size_t j = 0; j < map.y.size(); ++j)
+    for (std::size_t i = 0; i < map.x.size(); ++i) {
+      const double few = fewSummitsVelocity(map.scene(i, j), {&map.cell(i, j), 1});
+      heights.push_back(few > 0 && map.cell(i, j).velocity > 0
+                            ? std::log(map.cell(i, j).velocity / few)
+                            : kNotApplicable);
+    }
+  bool isAny = false;
+  for (const ContourLine& line : contourLines(placesOf(map.x, diagram.x.scale),
+                                              placesOf(map.y, diagram.y.scale), heights, 0)) {
+    diagram.series.push_back(borderSeries(pointsOf(line, diagram.x.scale, diagram.y.scale)));
+    isAny = true;
+  }
+  if (!isAny) return {};
+  return "Dashed: F\u2099/(4\u03B7v) = 0.1 h; beyond it few summits carry the load (region IV).";
+}
+
+/// The scene's own state, where it is on the map.
+std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& diagram) {
+  const double x = numberOf(map.scene, map.x), y = numberOf(map.scene, map.y);
+  if (x < diagram.x.from || x > diagram.x.to || y < diagram.y.from || y > diagram.y.to) return {};
+  DiagramMarker cross;
+  cross.x = x;
+  cross.y = y;
+  cross.isCross = true;
+  return cross;
+}
+
+}  // namespace
+
+DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
+  DiagramSheet sheet;
+  sheet.title = map.scene.title.empty()
+                    ? message("Friction over {} and {}", Message(map.x.range.row->label),
+                              Message(map.y.range.row->label))
+                    : Message(map.scene.title);
+  sheet.subtitle = parametersInWords(map.scene);
+  Diagram diagram;
+  diagram.x = axisOf(map.x);
+  diagram.y = axisOf(map.y);
+  const RisingMap rising(map, quantity);
+  diagram.field = fieldOf(rising, diagram, quantity);
+  diagram.marker = crossOf(map, diagram);
+  std::vector<Message> notes{addRegionBorders(diagram, map, rising)};
+  if (diagram.marker) notes.emplace_back("Cross: the scene's own state.");
+  for (const bool alongX : {true, false})
+    if (isWithoutEffect(map, alongX))
+      notes.push_back(message("Friction does not depend on the {} here.",
+                              Message((alongX ? map.x : map.y).range.row->label)));
+  sheet.note = sentences(notes);
+  if (std::ranges::none_of(rising.values, [](double value) { return std::isfinite(value); }))
+    diagram.blank = "This quantity does not apply to these states.";
+  sheet.diagrams = {std::move(diagram)};
+  return sheet;
+}
+
+Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) {
+  const RisingMap rising(map, quantity);
+  const MapAxis& along = alongX ? map.x : map.y;
+  const MapAxis& across = alongX ? map.y : map.x;
+  const std::vector<double>& places = alongX ? rising.x : rising.y;
+  const std::vector<double> others = placesOf(alongX ? rising.y : rising.x, scaleOf(across));
+  // Between the two rows or columns beside the state.
+  const auto [least, most] = std::ranges::minmax(across.values);
+  const double at = placeOn(scaleOf(across), std::clamp(numberOf(map.scene, across), least, most));
+  const auto above = std::ranges::lower_bound(others, at);
+  const auto last = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(above - others.begin(), 1, std::ssize(others) - 1));
+  const double part = (at - others[last - 1]) / (others[last] - others[last - 1]);
+  Diagram diagram;
+  diagram.x = axisOf(along);
+  diagram.y = coloursOf(rising.values, quantity);
+  diagram.y.from = diagram.y.to = 0;
+  DiagramSeries series;
+  series.colour = 0;
+  series.mark = SeriesMark::Circle;
+  const std::size_t columns = rising.x.size();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto value = [&](std::size_t other) {
+      return alongX ? rising.values[other * columns + i] : rising.values[i * columns + other];
+    };
+    const double a = value(last - 1), b = value(last);
+    double between = kNotApplicable;
+    if (std::isfinite(a) && std::isfinite(b))
+      between =
+          a > 0 && b > 0 && quantity != "exponent" ? a * std::pow(b / a, part) : a + (b - a) * part;
+    series.points.push_back({places[i], between});
+  }
+  diagram.series = {std::move(series)};
+  DiagramMarker marker;
+  marker.x = numberOf(map.scene, along);
+  if (marker.x >= diagram.x.from && marker.x <= diagram.x.to) diagram.marker = marker;
+  return diagram;
+}
+
+}  // namespace asperity

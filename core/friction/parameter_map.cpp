@@ -1,0 +1,342 @@
+#include "core/friction/parameter_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
+#include "core/friction/steady_states.h"
+#include "core/scene/columns.h"
+#include "core/scene/provenance.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr ColumnName kExponent = "exponent";
+constexpr std::size_t kCoarse = 16;  // points along a side of the first stage
+
+/// Whether steady friction at one velocity may depend on the key.
+bool isOfState(std::string_view key) {
+  const std::string_view section = key.substr(0, key.find('.'));
+  return section == "surface" || section == "elastomer" || section == "load" ||
+         section == "interface" || key == "sliding.velocity" || key == "accuracy.oversampling";
+}
+
+void setNumber(const Parameter& row, Scene& scene, double value) {
+  if (std::holds_alternative<IntegerField>(row.field))
+    setValue(row, scene, static_cast<std::int64_t>(std::llround(value)));
+  else
+    setValue(row, scene, value);
+}
+
+double numberOf(const Parameter& row, const Scene& scene) {
+  const ParameterValue value = valueOf(row, scene);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::get<double>(value);
+}
+
+/// At most kCoarse values of a side, with both ends.
+MapAxis coarse(const MapAxis& axis) {
+  const std::size_t count = axis.values.size();
+  if (count <= kCoarse) return axis;
+  MapAxis few{axis.range, {}};
+  for (std::size_t i = 0; i < kCoarse; ++i)
+    few.values.push_back(axis.values[(i * (count - 1) + (kCoarse - 1) / 2) / (kCoarse - 1)]);
+  return few;
+}
+
+/// The scene with both parameters set.
+Scene cellScene(const Scene& scene, const MapAxis& x, double xValue, const MapAxis& y,
+                double yValue) {
+  Scene cell = scene;
+  setNumber(*x.range.row, cell, xValue);
+  setNumber(*y.range.row, cell, yValue);
+  return cell;
+}
+
+/// Computes one stage. lines: 1 for a preview; 0: all, as the scene says.
+ParameterMap stageOf(const Scene& scene, const MapAxis& x, const MapAxis& y, std::int64_t lines,
+                     const StateOptions& options) {
+  ParameterMap map{scene, x, y, {}, 0, lines, false, true};
+  std::vector<Scene> states;
+  states.reserve(x.values.size() * y.values.size());
+  for (const double yValue : y.values)
+    for (const double xValue : x.values) {
+      states.push_back(cellScene(scene, x, xValue, y, yValue));
+      Scene& state = states.back();
+      // Titles and lists beside the curve mean nothing for friction, but are copied with a scene.
+      state.title.clear();
+      state.description.clear();
+      state.comparison = {};
+      if (lines == 0) continue;
+      // A preview has the resolution of the map that it goes before.
+      if (state.accuracy.scheme != Scheme::Nodal)
+        state.accuracy.oversampling = pointsPerElementOfCurve(state);
+      state.ensemble.realizations = lines;
+    }
+  SteadyStates found = slideStates(states, options);
+  map.points = std::move(found.points);
+  map.computed = found.computed;
+  map.isComplete = found.isComplete;
+  return map;
+}
+
+/// The slope at t of the parabola through three points.
+double parabolaSlope(const std::array<double, 3>& x, const std::array<double, 3>& y, double t) {
+  const double first = (y[1] - y[0]) / (x[1] - x[0]);
+  const double second = (y[2] - y[1]) / (x[2] - x[1]);
+  const double curvature = (second - first) / (x[2] - x[0]);
+  return first + curvature * (2 * t - x[0] - x[1]);
+}
+
+/// d ln mu / d ln x along one row; NaN where a logarithm does not exist.
+std::vector<double> exponents(const std::vector<double>& x, std::vector<double> mu) {
+  std::vector<double> places;
+  for (const double value : x) places.push_back(value > 0 ? std::log(value) : kNotApplicable);
+  for (double& value : mu) value = std::isgreater(value, 0.0) ? std::log(value) : kNotApplicable;
+  std::vector<double> slopes(x.size(), kNotApplicable);
+  const auto isKnown = [&](std::size_t i) { return !std::isnan(places[i]) && !std::isnan(mu[i]); };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!isKnown(i)) continue;
+    if (x.size() == 2) {
+      if (isKnown(0) && isKnown(1)) slopes[i] = (mu[1] - mu[0]) / (places[1] - places[0]);
+      continue;
+    }
+    const std::size_t first = std::clamp<std::size_t>(i, 1, x.size() - 2) - 1;
+    if (isKnown(first) && isKnown(first + 1) && isKnown(first + 2))
+      slopes[i] = parabolaSlope({places[first], places[first + 1], places[first + 2]},
+                                {mu[first], mu[first + 1], mu[first + 2]}, places[i]);
+  }
+  return slopes;
+}
+
+std::string lastWord(std::string_view key) {
+  return std::string(key.substr(key.rfind('.') + 1));
+}
+
+/// The names of the two first columns.
+std::array<std::string, 2> keyColumns(const ParameterMap& map) {
+  std::array<std::string, 2> names{lastWord(map.x.key()), lastWord(map.y.key())};
+  if (names[0] == names[1]) names = {std::string(map.x.key()), std::string(map.y.key())};
+  return names;
+}
+
+/// The table's own columns, without those that the keys give already.
+CurveTable tableOf(const ParameterMap& map) {
+  const auto names = keyColumns(map);
+  return {map.points, {names.begin(), names.end()}};
+}
+
+Json axisJson(const MapAxis& axis) {
+  return {{"key", axis.key()},
+          {"from", axis.values.front()},
+          {"to", axis.values.back()},
+          {"points", axis.values.size()},
+          {"scale", axis.range.isLogarithmic ? "log" : "linear"}};
+}
+
+}  // namespace
+
+bool isMapParameter(const Parameter& row, const Scene& scene) {
+  return allowedRange(row) && isOfState(row.key) && isApplicable(row, scene);
+}
+
+MapAxis mapAxis(const Scene& scene, const ParameterRange& range) {
+  const std::string key(range.key());
+  if (!isOfState(key))
+    throw InputError("", key,
+                     "says how friction is computed or shown, and cannot be a side of a map");
+  checkRange(range, scene);
+  if (range.points < 2 || range.points > kMostMapPoints)
+    throw InputError(
+        "", key,
+        message("a map has 2 to {} points along each side, not {}", kMostMapPoints, range.points));
+  MapAxis axis{range, valuesOf(range)};
+  if (axis.values.size() < 2 || axis.values.front() == axis.values.back())
+    throw InputError("", key,
+                     message("{} to {} is only one value; a side of a map needs two",
+                             plain(range.from), plain(range.to)));
+  return axis;
+}
+
+ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points) {
+  constexpr double kFactor = 100;  // two decades to each side
+  const AllowedRange allowed = *allowedRange(row);
+  const double now = numberOf(row, scene);
+  ParameterRange range{&row, 0, 0, points, hasLogarithmicSlider(row) && now > 0};
+  std::visit(
+      [&](const auto& field) {
+        if constexpr (requires { field.sliderFrom; }) {
+          range.from = static_cast<double>(field.sliderFrom);
+          range.to = static_cast<double>(field.sliderTo);
+        }
+      },
+      row.field);
+  if (row.key == "sliding.velocity" && now > 0) {
+    range.from = scene.sweep.velocityFrom;
+    range.to = scene.sweep.velocityTo;
+  } else if (range.isLogarithmic) {
+    range.from = std::max(range.from, now / kFactor);
+    range.to = std::min(range.to, now * kFactor);
+  }
+  if (range.isLogarithmic && !(range.from < range.to)) {  // the value lies beyond its slider
+    range.from = now / kFactor;
+    range.to = now * kFactor;
+  }
+  range.from = std::max(std::min(range.from, now), allowed.minimum);
+  range.to = std::min(std::max(range.to, now), allowed.maximum);
+  return range;
+}
+
+ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
+                          const MapOptions& options) {
+  if (x.range.row == y.range.row)
+    throw InputError("", std::string(y.key()),
+                     "is both sides of the map; they need two different keys");
+  const auto cells = static_cast<std::int64_t>(x.values.size() * y.values.size());
+  if (cells > kMostMapCells)
+    throw InputError("", std::string(y.key()),
+                     message("{} times {} points are more than {} cells", x.values.size(),
+                             y.values.size(), kMostMapCells));
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "a map has the same lines in every cell; give accuracy.scheme and "
+                     "ensemble.realizations instead of a target");
+  StateOptions work{options.threads, options.stop, {}, false};
+  const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
+  const auto show = [&](const MapAxis& alongX, const MapAxis& alongY) {
+    if (!options.preview || options.stop.stop_requested()) return;
+    ParameterMap stage = stageOf(scene, alongX, alongY, 1, work);
+    if (stage.isComplete) options.preview(std::move(stage));
+  };
+  const MapAxis fewX = coarse(x), fewY = coarse(y);
+  const bool isLarge = fewX.values.size() < x.values.size() || fewY.values.size() < y.values.size();
+  if (isLarge) show(fewX, fewY);
+  if (hasManyLines) show(x, y);
+  work.progress = options.progress;
+  ParameterMap map = stageOf(scene, x, y, 0, work);
+  map.isFinal = map.isComplete;
+  return map;
+}
+
+Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j) {
+  return cellScene(map.scene, map.x, map.x.values[i], map.y, map.y.values[j]);
+}
+
+bool isWithoutEffect(const ParameterMap& map, bool alongX) {
+  const std::size_t columns = map.x.values.size(), rows = map.y.values.size();
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i) {
+      const CurvePoint& first = alongX ? map.at(0, j) : map.at(i, 0);
+      const CurvePoint& here = map.at(i, j);
+      const auto differs = [](double a, double b) {
+        return std::isnan(a) ? !std::isnan(b) : a != b;
+      };
+      // Along velocities the column of velocities itself differs, which is no effect.
+      if (differs(first.mu, here.mu) || differs(first.muInterface, here.muInterface)) return false;
+    }
+  return true;
+}
+
+bool isMapQuantity(std::string_view name) {
+  const std::vector<std::string_view> all = mapQuantities();
+  return std::ranges::find(all, name) != all.end();
+}
+
+std::vector<std::string_view> mapQuantities() {
+  std::vector<std::string_view> names = curveColumns();
+  names.push_back(kExponent);
+  return names;
+}
+
+std::string_view unitOfMapQuantity(std::string_view name) {
+  for (const Column& column : kColumns)
+    if (column.name == name && column.tables.starts_with("curve")) return column.unit;
+  return {};
+}
+
+std::vector<double> mapValues(const ParameterMap& map, std::string_view quantity) {
+  std::vector<double> values;
+  values.reserve(map.points.size());
+  if (quantity != kExponent) {
+    for (const CurvePoint& point : map.points) values.push_back(curveValue(point, quantity));
+    return values;
+  }
+  const std::size_t columns = map.x.values.size();
+  for (std::size_t j = 0; j < map.y.values.size(); ++j) {
+    std::vector<double> mu;
+    for (std::size_t i = 0; i < columns; ++i) mu.push_back(map.at(i, j).mu);
+    const std::vector<double> row = exponents(map.x.values, std::move(mu));
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  return values;
+}
+
+nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view quantity) {
+  Json root = provenance("map", map.scene);
+  // Each cell has the resolution of its own curve: a number where all have the same.
+  Json used;
+  bool isFirst = true;
+  for (std::size_t j = 0; j < map.y.values.size(); ++j)
+    for (std::size_t i = 0; i < map.x.values.size(); ++i) {
+      const Json points = pointsPerElementOfCurve(sceneOfCell(map, i, j));
+      if (isFirst) used = points;
+      isFirst = false;
+      if (used != points) used = nullptr;
+    }
+  root["oversampling_used"] = used;
+  root["keys"] = {axisJson(map.x), axisJson(map.y)};
+  root["options"] = {{"show", quantity}};
+  return root;
+}
+
+std::string mapCsv(const ParameterMap& map, std::string_view quantity) {
+  const auto names = keyColumns(map);
+  const CurveTable table = tableOf(map);
+  const bool hasExponent = quantity == kExponent;
+  const std::vector<double> exponent =
+      hasExponent ? mapValues(map, quantity) : std::vector<double>();
+  std::string text = names[0] + "," + names[1] + "," + table.header() +
+                     (hasExponent ? "," + kExponent.text() : std::string()) + "\n";
+  const std::size_t columns = map.x.values.size();
+  for (std::size_t k = 0; k < map.points.size(); ++k) {
+    text += fmt::format("{},{},{}", map.x.values[k % columns], map.y.values[k / columns],
+                        table.row(map.points[k]));
+    if (hasExponent) text += "," + csvNumber(exponent[k]);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string mapJson(const ParameterMap& map, std::string_view quantity) {
+  const auto names = keyColumns(map);
+  const CurveTable table = tableOf(map);
+  const bool hasExponent = quantity == kExponent;
+  const std::vector<double> exponent =
+      hasExponent ? mapValues(map, quantity) : std::vector<double>();
+  Json root = mapProvenance(map, quantity);
+  Json points = Json::array();
+  const std::size_t columns = map.x.values.size();
+  for (std::size_t k = 0; k < map.points.size(); ++k) {
+    Json row;
+    row[names[0]] = map.x.values[k % columns];
+    row[names[1]] = map.y.values[k / columns];
+    row.update(table.json(map.points[k]));
+    if (hasExponent)
+      row[kExponent.text()] = std::isfinite(exponent[k]) ? Json(exponent[k]) : Json(nullptr);
+    points.push_back(std::move(row));
+  }
+  root["points"] = std::move(points);
+  return root.dump(2) + "\n";
+}
+
+}  // namespace asperity
