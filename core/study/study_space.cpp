@@ -37,7 +37,7 @@ std::uint64_t shuffled(std::uint64_t index, std::uint64_t count, std::int64_t se
                        std::size_t axis) {
   constexpr int kRounds = 4;
   if (count < 2) return index;
-  const int half = (std::bit_width(count - 1) + 1) / 2;
+  const int half = (static_cast<int>(std::bit_width(count - 1)) + 1) / 2;
   const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
   const std::uint64_t key = randomBits(seed, axis, count);
   do {

@@ -50,8 +50,8 @@ struct StudyChunk {
   std::vector<StudyFailure> failures;
   double seconds = 0;  // that it took; not part of the result
 
-  double at(std::size_t number, std::int64_t simulation) const {
-    return values[number * static_cast<std::size_t>(count) + static_cast<std::size_t>(simulation)];
+  double at(std::size_t place, std::int64_t simulation) const {
+    return values[place * static_cast<std::size_t>(count) + static_cast<std::size_t>(simulation)];
   }
 };
 

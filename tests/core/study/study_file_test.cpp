@@ -129,18 +129,18 @@ TEST(StudyFile, MistakesAreNamed) {
       {R"("sampling":"sobel","space":{"surface.hurst":[0.5]})", "is not one of grid"},
       {R"("sampling":"sobol","space":{"surface.hurst":[0.5]})", "samples: is missing"},
       {R"("sampling":"sobol","samples":0,"space":{"surface.hurst":[0.5]})", "from 1 to"},
-      {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"from":0.1,"to":1,"points":3}}})",
+      {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"from":0.1,"to":1,"points":3}})",
        "points: has no meaning in a sample"},
       {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"distribution":"normal","mean":0.5,)"
-       R"("deviation":0}}})",
+       R"("deviation":0}})",
        "deviation: is not above 0"},
-      {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"distribution":"normal","mean":0.5}}})",
+      {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"distribution":"normal","mean":0.5}})",
        "deviation: is missing"},
       {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"distribution":"uniform","mean":0.9,)"
-       R"("deviation":0.2}}})",
+       R"("deviation":0.2}})",
        "outside 0 to 1"},
       {R"("sampling":"sobol","samples":5,"space":{"surface.hurst":{"distribution":"normal","mean":0.5,)"
-       R"("deviation":0.001,"from":0.9}}})",
+       R"("deviation":0.001,"from":0.9}})",
        "almost nothing"},
       {R"("set":{"surface.hurst":0.5},"space":{"surface.hurst":[0.5]})", "one of them is enough"},
       {R"("set":{"surface.hrust":0.5},"space":{"surface.hurst":[0.5]})", "set.surface.hrust"},
