@@ -423,6 +423,38 @@
         <source>chi squared %1 for %2 degrees of freedom</source>
         <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
     </message>
+    <message>
+        <source>%1 simulations of %2 states on %3 lines each, in chunks of %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of them are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 on %2 threads, by a trial of %3 simulations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the trial cannot be computed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 MB in the store</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulations done, %3 of them now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other processes work on the rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some simulations failed: &apos;asperity study show&apos; says why</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -2615,6 +2647,58 @@
     <message>
         <source>evaluations</source>
         <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>simulations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation type="unfinished">%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>shard %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulations done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 simulations a second on one thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rest takes about %1 of one thread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 simulations failed:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>  %1 times, first %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: first order %3, total %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 simulations without a number are left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no Sobol indices: they need sampling saltelli</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
