@@ -375,6 +375,8 @@ class CommandLine {
         "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
     command->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
     command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
+    command->add_flag("--contact-sheet", batch_.contactSheet,
+                      "Make contact sheets of more than 100 scenes, too");
     addPictureOptions(*command, batch_.picture, "the batch's", "light");
     addShared(*command, batch_.common);
     command->remove_option(

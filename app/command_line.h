@@ -124,6 +124,7 @@ struct AccuracyCommand {
 struct BatchCommand {
   CommonOptions common;  // the scene is the batch's file
   std::string output;    // folder
+  bool contactSheet = false;
   PictureArguments picture;
 };
 
