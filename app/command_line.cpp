@@ -44,6 +44,9 @@ class CommandLine {
     addShared(app_, window_, kLastLanguage);
     addCheck();
     addCurve();
+    addMap();
+    addSensitivity();
+    addCutoff();
     addMotion();
     addRender();
     addSurface();
@@ -152,6 +155,44 @@ class CommandLine {
         "or .pdf; may be repeated (default: CSV to standard output)");
     addPictureOptions(*command, curve_.picture, "1200x800", "print");
     addCurveOptions(*command, curve_.curves);
+  }
+  void addMap() {
+    CLI::App* command = addCommand("map", "Friction over two parameters, as colours and as a table",
+                                   map_.common, [this] { return runMap(map_); });
+    const auto side = [&](const char* option, std::string& value, const char* sentence) {
+      command->add_option(option, value, sentence)->type_name("KEY=FROM:TO:N")->required();
+    };
+    side("--x", map_.x,
+         "Parameter along x, such as sliding.velocity=1e-5:1e3:64; units, :log and :linear as in "
+         "load.normal_force=1mN:10N:64:log");
+    side("--y", map_.y, "Parameter along y");
+    command
+        ->add_option("--show", map_.quantity,
+                     "What the picture shows: a column of a curve (asperity columns), or exponent, "
+                     "d ln mu / d ln x")
+        ->capture_default_str();
+    addOutputs(command, map_.outputs,
+               "FILE.csv (one row a cell, x fastest), .json, .png, .svg or .pdf; may be repeated "
+               "(default: CSV to standard output)");
+    addPictureOptions(*command, map_.picture, "1200x900", "print");
+  }
+  void addSensitivity() {
+    CLI::App* command =
+        addCommand("sensitivity", "How much friction changes with each parameter of a scene",
+                   sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
+    addOutputs(command, sensitivity_.outputs,
+               "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: a table for people "
+               "to standard output)");
+    addPictureOptions(*command, sensitivity_.picture, "1200x800", "print");
+  }
+  void addCutoff() {
+    CLI::App* command = addCommand(
+        "cutoff", "Friction against the short-wave cut-off: which waves of the line make it",
+        cutoff_.common, [this] { return runCutoff(cutoff_); });
+    addOutputs(command, cutoff_.outputs,
+               "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: CSV to standard "
+               "output)");
+    addPictureOptions(*command, cutoff_.picture, "1200x1000", "print");
   }
   void addMotion() {
     CLI::App* command = addCommand("motion", "Friction, indentation, contact and power in time",
@@ -466,6 +507,8 @@ class CommandLine {
   std::vector<const CommonOptions*> allCommon_;
   CommonOptions window_, check_, columns_;
   CurveCommand curve_;
+  MapCommand map_;
+  SheetCommand sensitivity_, cutoff_;
   MotionCommand motion_;
   RenderCommand render_;
   SurfaceCommand surface_;

@@ -38,6 +38,21 @@ struct CurveCommand {
   CurveArguments curves;
 };
 
+struct MapCommand {
+  CommonOptions common;
+  std::vector<std::string> outputs;
+  PictureArguments picture;
+  std::string x, y;  // KEY=FROM:TO:N
+  std::string quantity = "mu";
+};
+
+/// The commands `sensitivity` and `cutoff`.
+struct SheetCommand {
+  CommonOptions common;
+  std::vector<std::string> outputs;
+  PictureArguments picture;
+};
+
 struct MotionCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
@@ -148,6 +163,9 @@ auto withSceneContext(const CommonOptions& options, const Work& work) {
 
 int runCheck(const CommonOptions& command);
 int runCurve(const CurveCommand& command);
+int runMap(const MapCommand& command);
+int runSensitivity(const SheetCommand& command);
+int runCutoff(const SheetCommand& command);
 int runMotion(const MotionCommand& command);
 int runColumns(const CommonOptions& command);
 int runFit(const FitCommand& command);

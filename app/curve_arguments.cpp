@@ -175,10 +175,11 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->type_name("FROM:TO");
 }
 
-Scene withComparisons(Scene scene, const CurveArguments& arguments) {
+ComparedScene withComparisons(Scene scene, const CurveArguments& arguments) {
+  std::vector<FrictionData> given;
   for (const std::string& name : arguments.data) {
     const std::filesystem::path file(name);
-    readFrictionData(file);  // what is wrong with it is said before anything is computed
+    given.push_back(readFrictionData(file));
     std::error_code error;
     const std::filesystem::path beside =
         std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
@@ -188,13 +189,13 @@ Scene withComparisons(Scene scene, const CurveArguments& arguments) {
     throw InputError(
         "", kData,
         message("{} tables are more than {}", scene.comparison.data.size(), kMostDataFiles));
-  if (arguments.theory.empty()) return scene;
+  if (arguments.theory.empty()) return {std::move(scene), std::move(given)};
   nlohmann::json words = nlohmann::json::array();
   std::istringstream list(arguments.theory);
   for (std::string word; std::getline(list, word, ',');)
     if (word != "none") words.push_back(word);
   scene.comparison.theory = theoriesFrom(words.dump(), kTheory);
-  return scene;
+  return {std::move(scene), std::move(given)};
 }
 
 void checkCurves(const CurveArguments& arguments, const Scene& scene) {
@@ -227,8 +228,9 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common) {
   return computeCurve(scene, options);
 }
 
-CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vector<CurvePoint> own,
-                  const CommonOptions& common) {
+CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared,
+                  std::vector<CurvePoint> own, const CommonOptions& common) {
+  const Scene& scene = compared.scene;
   CurveSet set;
   set.present = {{}, scene, std::move(own), 0};
   set.axes = axesFrom(arguments.axes);
@@ -254,7 +256,7 @@ CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vect
   if (!(scene.comparison == Comparisons{})) {
     StateOptions options;
     options.threads = common.threads;
-    addComparisons(set, readComparisonData(scene), options);
+    addComparisons(set, readComparisonData(scene, compared.given), options);
   }
   if (arguments.compare.empty()) return set;
   ProgressBar bar(Words::tr("lines compared"), common.quiet);
@@ -272,6 +274,19 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
     auto points = nlohmann::ordered_json::array();
     for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
     answer["with"].push_back({{"name", curve.name.english()}, {"points", std::move(points)}});
+  }
+  for (const TheoryCurve& theory : set.theories) {
+    const TheoryEntry& entry = entryOf(theory.theory);
+    auto points = nlohmann::ordered_json::array();
+    for (const TheoryPoint& point : theory.points)
+      points.push_back({{"velocity", point.velocity},
+                        {"mu", numberOr(point.mu)},
+                        {"contact_fraction", numberOr(point.contactFraction)},
+                        {"in_range", point.isInRange}});
+    answer["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(entry.theory)]},
+                                  {"name", entry.name},
+                                  {"range", entry.range},
+                                  {"points", std::move(points)}});
   }
   if (!set.difference) return;
   auto points = nlohmann::ordered_json::array();

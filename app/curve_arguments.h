@@ -41,9 +41,15 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene);
 /// Throws InputError where an axis is given but no output file is a picture.
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);
 
-/// The scene with the measured friction and the theories of the options, as if it named them
-/// itself. Throws InputError naming the option.
-Scene withComparisons(Scene scene, const CurveArguments& arguments);
+/// A scene with the measured friction and the theories of the options, as if it named them itself.
+struct ComparedScene {
+  Scene scene;
+  std::vector<FrictionData> given;  // the tables of the options: the last that the scene names
+};
+
+/// Reads the tables of the options, so that what is wrong with them is said before anything is
+/// computed. Throws InputError naming the file or the option.
+ComparedScene withComparisons(Scene scene, const CurveArguments& arguments);
 
 /// Computes the scene's curve with the options that all commands share
 /// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;
@@ -52,8 +58,8 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common);
 
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.
-CurveSet curvesOf(const CurveArguments& arguments, const Scene& scene, std::vector<CurvePoint> own,
-                  const CommonOptions& common);
+CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared,
+                  std::vector<CurvePoint> own, const CommonOptions& common);
 
 /// Adds the curves to `answer`, one object for each curve beside the scene's own; adds nothing
 /// where there is none.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/friction/theories/theory.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -108,6 +109,10 @@ std::string explanationText(const Explanation& explanation) {
                {quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
                 quantity(explanation.normalForce / explanation.length, "N/m")}) +
         "\n";
+  for (const Theory theory : theoriesBeside(scene))
+    text += translated(
+                message("{}: {}", Message(entryOf(theory).name), Message(entryOf(theory).range))) +
+            "\n";
   for (const Note note : explanation.notes.list())
     text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
   if (const auto& predicted = explanation.predicted)

@@ -138,6 +138,9 @@ constexpr double kFarthest = 1e9;  // m, a million periods of the longest line
 constexpr double kMostPeriods = 50;       // largest width of a view
 constexpr double kLeastPeriods = 1e-9;    // smallest width of a view
 constexpr double kFarthestPeriods = 1e6;  // largest distance from 0
+/// Heights that would be exaggerated less than this many times are drawn to scale: so rough a
+/// surface, such as a road, is seen as it is.
+constexpr double kNearlyToScale = 5.5;
 constexpr const char *kView = "--view", *kHeights = "--heights", *kColours = "--colours-to",
                      *kExaggeration = "--exaggeration", *kProbe = "--probe",
                      *kMagnify = "--magnify";
@@ -162,6 +165,13 @@ void exaggerate(double exaggeration, const Frame& frame, ContactPictureOptions& 
     options.view.bottom = middle - 0.5 * size;
     options.view.top = middle + 0.5 * size;
   }
+}
+
+/// Returns how many times as large as lengths heights are drawn.
+double exaggerationOf(const Frame& frame, const ContactPictureOptions& options) {
+  const ContactView view = resolvedView(frame, options.view);
+  const Clip plot = contactPlotArea(frame, options);
+  return plot.height / (view.top - view.bottom) / (plot.width / view.width);
 }
 
 double& endOf(ContactView& view, ContactOverlay overlay) {
@@ -267,6 +277,9 @@ void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictur
     view.top = range.to;
   } else if (arguments.exaggeration) {
     exaggerate(*arguments.exaggeration, frame, options);
+  } else if (arguments.xRange.empty()) {
+    const double natural = exaggerationOf(frame, options);
+    if (natural > 1 && natural <= kNearlyToScale) exaggerate(1, frame, options);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "app/picture_composer.h"
+#include "app/surface_progress.h"
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -111,7 +112,8 @@ std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const Scene scene = withComparisons(sceneOf(command.common), command.curves);
+  const ComparedScene compared = withComparisons(sceneOf(command.common), command.curves);
+  const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
   for (const std::string& output : command.outputs)
@@ -120,10 +122,11 @@ int runCurve(const CurveCommand& command) {
   checkUseful(command.curves, command.outputs);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 800, "print"});
   checkCurves(command.curves, scene);
+  findLinesWithProgress(scene, command.common.quiet);
   const Curve curve =
       withSceneContext(command.common, [&] { return computeCurve(scene, command.common); });
   const CurveSet set = withSceneContext(command.common, [&] {
-    return curvesOf(command.curves, scene, curve.points, command.common);
+    return curvesOf(command.curves, compared, curve.points, command.common);
   });
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);

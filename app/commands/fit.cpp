@@ -9,14 +9,10 @@
 #include "app/output.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
-#include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/chart/comparison.h"
 #include "core/chart/fit_report.h"
-#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
-#include "core/scene/scene_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -51,21 +47,6 @@ std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, c
   return varied;
 }
 
-/// The scene with the names of its files as they are seen from another folder.
-Scene seenFrom(const std::string& folder, Scene scene) {
-  const auto move = [&](std::string& name) {
-    const std::filesystem::path file = scene.folder / name;
-    std::error_code error;
-    if (name.empty() || !std::filesystem::exists(file, error)) return;  // a shipped material
-    const std::filesystem::path seen = std::filesystem::proximate(file, folder, error);
-    if (!error) name = seen.string();
-  };
-  if (hasSurfaceFile(scene.surface)) move(scene.surface.file);
-  move(scene.elastomer.material);
-  for (DataFile& table : scene.comparison.data) move(table.file);
-  return scene;
-}
-
 std::string summaryOf(const Fit& fit) {
   std::string text;
   for (const FittedParameter& parameter : fit.parameters)
@@ -82,19 +63,15 @@ std::string summaryOf(const Fit& fit) {
 int runFit(const FitCommand& command) {
   checkFolderName(command.output);
   const PictureSettings settings = pictureSettings(command.picture, kPictures);
-  Scene scene = sceneOf(command.common);
   CurveArguments beside;
   beside.data = command.data;
-  scene = withComparisons(scene, beside);
+  const ComparedScene compared = withComparisons(sceneOf(command.common), beside);
+  const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
-    needSteadySliding(scene, "asperity fit");
-    if (choosesAccuracy(scene))
-      throw InputError("", "accuracy.target_relative_error",
-                       "a fit needs the same lines everywhere, not a target");
     const std::vector<VariedParameter> varied = variedFrom(command.varied, scene);
-    const std::vector<FrictionData> data = readComparisonData(scene);
+    const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
     std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);
     for (const DataFile& table : scene.comparison.data) inputs.push_back(scene.folder / table.file);
     FitOptions options;
@@ -105,27 +82,18 @@ int runFit(const FitCommand& command) {
       constexpr int kUsual = 150;
       bar.show(std::min(evaluations, kUsual - 1), kUsual);
     };
-    const Fit fit = fitFriction(scene, data, varied, options);
-    CurveSet set;
-    set.present = {{}, fit.scene, computeCurve(fit.scene, command.common).points, 0};
-    StateOptions states;
-    states.threads = command.common.threads;
-    addComparisons(set, data, states);
-
-    nlohmann::ordered_json answer = provenance("fit", fit.scene);
-    answer["vary"] = command.varied;
-    answer["fit"] = fitJson(fit);
+    FittedCurve fitted = fitWithCurve(scene, data, varied, options);
+    fitted.varied = command.varied;
+    const FitReport report = fitReport(fitted, command.output);
     OutputFolder output(command.output, inputs, settings);
-    output.addText("fit.json", answer.dump(2) + "\n");
-    output.addText("fitted.scene.json", writeScene(seenFrom(command.output, fit.scene)));
-    output.addText("fit.csv", provenanceComment("fit", fit.scene) + fitCsv(fit, data));
-    output.addSheet("curve", fitSheet(fit, set));
-    if (!fit.profiles.empty()) output.addSheet("profiles", profileSheet(fit));
-    nlohmann::ordered_json origin = provenance("fit", fit.scene);
+    for (const auto& [name, bytes] : report.texts) output.addText(name, bytes);
+    for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
+    nlohmann::ordered_json origin = provenance("fit", fitted.fit.scene);
     origin["picture"] = settings.json();
     output.write(provenanceLine(origin));
-    printSummary(command.common.json, command.common.quiet, summaryOf(fit) + output.summary());
-    if (command.common.json) fmt::print("{}\n", answer.dump(2));
+    printSummary(command.common.json, command.common.quiet,
+                 summaryOf(fitted.fit) + output.summary());
+    if (command.common.json) fmt::print("{}", report.texts.front().second);
     return kDone;
   });
 }

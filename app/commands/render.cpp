@@ -55,7 +55,8 @@ class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
       : command_(command),
-        scene_(withComparisons(sceneOf(command.common), command.curves)),
+        compared_(withComparisons(sceneOf(command.common), command.curves)),
+        scene_(compared_.scene),
         kind_(kindOf(command.output)),
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),
         layout_(layoutFrom(command.layout)),
@@ -193,7 +194,8 @@ class Rendering {
     steady.sliding.kind = SlidingKind::Steady;
     Curve curve = computeCurve(steady, command_.common);
     requireTarget(curve);
-    curves_ = curvesOf(command_.curves, steady, std::move(curve.points), command_.common);
+    curves_ = curvesOf(command_.curves, {steady, compared_.given}, std::move(curve.points),
+                       command_.common);
   }
 
   /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
@@ -335,7 +337,8 @@ class Rendering {
   }
 
   const RenderCommand& command_;
-  Scene scene_;
+  ComparedScene compared_;
+  const Scene& scene_;
   Kind kind_;
   PictureSettings settings_;
   PictureLayout layout_;

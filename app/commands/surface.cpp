@@ -9,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/headless_pictures.h"
 #include "app/output.h"
+#include "app/surface_progress.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
@@ -140,6 +141,7 @@ int runSurface(const SurfaceCommand& command) {
     // A line from a file is written with its elements alone: read as a profile it is the same line.
     const SurfaceKind kind = scene.surface.kind;
     const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
+    findLinesWithProgress(scene, command.common.quiet);
     const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
     const Line line = source.make(0);
     const std::string text =

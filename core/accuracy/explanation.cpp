@@ -12,6 +12,8 @@
 #include "core/chart/curve_regions.h"
 #include "core/chart/material_sheets.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/theories/theory.h"
+#include "core/scene/list_text.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 
@@ -76,6 +78,11 @@ Explanation explain(const Scene& scene, int threads) {
   return explanation;
 }
 
+std::vector<Theory> theoriesBeside(const Scene& scene) {
+  if (scene.comparison.theory == Comparisons{}.theory) return {};
+  return scene.comparison.theory;
+}
+
 void analyze(Explanation& explanation, int threads) {
   if (!explanation.predicted) return;
   const double before = peakMemory();
@@ -108,6 +115,12 @@ std::string explanationJson(const Explanation& explanation) {
   root["notes"] = Json::array();
   for (const Note note : explanation.notes.list())
     root["notes"].push_back({{"word", wordOf(note)}, {"meaning", sentenceOf(note).english()}});
+  for (const Theory theory : theoriesBeside(explanation.scene)) {
+    const TheoryEntry& entry = entryOf(theory);
+    root["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(theory)]},
+                                {"name", entry.name},
+                                {"range", entry.range}});
+  }
   root["predicted"] = nullptr;
   root["measured"] = nullptr;
   if (const auto& predicted = explanation.predicted)

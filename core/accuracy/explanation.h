@@ -41,6 +41,10 @@ struct Explanation {
 /// curve; core/run/motion_accuracy.h adds that of a motion.
 Explanation explain(const Scene& scene, int threads = 0);
 
+/// Returns the theories that the scene chooses beside its curve; none where it leaves the choice to
+/// the program.
+std::vector<Theory> theoriesBeside(const Scene& scene);
+
 /// Runs the curve and fills `measured`. It does nothing for a motion that is not steady.
 void analyze(Explanation& explanation, int threads = 0);
 

@@ -2,6 +2,9 @@
 
 #include <fftw3.h>
 
+#include <mutex>
+#include <new>
+
 namespace asperity {
 namespace {
 
@@ -14,16 +17,23 @@ double* writable(std::span<const double> values) {
   return const_cast<double*>(values.data());
 }
 
-// The same plan serves arrays of any alignment, so that the same input gives the same bits.
-constexpr unsigned kForward = FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT;
-constexpr unsigned kBackward = FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_DESTROY_INPUT;
-
-}  // namespace
-
-std::mutex& fourierPlannerLock() {
+/// Held while a plan is made or destroyed.
+std::mutex& plannerLock() {
   static std::mutex lock;
   return lock;
 }
+
+struct Freed {
+  void operator()(void* values) const { fftw_free(values); }
+};
+template <class Value>
+std::unique_ptr<Value, Freed> aligned(std::size_t count) {
+  auto* values = static_cast<Value*>(fftw_malloc(sizeof(Value) * count));
+  if (!values) throw std::bad_alloc();
+  return std::unique_ptr<Value, Freed>(values);
+}
+
+}  // namespace
 
 std::size_t fastTransformSize(std::size_t count) {
   for (std::size_t size = count;; ++size) {
@@ -34,44 +44,51 @@ std::size_t fastTransformSize(std::size_t count) {
   }
 }
 
-struct RealTransform::Plans {
-  explicit Plans(std::size_t count) : points(count) {
-    std::vector<double> values(count);
-    std::vector<std::complex<double>> modes(count / 2 + 1);
-    const std::lock_guard lock(fourierPlannerLock());
-    const int size = static_cast<int>(count);
-    forward = fftw_plan_dft_r2c_1d(size, values.data(), raw(modes.data()), kForward);
-    backward = fftw_plan_dft_c2r_1d(size, raw(modes.data()), values.data(), kBackward);
-  }
-  ~Plans() {
-    const std::lock_guard lock(fourierPlannerLock());
-    fftw_destroy_plan(forward);
-    fftw_destroy_plan(backward);
-  }
-  Plans(const Plans&) = delete;
-  Plans& operator=(const Plans&) = delete;
+FourierPlans::FourierPlans(std::size_t points, Arrays arrays) : points_(points) {
+  // Estimated plans look at the alignment of the arrays, not at what is in them.
+  const auto values = aligned<double>(points);
+  const auto modes = aligned<std::complex<double>>(points / 2 + 1);
+  const unsigned flags = FFTW_ESTIMATE | (arrays == Arrays::Any ? FFTW_UNALIGNED : 0);
+  const int size = static_cast<int>(points);
+  const std::lock_guard lock(plannerLock());
+  forward_ =
+      fftw_plan_dft_r2c_1d(size, values.get(), raw(modes.get()), flags | FFTW_PRESERVE_INPUT);
+  backward_ =
+      fftw_plan_dft_c2r_1d(size, raw(modes.get()), values.get(), flags | FFTW_DESTROY_INPUT);
+}
 
-  std::size_t points;
-  fftw_plan forward, backward;
-};
+FourierPlans::~FourierPlans() {
+  const std::lock_guard lock(plannerLock());
+  fftw_destroy_plan(forward_);
+  fftw_destroy_plan(backward_);
+}
 
-RealTransform::RealTransform(std::size_t points) : plans_(std::make_unique<Plans>(points)) {}
+void FourierPlans::forward(const double* values, std::complex<double>* modes) const {
+  fftw_execute_dft_r2c(forward_, const_cast<double*>(values), raw(modes));
+}
+
+void FourierPlans::backward(std::complex<double>* modes, double* values) const {
+  fftw_execute_dft_c2r(backward_, raw(modes), values);
+}
+
+RealTransform::RealTransform(std::size_t points)
+    : plans_(std::make_unique<const FourierPlans>(points, FourierPlans::Arrays::Any)) {}
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
 std::size_t RealTransform::points() const {
-  return plans_->points;
+  return plans_->points();
 }
 
 std::vector<std::complex<double>> RealTransform::forward(std::span<const double> values) const {
   std::vector<std::complex<double>> modes(this->modes());
-  fftw_execute_dft_r2c(plans_->forward, writable(values), raw(modes.data()));
+  plans_->forward(values.data(), modes.data());
   return modes;
 }
 
 std::vector<double> RealTransform::backward(std::vector<std::complex<double>> modes) const {
   std::vector<double> values(points());
-  fftw_execute_dft_c2r(plans_->backward, raw(modes.data()), values.data());
+  plans_->backward(modes.data(), values.data());
   return values;
 }
 
@@ -80,12 +97,12 @@ std::vector<std::complex<double>> transform2d(std::span<const double> values, st
   std::vector<std::complex<double>> modes(rows * (columns / 2 + 1));
   fftw_plan plan = nullptr;
   {
-    const std::lock_guard lock(fourierPlannerLock());
+    const std::lock_guard lock(plannerLock());
     plan = fftw_plan_dft_r2c_2d(static_cast<int>(rows), static_cast<int>(columns), writable(values),
                                 raw(modes.data()), FFTW_ESTIMATE | FFTW_UNALIGNED);
   }
   fftw_execute(plan);
-  const std::lock_guard lock(fourierPlannerLock());
+  const std::lock_guard lock(plannerLock());
   fftw_destroy_plan(plan);
   return modes;
 }

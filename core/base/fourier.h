@@ -7,14 +7,34 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
+struct fftw_plan_s;
+
 namespace asperity {
 
-/// Held by everyone who makes or destroys a plan of FFTW.
-std::mutex& fourierPlannerLock();
+/// FFTW's plans of both directions for transforms of one size. An aligned plan is faster, but takes
+/// only arrays from fftw_malloc; the other one takes arrays of any alignment by the same
+/// operations, so that equal input gives equal bits there, too.
+class FourierPlans {
+ public:
+  enum class Arrays { Aligned, Any };
+  FourierPlans(std::size_t points, Arrays arrays);
+  ~FourierPlans();
+  FourierPlans(const FourierPlans&) = delete;
+  FourierPlans& operator=(const FourierPlans&) = delete;
+
+  std::size_t points() const { return points_; }
+  /// X_k = sum_j x_j exp(-2 pi i j k / n), k = 0 ... n/2. The values are kept.
+  void forward(const double* values, std::complex<double>* modes) const;
+  /// Back, without the factor 1/n. The modes are used up.
+  void backward(std::complex<double>* modes, double* values) const;
+
+ private:
+  std::size_t points_;
+  fftw_plan_s *forward_, *backward_;
+};
 
 /// The next number of points, not below `count`, that has no prime factor above 5: transforms of so
 /// many points are fast.
@@ -36,8 +56,7 @@ class RealTransform {
   std::vector<double> backward(std::vector<std::complex<double>> modes) const;
 
  private:
-  struct Plans;
-  std::unique_ptr<Plans> plans_;
+  std::unique_ptr<const FourierPlans> plans_;
 };
 
 /// The transform of rows x columns numbers, row by row: rows x (columns/2 + 1) modes.

@@ -157,12 +157,12 @@ std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
   for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
     const std::string_view text = withoutMark(line->text, dialect);
     if (text.empty()) continue;
-    // A comma or a semicolon in front is an unnamed column, too: the mark alone was taken off. So
+    // A separator in front is an unnamed column, too, be it a tab, which a blank is otherwise. So
     // is one at the end.
     std::vector<std::string> fields = splitNames(text, dialect, columns);
     if (fields.empty() && dialect.isExact()) {
       std::vector<std::string_view> whole;
-      splitFields(text, dialect.separator, whole);
+      splitFields(isComment(line->text) ? text : line->text, dialect.separator, whole);
       if (whole.size() == columns)
         for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
     }

@@ -41,10 +41,13 @@ std::vector<TheoryCurve> theoryCurves(const Scene& scene) {
 
 }  // namespace
 
-std::vector<FrictionData> readComparisonData(const Scene& scene) {
+std::vector<FrictionData> readComparisonData(const Scene& scene,
+                                             const std::vector<FrictionData>& known) {
+  const std::vector<DataFile>& tables = scene.comparison.data;
   std::vector<FrictionData> data;
-  for (const DataFile& table : scene.comparison.data)
-    data.push_back(readFrictionData(scene.folder / table.file, table.label));
+  for (std::size_t i = 0; i + known.size() < tables.size(); ++i)
+    data.push_back(readFrictionData(scene.folder / tables[i].file, tables[i].label));
+  data.insert(data.end(), known.begin(), known.end());
   return data;
 }
 

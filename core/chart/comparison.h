@@ -11,8 +11,10 @@
 
 namespace asperity {
 
-/// The tables that the scene names, in its order.
-std::vector<FrictionData> readComparisonData(const Scene& scene);
+/// The tables that the scene names, in its order. `known`: the last of them, where they have been
+/// read already.
+std::vector<FrictionData> readComparisonData(const Scene& scene,
+                                             const std::vector<FrictionData>& known = {});
 
 /// Adds the theories, except for Eq. (11), which is part of the curve, and the measured friction to
 /// a set whose present curve is that of its scene. The computed values are missing where

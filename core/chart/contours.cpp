@@ -143,10 +143,10 @@ std::vector<double> contourLevels(double from, double to, bool isLogarithmic, in
   if (!(from < to) || count < 1 || (isLogarithmic && !(from > 0))) return levels;
   if (isLogarithmic) {
     const double decades = std::log10(to / from);
-    constexpr double kOneStep = 1, kThree = 2, kTwoFive = 3;
+    constexpr double kThree = 2, kTwoFive = 3;
     const double perDecade = count / decades;
     // Fewer than a level in a decade: whole powers of ten in equal steps.
-    const int step = perDecade < kOneStep ? static_cast<int>(std::ceil(1 / perDecade)) : 1;
+    const int step = std::max(1, static_cast<int>(std::lround(1 / perDecade)));
     std::vector<double> factors{1};
     if (perDecade >= kTwoFive)
       factors = {1, 2, 5};

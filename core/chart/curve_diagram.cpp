@@ -155,30 +155,6 @@ Message blankOf(const NamedCurve& curve, CurveAxes axes) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
-/// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
-/// of a half-space, which is another model, has a colour.
-void addTheories(Diagram& diagram, const CurveSet& set) {
-  constexpr int kColourOfHalfSpace = kPinColours - 2;
-  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
-  for (std::size_t k = 0; k < set.theories.size(); ++k) {
-    const TheoryCurve& theory = set.theories[k];
-    DiagramSeries series;
-    series.name = entryOf(theory.theory).name;
-    series.isTheory = theory.theory != Theory::PerssonHalfSpace;
-    series.stroke =
-        theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted : SeriesStroke::Dashed;
-    if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
-    series.id = kTheoryCurves - static_cast<int>(k);
-    bool isSeen = false;
-    for (const TheoryPoint& point : theory.points) {
-      const double mu = point.isInRange ? point.mu * friction : kNotApplicable;
-      series.points.push_back({point.velocity * velocity, mu});
-      isSeen |= std::isfinite(mu);
-    }
-    if (isSeen) diagram.series.push_back(std::move(series));
-  }
-}
-
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
 
 /// Marks and colours that no curve of the set has.
@@ -238,21 +214,15 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
 Diagram curvesDiagram(const CurveSet& set) {
   Diagram diagram;
   const bool isPhysical = set.axes == CurveAxes::Physical;
-  diagram.x = isPhysical
-                  ? DiagramAxis{"sliding velocity v", "m/s"}
-                  : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
+  diagram.x = xAxisOf(set);
   diagram.y = {isPhysical ? "coefficient of friction \u03BC"
                           : "normalized friction \u03BC / \u2207z"};
-  diagram.x.from = set.xFrom;
-  diagram.x.to = set.xTo;
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
-  if (set.isReduced && isPhysical)
-    diagram.x.title = message("reduced sliding velocity a_T v at {:.4g} K",
-                              set.present.scene.elastomer.temperature);
   DiagramSeries law = lawSeries(set.present, set.axes);
   if (!law.points.empty() && showsLaw(set.present.scene)) diagram.series.push_back(std::move(law));
-  addTheories(diagram, set);
+  std::ranges::move(theorySeries(set, &TheoryPoint::mu, factorsOf(set.present.points, set.axes)),
+                    std::back_inserter(diagram.series));
   for (const NamedCurve& curve : set.pinned)
     diagram.series.push_back(pinnedSeries(curve, set.axes));
   DiagramSeries mean = meanSeries(set.present, set.axes);
@@ -337,6 +307,49 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
 
 }  // namespace
 
+DiagramAxis xAxisOf(const CurveSet& set) {
+  const bool isPhysical = set.axes == CurveAxes::Physical;
+  DiagramAxis axis =
+      isPhysical ? DiagramAxis{"sliding velocity v", "m/s"}
+                 : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
+  axis.from = set.xFrom;
+  axis.to = set.xTo;
+  if (set.isReduced && isPhysical)
+    axis.title = message("reduced sliding velocity a_T v at {:.4g} K",
+                         set.present.scene.elastomer.temperature);
+  return axis;
+}
+
+std::vector<DiagramSeries> theorySeries(const CurveSet& set, double TheoryPoint::*value,
+                                        const AxesFactors& factors) {
+  constexpr int kColourOfHalfSpace = kPinColours - 2;
+  std::vector<DiagramSeries> all;
+  for (std::size_t k = 0; k < set.theories.size(); ++k) {
+    const TheoryCurve& theory = set.theories[k];
+    DiagramSeries series;
+    series.name = entryOf(theory.theory).name;
+    series.isTheory = theory.theory != Theory::PerssonHalfSpace;
+    series.stroke =
+        theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted : SeriesStroke::Dashed;
+    if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
+    series.id = kTheoryCurves - static_cast<int>(k);
+    bool isSeen = false;
+    for (const TheoryPoint& point : theory.points) {
+      const double y = point.isInRange ? point.*value * factors.friction : kNotApplicable;
+      series.points.push_back({point.velocity * factors.velocity, y});
+      isSeen |= std::isfinite(y);
+    }
+    if (isSeen) all.push_back(std::move(series));
+  }
+  return all;
+}
+
+std::vector<Message> rangesOfTheories(const CurveSet& set) {
+  std::vector<Message> ranges;
+  for (const TheoryCurve& theory : set.theories) ranges.push_back(entryOf(theory.theory).range);
+  return ranges;
+}
+
 DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) {
   CurveSet set;
   set.present = {{}, scene, {points.begin(), points.end()}};
@@ -361,6 +374,7 @@ DiagramSheet curveSheet(const CurveSet& set) {
     notes.emplace_back(
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
+  for (Message& range : rangesOfTheories(set)) notes.push_back(std::move(range));
   sheet.note = sentences(notes);
   const bool hasResiduals = std::ranges::any_of(
       set.measured, [](const MeasuredCurve& measured) { return !measured.computed.empty(); });

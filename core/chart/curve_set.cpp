@@ -83,7 +83,11 @@ std::string curveSetCsv(const CurveSet& set) {
       addRow("Eq. (11)", pointAt(point.velocity, point.muLaw));
   for (const TheoryCurve& theory : set.theories)
     for (const TheoryPoint& point : theory.points)
-      if (point.isInRange) addRow(entryOf(theory.theory).name, pointAt(point.velocity, point.mu));
+      if (point.isInRange) {
+        CurvePoint row = pointAt(point.velocity, point.mu);
+        row.contactFraction = point.contactFraction;
+        addRow(entryOf(theory.theory).name, row);
+      }
   for (const MeasuredCurve& measured : set.measured)
     for (std::size_t i = 0; i < measured.velocities.size(); ++i) {
       CurvePoint point = pointAt(measured.velocities[i], measured.data.points[i].mu);

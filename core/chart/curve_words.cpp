@@ -80,7 +80,10 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 Message titleOfKey(std::string_view key) {
   const Parameter& row = knownParameter(key);
-  if (row.symbol.empty()) return row.label;
+  // "shift C1" names its symbol C_1 already.
+  std::string plainSymbol(row.symbol);
+  std::erase(plainSymbol, '_');
+  if (row.symbol.empty() || row.label.ends_with(" " + plainSymbol)) return row.label;
   return message("{} {}", Message(row.label), printed(row.symbol));
 }
 

@@ -104,6 +104,13 @@ struct DiagramField {
   std::vector<DiagramContour> contours{};
 };
 
+/// A horizontal bar from 0 with its name in place of a tick; the first one is at the top.
+struct DiagramBar {
+  Message name{};
+  double value = 0;
+  double error = std::numeric_limits<double>::quiet_NaN();  // to each side of its end; NaN: none
+};
+
 struct Diagram {
   Message title{};  // over this diagram; may be empty
   DiagramAxis x, y;
@@ -116,6 +123,7 @@ struct Diagram {
   std::optional<DiagramMarker> marker{};
   Message blank{};  // why there is no curve, in the middle of the frame
   std::optional<DiagramField> field{};
+  std::vector<DiagramBar> bars{};  // instead of the y-axis
 };
 
 /// Diagrams side by side under one heading.

@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/ensemble.h"
 #include "core/scene/columns.h"
+#include "core/scene/effects.h"
 #include "core/scene/parameters.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
 
 namespace asperity {
 namespace {
@@ -44,6 +51,24 @@ std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   return errors;
 }
 
+/// The value with its range and the name that charts use.
+Message labelled(const FittedParameter& parameter) {
+  const Parameter& row = *findParameter(parameter.key);
+  const std::string unit(row.unit);
+  return message("{} = {}, {} to {}", Message(std::string(row.label)),
+                 PrintedNumber{printedQuantity(parameter.value, unit)},
+                 PrintedNumber{printedQuantity(parameter.low, unit)},
+                 PrintedNumber{printedQuantity(parameter.high, unit)});
+}
+
+/// A logarithmic axis of little more than a decade would have one number or none.
+AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& profile) {
+  constexpr double kWide = 30;
+  if (!parameter.isLogarithmic || profile.values.empty()) return AxisScale::Linear;
+  const auto [low, high] = std::ranges::minmax(profile.values);
+  return high > kWide * low ? AxisScale::Logarithmic : AxisScale::Linear;
+}
+
 /// Between two measured velocities, linear in their logarithm; NaN outside of them.
 double errorAt(const std::vector<RelativeError>& errors, double velocity) {
   const auto above = std::ranges::lower_bound(errors, velocity, {}, &RelativeError::velocity);
@@ -54,6 +79,21 @@ double errorAt(const std::vector<RelativeError>& errors, double velocity) {
   return std::lerp(
       below.value, above->value,
       std::log(velocity / below.velocity) / std::log(above->velocity / below.velocity));
+}
+
+/// The scene with the names of its files as they are seen from another folder.
+Scene seenFrom(const std::string& folder, Scene scene) {
+  const auto move = [&](std::string& name) {
+    const std::filesystem::path file = scene.folder / name;
+    std::error_code error;
+    if (name.empty() || !std::filesystem::exists(file, error)) return;  // a shipped material
+    const std::filesystem::path seen = std::filesystem::proximate(file, folder, error);
+    if (!error) name = seen.string();
+  };
+  if (hasSurfaceFile(scene.surface)) move(scene.surface.file);
+  move(scene.elastomer.material);
+  for (DataFile& table : scene.comparison.data) move(table.file);
+  return scene;
 }
 
 }  // namespace
@@ -129,8 +169,7 @@ Message fittedInWords(const FittedParameter& parameter) {
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
   DiagramSheet sheet = curveSheet(set);
   std::vector<Message> values;
-  for (const FittedParameter& parameter : fit.parameters)
-    values.push_back(fittedInWords(parameter));
+  for (const FittedParameter& parameter : fit.parameters) values.push_back(labelled(parameter));
   sheet.subtitle = listed(values);
   DiagramSeries band;
   band.name = "fit \u00B1 standard error";
@@ -156,8 +195,7 @@ DiagramSheet profileSheet(const Fit& fit) {
     const ObjectiveProfile& profile = fit.profiles[k];
     const Parameter& row = *findParameter(profile.key);
     Diagram diagram;
-    diagram.x = {Message(row.label), std::string(row.unit),
-                 fit.parameters[k].isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
+    diagram.x = {Message(row.label), std::string(row.unit), scaleOf(fit.parameters[k], profile)};
     diagram.y = {"chi squared above its least", "", AxisScale::Linear};
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
@@ -167,11 +205,47 @@ DiagramSheet profileSheet(const Fit& fit) {
     DiagramMarker best;
     best.x = fit.parameters[k].value;
     best.isFixed = true;
-    best.label = fittedInWords(fit.parameters[k]);
+    best.label = labelled(fit.parameters[k]);
     diagram.marker = best;
     sheet.diagrams.push_back(std::move(diagram));
   }
   return sheet;
+}
+
+FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
+                         std::span<const VariedParameter> parameters, const FitOptions& options) {
+  needSteadySliding(scene, "a fit");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "a fit needs the same lines everywhere, not a target");
+  FittedCurve fitted;
+  fitted.fit = fitFriction(scene, data, parameters, options);
+  CurveOptions curve;
+  curve.threads = options.threads;
+  curve.stop = options.stop;
+  fitted.set.present = {{}, fitted.fit.scene, frictionCurve(fitted.fit.scene, curve).points, 0};
+  StateOptions states;
+  states.threads = options.threads;
+  states.stop = options.stop;
+  addComparisons(fitted.set, data, states);
+  if (options.stop.stop_requested()) throw StudyStopped{};
+  return fitted;
+}
+
+FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {
+  const Fit& fit = fitted.fit;
+  std::vector<FrictionData> data;
+  for (const MeasuredCurve& measured : fitted.set.measured) data.push_back(measured.data);
+  Json answer = provenance("fit", fit.scene);
+  answer["vary"] = fitted.varied;
+  answer["fit"] = fitJson(fit);
+  FitReport report;
+  report.texts = {{"fit.json", answer.dump(2) + "\n"},
+                  {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
+                  {"fit.csv", provenanceComment("fit", fit.scene) + fitCsv(fit, data)}};
+  report.sheets.push_back({"curve", fitSheet(fit, fitted.set)});
+  if (!fit.profiles.empty()) report.sheets.push_back({"profiles", profileSheet(fit)});
+  return report;
 }
 
 }  // namespace asperity

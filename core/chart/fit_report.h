@@ -1,12 +1,16 @@
-// A fit as table, JSON and charts. Pure functions; equal fits give equal bytes.
+// A fit as table, JSON and charts, and the files of its report. Pure functions, except for
+// fitWithCurve, which computes with several threads; equal fits give equal bytes.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/chart/curve_set.h"
 #include "core/chart/diagram.h"
+#include "core/chart/material_sheets.h"
 #include "core/fit/fit.h"
 
 namespace asperity {
@@ -26,5 +30,27 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set);
 
 /// The least sum of squares over each parameter: flat where the data leave it open.
 DiagramSheet profileSheet(const Fit& fit);
+
+/// A fit with everything that its report shows.
+struct FittedCurve {
+  Fit fit;
+  CurveSet set;                     // the curve of the fitted scene with the measured tables
+  std::vector<std::string> varied;  // as a user wrote them: "KEY" or "KEY=LOW:HIGH"
+};
+
+/// Fits the scene to the tables that it names (readComparisonData) and computes the curve of the
+/// fitted scene. Throws as fitFriction, and InputError where the scene moves or has a target in
+/// place of a number of lines.
+FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
+                         std::span<const VariedParameter> parameters, const FitOptions& options);
+
+/// The files of a report in one folder.
+struct FitReport {
+  std::vector<std::pair<std::string, std::string>> texts;  // names and bytes; the first says most
+  std::vector<NamedSheet> sheets;                          // each is a picture of several formats
+};
+
+/// `folder`: where the files will stand, from which the fitted scene names its own.
+FitReport fitReport(const FittedCurve& fitted, const std::string& folder);
 
 }  // namespace asperity

@@ -46,12 +46,6 @@ constexpr std::array kTitles{
     QuantityTitle{"exponent", "exponent d ln \u03BC / d ln x"},
 };
 
-Message titleOfQuantity(std::string_view quantity) {
-  for (const QuantityTitle& one : kTitles)
-    if (one.quantity == quantity) return one.title;
-  return Message::name(std::string(quantity));
-}
-
 AxisScale scaleOf(const MapAxis& axis) {
   return axis.range.isLogarithmic ? AxisScale::Logarithmic : AxisScale::Linear;
 }
@@ -118,7 +112,7 @@ std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale)
 
 /// Scale and range of the colours.
 DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quantity) {
-  DiagramAxis axis{titleOfQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
+  DiagramAxis axis{titleOfMapQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
                    AxisScale::Linear};
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : values) {
@@ -159,9 +153,13 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
       height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
   const std::vector<double> x = placesOf(map.x, diagram.x.scale);
   const std::vector<double> y = placesOf(map.y, diagram.y.scale);
+  // Over many decades numbers are written as on the axes.
+  constexpr double kManyDecades = 1e3;
+  const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
   for (const double level :
        contourLevels(field.colours.from, field.colours.to, isLogarithmic, kLevels)) {
-    DiagramContour contour{level, PrintedNumber{printedNumber(level)}, {}};
+    DiagramContour contour{
+        level, PrintedNumber{arePowers ? printedPower(level) : printedNumber(level)}, {}};
     for (const ContourLine& line :
          contourLines(x, y, heights, isLogarithmic ? std::log10(level) : level))
       contour.lines.push_back(pointsOf(line, diagram.x.scale, diagram.y.scale));
@@ -281,6 +279,12 @@ std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& dia
 }
 
 }  // namespace
+
+Message titleOfMapQuantity(std::string_view quantity) {
+  for (const QuantityTitle& one : kTitles)
+    if (one.quantity == quantity) return one.title;
+  return Message::name(std::string(quantity));
+}
 
 DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
   DiagramSheet sheet;

@@ -321,7 +321,8 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   moduli.x.to = range.to;
   tangent.x = weights.x = moduli.x;
   moduli.height = 2;
-  moduli.y = {"modulus G', G''", "Pa"};
+  // A hard blank keeps both symbols together where the title is shortened.
+  moduli.y = {"moduli G',\u00A0G''", "Pa"};
   moduli.series = {lawSeries(law, range, storageOf, "storage modulus G'"),
                    lawSeries(law, range, lossOf, "loss modulus G''")};
   tangent.y = {"tan \u03B4", ""};

@@ -64,6 +64,8 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   // Without a normal force there is no coefficient.
   result.mu = normal != 0 ? tangential / normal : kNotANumber;
   result.contactFraction = std::min(sums.contactLength / line.length, 1.0);
+  // As many stretches in contact as free ones lie on a closed line.
+  result.contactSpots = sums.contactLength > 0 ? std::max(sums.freeStretches, 1.0) : 0;
   result.rmsSlopeContact =
       sums.contactLength > 0 ? std::sqrt(sums.slopeSquared / sums.contactLength) : kNotANumber;
   result.powerIn = stiffness * sums.work * conditions.velocity;

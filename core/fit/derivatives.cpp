@@ -20,22 +20,6 @@ const Parameter& realRow(std::string_view key, const Scene& scene) {
   return row;
 }
 
-/// The numbers that steady friction at one velocity may depend on. What is 0 is an effect that is
-/// switched off.
-std::vector<VariedParameter> activeParameters(const Scene& scene) {
-  std::vector<VariedParameter> active;
-  for (const Parameter& row : parameters()) {
-    const std::string_view section = row.key.substr(0, row.key.find('.'));
-    const bool isOfTheState = section == "surface" || section == "elastomer" || section == "load" ||
-                              section == "interface" || &row == findParameter("sliding.velocity");
-    if (!isOfTheState || !std::holds_alternative<RealField>(row.field) ||
-        !isApplicable(row, scene) || std::get<double>(valueOf(row, scene)) == 0)
-      continue;
-    active.emplace_back(row.key, scene);
-  }
-  return active;
-}
-
 }  // namespace
 
 VariedParameter::VariedParameter(std::string_view key, const Scene& scene)
@@ -82,6 +66,22 @@ double VariedParameter::of(const Scene& scene) const {
 
 void VariedParameter::set(Scene& scene, double place) const {
   setValue(*row_, scene, value(place));
+}
+
+std::vector<VariedParameter> activeParameters(const Scene& scene) {
+  std::vector<VariedParameter> active;
+  for (const Parameter& row : parameters()) {
+    const std::string_view section = row.key.substr(0, row.key.find('.'));
+    const bool isOfTheState = section == "surface" || section == "elastomer" || section == "load" ||
+                              section == "interface" || &row == findParameter("sliding.velocity");
+    // What was measured of a rubber says where its moduli are known, not what they are.
+    const bool isOfTheMeasurement = row.key.starts_with("elastomer.measured.");
+    if (!isOfTheState || isOfTheMeasurement || !std::holds_alternative<RealField>(row.field) ||
+        !isApplicable(row, scene) || std::get<double>(valueOf(row, scene)) == 0)
+      continue;
+    active.emplace_back(row.key, scene);
+  }
+  return active;
 }
 
 void fixResolution(Scene& scene) {

@@ -46,6 +46,10 @@ class VariedParameter {
   double step_ = 1e-3;
 };
 
+/// Returns the numbers that steady friction at one velocity may depend on, in the table's order.
+/// What is 0 is an effect that is switched off, and left out.
+std::vector<VariedParameter> activeParameters(const Scene& scene);
+
 /// States the resolution that the scene leaves to the program, so that it does not change where
 /// other parameters do.
 void fixResolution(Scene& scene);

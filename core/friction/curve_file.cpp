@@ -38,7 +38,7 @@ struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
 };
-constexpr std::array<ExtraColumn, 11> kExtraColumns{{
+constexpr std::array<ExtraColumn, 12> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -53,6 +53,10 @@ constexpr std::array<ExtraColumn, 11> kExtraColumns{{
     {"normal_force", [](const CurvePoint& point) { return point.normalForce; }},
     {"nominal_pressure", [](const CurvePoint& point) { return point.nominalPressure; }},
     {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; }},
+    {"contact_spots",
+     [](const CurvePoint& point) {
+       return point.listsContacts ? point.contactSpots : kNotApplicable;
+     }},
 }};
 
 constexpr ColumnName kNotesColumn = "notes";
@@ -105,7 +109,10 @@ NoteSet noteSetOf(const CurvePoint& point) {
 }
 
 std::string notesOf(const CurvePoint& point) {
-  return noteSetOf(point).words();
+  NoteSet said;
+  for (const Note note : noteSetOf(point).list())
+    said.add(note, note != Note::FewContacts || point.listsContacts);
+  return said.words();
 }
 
 std::vector<std::string_view> curveColumns() {

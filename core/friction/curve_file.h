@@ -27,6 +27,7 @@ std::string curveRow(const CurvePoint& point);
 /// does, which gives back what it takes: too few of the paper's elements carry the load, and mu is
 /// the error of their sum, with either sign. `extrapolated_material`: it rests on frequencies at
 /// which the elastomer was not measured; `extrapolated_temperature`: on such a temperature.
+/// `few_contacts` stands in tables of scenes that list contacts; in the set it stands for all.
 std::string notesOf(const CurvePoint& point);
 NoteSet noteSetOf(const CurvePoint& point);
 

@@ -18,6 +18,7 @@ void CurveAverages::add(const SteadyResult& result) {
   rmsSlope.add(result.rmsSlopeLine);
   if (std::isfinite(result.muInterface)) muInterface.add(result.muInterface);
   contactFraction.add(result.contactFraction);
+  contactSpots.add(result.contactSpots);
   indentation.add(result.indentation);
   normalForce.add(result.normalForce);
   tangentialForce.add(result.tangentialForce);
@@ -33,11 +34,24 @@ CurvePoint CurveAverages::point(double velocity) const {
   point.muInterface = muInterface.mean();
   if (normalForce.mean() != 0) point.muRatioOfMeans = tangentialForce.mean() / normalForce.mean();
   point.contactFraction = contactFraction.mean();
+  point.contactSpots = contactSpots.mean();
   point.rmsSlopeContact = rmsSlopeContact.mean();
   point.indentation = indentation.mean();
   point.marginalShare = marginalShare.mean();
   point.realizations = mu.count();
   return point;
+}
+
+bool areContactsFew(double contactSpots, double contactFraction) {
+  constexpr double kGrownTogether = 0.5;
+  return std::isgreater(contactSpots, 0) && std::isless(contactSpots, kFewContacts) &&
+         std::isless(contactFraction, kGrownTogether);
+}
+
+bool listsContacts(const Scene& scene) {
+  return (hasSurfaceFile(scene.surface) && scene.surface.kind != SurfaceKind::Profile) ||
+         scene.load.kind == LoadKind::Pressure || !scene.elastomer.material.empty() ||
+         measuredFrequencies(scene.elastomer).has_value();
 }
 
 LawLines lawLines(const LineSource& source, const Elastomer& elastomer) {
@@ -77,6 +91,7 @@ LawColumns::LawColumns(const Scene& scene, const LawLines& lines)
       hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
       hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
       slopesDiffer_(lines.slopesDiffer),
+      isRough_(scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface)),
       notes_(lines.notes) {
   notes_.add(notesOf(scene.elastomer, lines.rmsSlope, kNotApplicable));
 }
@@ -86,19 +101,6 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   const double sampled = averages.mu.mean();
   if (!slopesDiffer_ || !(sampled > 0)) return mu / rmsSlope_;
   return mu * (averages.normalizedMu.mean() / sampled);
-}
-
-/// Returns whether the height that a free element climbs during a period is small against the
-/// roughness (region IV; core/chart/curve_regions.h). It is asked of measured lines under a force
-/// on Kelvin elements; the other lines have no such note.
-bool LawColumns::hasFewContacts(double velocity) const {
-  constexpr double kFew = 0.1;  // rms heights
-  if (!hasSurfaceFile(scene_.surface) || scene_.surface.kind == SurfaceKind::Profile ||
-      scene_.load.kind == LoadKind::Indentation)
-    return false;
-  const ElementLaw law = lawOf(scene_.elastomer);
-  return law.kind() == ElementKind::Kelvin && loadOn(scene_.load, length_).normalForce <
-                                                  4 * law.viscosity * velocity * kFew * rmsHeight_;
 }
 
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
@@ -113,6 +115,9 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (accuracy.scheme != Scheme::Nodal || accuracy.targetRelativeError > 0)
     point.marginalShare = kNotApplicable;
   point.notes.add(notes_);
+  point.listsContacts = listsContacts(scene_);
+  point.notes.add(Note::FewContacts,
+                  isRough_ && areContactsFew(point.contactSpots, point.contactFraction));
   if (scene_.load.kind == LoadKind::Pressure) {
     point.normalForce = loadOn(scene_.load, length_).normalForce;
     point.nominalPressure = scene_.load.nominalPressure;
@@ -120,7 +125,6 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
       point.meanPressure = point.nominalPressure / point.contactFraction;
   }
   if (!(rmsHeight_ > 0)) return;
-  point.notes.add(Note::FewContacts, hasFewContacts(point.velocity));
   const SlidingConditions conditions = slidingConditions(scene_, point.velocity);
   const double force = scene_.load.kind == LoadKind::Indentation
                            ? averages.normalForce.mean()

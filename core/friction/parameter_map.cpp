@@ -15,6 +15,7 @@
 #include "core/friction/steady_states.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -22,14 +23,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr ColumnName kExponent = "exponent";
-constexpr std::size_t kCoarse = 16;  // points along a side of the first stage
-
-/// Whether steady friction at one velocity may depend on the key.
-bool isOfState(std::string_view key) {
-  const std::string_view section = key.substr(0, key.find('.'));
-  return section == "surface" || section == "elastomer" || section == "load" ||
-         section == "interface" || key == "sliding.velocity" || key == "accuracy.oversampling";
-}
+constexpr std::int64_t kFewLines = 10;  // of a stage before many lines
+constexpr std::size_t kCoarse = 16;     // points along a side of the first stage
 
 void setNumber(const Parameter& row, Scene& scene, double value) {
   if (std::holds_alternative<IntegerField>(row.field))
@@ -147,14 +142,13 @@ Json axisJson(const MapAxis& axis) {
 }  // namespace
 
 bool isMapParameter(const Parameter& row, const Scene& scene) {
-  return allowedRange(row) && isOfState(row.key) && isApplicable(row, scene);
+  return allowedRange(row) && whyNotSwept(row, scene).empty();
 }
 
 MapAxis mapAxis(const Scene& scene, const ParameterRange& range) {
   const std::string key(range.key());
-  if (!isOfState(key))
-    throw InputError("", key,
-                     "says how friction is computed or shown, and cannot be a side of a map");
+  if (Message reason = whyNotSwept(*range.row, scene); !reason.empty())
+    throw InputError("", "", reason);
   checkRange(range, scene);
   if (range.points < 2 || range.points > kMostMapPoints)
     throw InputError(
@@ -213,19 +207,24 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
                      "ensemble.realizations instead of a target");
   StateOptions work{options.threads, options.stop, {}, false};
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
-  const auto show = [&](const MapAxis& alongX, const MapAxis& alongY) {
+  const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
     if (!options.preview || options.stop.stop_requested()) return;
-    ParameterMap stage = stageOf(scene, alongX, alongY, 1, work);
+    ParameterMap stage = stageOf(scene, alongX, alongY, lines, work);
     if (stage.isComplete) options.preview(std::move(stage));
   };
   const MapAxis fewX = coarse(x), fewY = coarse(y);
   const bool isLarge = fewX.values.size() < x.values.size() || fewY.values.size() < y.values.size();
-  if (isLarge) show(fewX, fewY);
-  if (hasManyLines) show(x, y);
+  if (isLarge) show(fewX, fewY, 1);
+  if (hasManyLines) show(x, y, 1);
+  if (hasManyLines && scene.ensemble.realizations > 2 * kFewLines) show(x, y, kFewLines);
   work.progress = options.progress;
   ParameterMap map = stageOf(scene, x, y, 0, work);
   map.isFinal = map.isComplete;
   return map;
+}
+
+Scene sceneAt(const ParameterMap& map, double x, double y) {
+  return cellScene(map.scene, map.x, x, map.y, y);
 }
 
 Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j) {

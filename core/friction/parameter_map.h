@@ -7,7 +7,7 @@
 // shared as slideStates shares it.
 //
 // A map may be shown while it is computed: a coarse one of few points on one line comes first, then
-// all points on one line, then all lines.
+// all points on one line, on ten lines where there are far more, and on all of them.
 // Threading: a function of its arguments, which uses several threads; same bytes for any number.
 // Failure: InputError for a key or range that makes no sense; as slideStates.
 #pragma once
@@ -38,12 +38,12 @@ struct MapAxis {
 inline constexpr std::int64_t kMostMapPoints = 1000;  // along a side
 inline constexpr std::int64_t kMostMapCells = 100000;
 
-/// Whether the row is a number that steady friction in this scene may depend on. The others say how
-/// friction is computed and shown.
+/// Whether the row is a number that friction in this scene depends on (whyNotSwept of
+/// core/scene/sweep.h).
 bool isMapParameter(const Parameter& row, const Scene& scene);
 
-/// Returns the values of a range. Throws InputError with the key where it is no such number, has no
-/// meaning in the scene, or the range has fewer than 2 different values.
+/// Returns the values of a range. Throws InputError that names the key where it is no such number,
+/// or the range has fewer than 2 different values.
 MapAxis mapAxis(const Scene& scene, const ParameterRange& range);
 
 /// Returns a range for a row where none is asked for: that part of its slider around the scene's
@@ -77,6 +77,10 @@ struct MapOptions {
 /// asks for a target accuracy, which would need another number of lines in each cell.
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options = {});
+
+/// The map's scene with other values of its two parameters; whole numbers are rounded. Throws
+/// InputError where a value is not allowed.
+Scene sceneAt(const ParameterMap& map, double x, double y);
 
 /// The scene of a cell, as one would give it to a curve of one velocity.
 Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j);

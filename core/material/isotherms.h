@@ -9,6 +9,9 @@
 
 namespace asperity {
 
+/// Thrown by the fits of this folder where their stop token was set.
+struct MaterialStopped {};
+
 /// One value of a sweep.
 struct DynamicModulus {
   double frequency = 0;  // Hz

@@ -199,11 +199,13 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   const bool isChosen = std::isfinite(choices.referenceTemperature);
   material.referenceTemperature =
       isChosen ? choices.referenceTemperature : usualReference(material.isotherms);
-  material.curve =
-      masterCurve(material.isotherms, material.referenceTemperature, choices.isVertical);
+  material.curve = masterCurve(material.isotherms, material.referenceTemperature,
+                               choices.isVertical, choices.stop);
   std::vector<DynamicModulus> points;
   for (const MasterPoint& point : material.curve.points) points.push_back(point.modulus);
-  material.series = fitPronySeries(points, choices.series);
+  PronyOptions series = choices.series;
+  series.stop = choices.stop;
+  material.series = fitPronySeries(points, series);
   const std::vector<ShiftPoint> table = shiftTable(material.curve);
   material.wlf = fitWlf(table, material.referenceTemperature);
   material.arrhenius = fitArrhenius(table, material.referenceTemperature);

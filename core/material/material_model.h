@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,7 @@ struct MaterialChoices {
   std::string name{};                // of the material; empty: that of the file
   std::string source{};              // a sentence that a reader can look up
   std::vector<std::pair<std::string, std::string>> options{};  // as written, for the origin
+  std::stop_token stop{};                                      // of the fits
 };
 
 struct Material {
@@ -59,7 +61,8 @@ struct Material {
   bool isMeasured() const { return !isotherms.empty(); }
 };
 
-/// Throws InputError that names the file, a line, a column or an option.
+/// Throws InputError that names the file, a line, a column or an option, and MaterialStopped where
+/// the fit was stopped.
 Material makeMaterial(std::string_view bytes, const std::string& fileName,
                       const MaterialChoices& choices);
 

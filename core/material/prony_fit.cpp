@@ -152,7 +152,8 @@ double rmsOf(const PronySeries& series) {
 }
 
 /// The series of the fewest terms whose residual is as small as more terms make it.
-PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEquilibrium) {
+PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEquilibrium,
+                          const std::stop_token& stop) {
   const double decades =
       std::log10(points.back().frequency / points.front().frequency) + 2 * kBeyond;
   const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
@@ -160,8 +161,10 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   std::vector<PronySeries> fits;
   // Among many terms one more makes little difference.
   constexpr int kMany = 24, kStep = 4;
-  for (int terms = 1; terms <= most; terms += terms < kMany ? 1 : kStep)
+  for (int terms = 1; terms <= most; terms += terms < kMany ? 1 : kStep) {
+    if (stop.stop_requested()) throw MaterialStopped{};
     fits.push_back(fitWith(points, terms, knownEquilibrium));
+  }
   double floor = rmsOf(fits.front());
   for (const PronySeries& fit : fits) floor = std::min(floor, rmsOf(fit));
   const double enough = std::max(kNearFloor * floor, kGoodEnough);
@@ -192,8 +195,8 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
                      message("{} is outside 1 to {}, what {} points can tell", options.terms, most,
                              points.size()));
   const double known = options.isLiquid ? 0 : options.equilibriumModulus;
-  PronySeries series =
-      options.terms > 0 ? fitWith(points, options.terms, known) : fitWithFewest(points, known);
+  PronySeries series = options.terms > 0 ? fitWith(points, options.terms, known)
+                                         : fitWithFewest(points, known, options.stop);
   const double smallest = std::ranges::min(points, {}, &DynamicModulus::storage).storage;
   if (!options.isLiquid && !(series.equilibriumModulus > kNothing * smallest))
     throw InputError(

@@ -402,7 +402,7 @@ Overlap findOverlap(const Isotherm& colder, const Isotherm& warmer, bool isVerti
 }
 
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
-                        bool isVertical) {
+                        bool isVertical, const std::stop_token& stop) {
   if (isotherms.empty()) throw InputError("", "", "holds no isotherm");
   const double lowest = isotherms.front().temperature, highest = isotherms.back().temperature;
   if (!(referenceTemperature >= lowest && referenceTemperature <= highest))
@@ -416,6 +416,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   curve.referenceTemperature = referenceTemperature;
   std::vector<Estimate> both, vertical, storage, loss;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
+    if (stop.stop_requested()) throw MaterialStopped{};
     const NeighbourShifts step = neighbourShifts(isotherms[i], isotherms[i + 1], isVertical);
     checkOrder(isotherms[i], isotherms[i + 1], step.both);
     curve.overlaps.push_back(step.both);

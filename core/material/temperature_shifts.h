@@ -7,6 +7,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/material/elastomer.h"
@@ -70,9 +71,9 @@ struct MasterCurve {
 /// referenceTemperature (K) must lie within the isotherms; between two of them the shift is linear
 /// in T. One isotherm is its own master curve, and the reference is its temperature. Throws
 /// InputError (--reference-temperature; isotherms that do not overlap, or whose order contradicts
-/// their temperatures).
+/// their temperatures), and MaterialStopped within one pair of isotherms after `stop`.
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
-                        bool isVertical = false);
+                        bool isVertical = false, const std::stop_token& stop = {});
 
 /// The reference that is taken unless a user says otherwise: 25 °C, the default temperature of a
 /// scene, where it lies within the isotherms, else the nearest of them.

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/fourier.h"
+#include "core/measured/measured_file.h"
 #include "core/measured/processing.h"
 
 namespace asperity {
@@ -40,6 +41,47 @@ std::vector<double> hannWindow(std::size_t points) {
   for (double& value : window) value *= factor;
   return window;
 }
+
+/// Spectra of profiles of one size.
+class HannAnalysis {
+ public:
+  explicit HannAnalysis(std::size_t points)
+      : window_(hannWindow(points)), windowed_(points), transform_(points) {}
+
+  std::vector<double> powers(std::span<const double> heights) {
+    const std::size_t points = heights.size();
+    for (std::size_t i = 0; i < points; ++i) windowed_[i] = heights[i] * window_[i];
+    const auto modes = transform_.forward(windowed_);
+    std::vector<double> powers(modes.size());
+    const double scale = 1 / (static_cast<double>(points) * static_cast<double>(points));
+    for (std::size_t k = 0; k < modes.size(); ++k)
+      powers[k] = (k == 0 || 2 * k == points ? 1 : 2) * std::norm(modes[k]) * scale;
+    return powers;
+  }
+
+ private:
+  std::vector<double> window_, windowed_;
+  RealTransform transform_;
+};
+
+/// Tells how many of the rows of long work are done, and ends it where it is no longer wanted.
+class RowsDone {
+ public:
+  RowsDone(std::size_t rows, const std::stop_token& stop, const std::function<void(double)>& tell)
+      : rows_(rows), stop_(stop), tell_(tell) {}
+
+  void next() {
+    if (stop_.stop_requested()) throw ReadingStopped{};
+    constexpr std::size_t kTold = 64;  // times in all
+    const std::size_t before = done_ * kTold / rows_, now = ++done_ * kTold / rows_;
+    if (tell_ && now > before) tell_(static_cast<double>(now) / kTold);
+  }
+
+ private:
+  std::size_t rows_, done_ = 0;
+  const std::stop_token& stop_;
+  const std::function<void(double)>& tell_;
+};
 
 }  // namespace
 
@@ -102,16 +144,7 @@ std::vector<double> modeMagnitudes(const SpectralDensity& density, double length
 }
 
 std::vector<double> hannPowers(std::span<const double> heights) {
-  const std::size_t points = heights.size();
-  const std::vector<double> window = hannWindow(points);
-  std::vector<double> windowed(points);
-  for (std::size_t i = 0; i < points; ++i) windowed[i] = heights[i] * window[i];
-  const auto modes = RealTransform(points).forward(windowed);
-  std::vector<double> powers(modes.size());
-  const double scale = 1 / (static_cast<double>(points) * static_cast<double>(points));
-  for (std::size_t k = 0; k < modes.size(); ++k)
-    powers[k] = (k == 0 || 2 * k == points ? 1 : 2) * std::norm(modes[k]) * scale;
-  return powers;
+  return HannAnalysis(heights.size()).powers(heights);
 }
 
 SpectralDensity hannSpectrum(std::span<const double> heights, double spacing) {
@@ -231,22 +264,30 @@ double EquivalentSpectra::factor(double q) const {
   return profile.power[band] > 0 ? std::sqrt(line.power[band] / profile.power[band]) : 1;
 }
 
-EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form) {
+EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
+                               const std::stop_token& stop,
+                               const std::function<void(double)>& progress) {
   const auto rows = static_cast<std::size_t>(topography.rows);
   const auto columns = static_cast<std::size_t>(topography.columns);
+  // Rows are gone through three times.
+  RowsDone done(3 * rows, stop, progress);
   std::vector<double> heights = topography.height;
   removeForm(heights, rows, columns, form);
   std::vector<double> profile(columns / 2 + 1);
+  HannAnalysis analysis(columns);
   for (std::size_t row = 0; row < rows; ++row) {
+    done.next();
     const std::vector<double> powers =
-        hannPowers(std::span(heights).subspan(row * columns, columns));
+        analysis.powers(std::span(heights).subspan(row * columns, columns));
     for (std::size_t k = 0; k < powers.size(); ++k)
       profile[k] += powers[k] / static_cast<double>(rows);
   }
   const std::vector<double> alongX = hannWindow(columns), alongY = hannWindow(rows);
-  for (std::size_t row = 0; row < rows; ++row)
+  for (std::size_t row = 0; row < rows; ++row) {
+    done.next();
     for (std::size_t column = 0; column < columns; ++column)
       heights[row * columns + column] *= alongX[column] * alongY[row];
+  }
   const auto modes = transform2d(heights, rows, columns);
   heights = {};
   // Rings of the width of one wave along x. Where the other direction is measured more coarsely,
@@ -255,6 +296,7 @@ EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form) {
   std::vector<double> ring(columns / 2 + 1), count(ring.size());
   const double points = static_cast<double>(rows) * static_cast<double>(columns);
   for (std::size_t row = 0; row < rows; ++row) {
+    done.next();
     const double ky = static_cast<double>(row <= rows / 2 ? row : rows - row) * length / width;
     for (std::size_t k = 0; k < columns / 2 + 1; ++k) {
       const double radius = std::hypot(static_cast<double>(k), ky);

@@ -8,7 +8,9 @@
 // numbers as much power as the surface, so its <h^2> and, as <z'^2>, its <|grad h|^2>.
 #pragma once
 
+#include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/measured/processing_choices.h"
@@ -83,8 +85,12 @@ struct EquivalentSpectra {
 };
 
 /// From a topography without gaps: its two-dimensional spectrum under a Hann window, summed over
-/// rings. `form` is subtracted from the whole before (a plane, a paraboloid).
-EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form);
+/// rings. `form` is subtracted from the whole before (a plane, a paraboloid). `progress` is told
+/// the part done, 0 to 1. Throws ReadingStopped (core/measured/measured_file.h) where `stop` was
+/// requested, within a row or the one transform of all of them.
+EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
+                               const std::stop_token& stop = {},
+                               const std::function<void(double)>& progress = {});
 
 /// From one profile by the Abel relation C_prof(q) = 2 integral from q of C2(q') q' dq' /
 /// sqrt(q'^2 - q^2): a wave q' of an isotropic surface appears in a cut at q' cos(phi) with phi

@@ -26,64 +26,70 @@ struct Column {
 inline constexpr auto kColumns = std::to_array<Column>({
     // ---- friction over velocity
     {"velocity", "m/s", "Velocity of steady sliding.", "v_i = from (to/from)^(i/(points - 1))",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"mu", "", "Coefficient of friction of the deformation: mean over the realizations.",
      "mu = |F_x|/F_N, F_x = -integral p z' dx",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"mu_standard_error", "", "Standard error of that mean; empty for one realization.",
      "s/sqrt(realizations)",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing, batch"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing, "
+     "batch"},
     {"mu_law", "",
      "Friction by Eq. (11) of Li et al. (2013) with the rms slope of the whole line and the "
      "tabulated beta.",
      "Eq. (11), alpha = H/(1 + H)",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"contact_fraction", "", "Share of the period that is in contact.", "L_c/L",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure 6, figure master, figure spacing, "
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 6, figure master, figure "
+     "spacing, "
      "batch"},
     {"rms_slope_contact", "", "Root mean square of the line's slope where it is in contact.",
      "sqrt(integral over contact of z'^2 dx / L_c)",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"indentation", "m",
      "Indentation of the line: how deep its lowest point lies below the undeformed surface.", "d",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing, batch"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing, "
+     "batch"},
     {"normalized_mu", "", "Coefficient of friction over the rms slope of the whole line.",
-     "mu/grad", "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "mu/grad",
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"dimensionless_velocity", "", "Velocity without a dimension.",
      "Eq. (13): tau v grad/(sqrt(2) h)",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure master, figure spacing"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure master, figure spacing"},
     {"dimensionless_force", "", "Normal force without a dimension.", "Eq. (14): F_N/(G h L)",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure 6, figure master, figure spacing"},
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 6, figure master, figure "
+     "spacing"},
     {"realizations", "", "Random lines that were averaged over.", "",
-     "curve, curves, map, figure 2, figure 3, figure 4, figure 5, figure 6, figure master, figure "
+     "curve, curves, map, cutoff, figure 2, figure 3, figure 4, figure 5, figure 6, figure master, "
+     "figure "
      "spacing, batch"},
     {"mu_interface", "",
      "Coefficient of local friction in contact, beside that of the deformation; only in scenes "
      "that have some.",
-     "friction_coefficient, or shear_stress L_c/F_N", "curve, curves, map"},
+     "friction_coefficient, or shear_stress L_c/F_N", "curve, curves, map, cutoff"},
     {"mu_total", "", "Friction of deformation and interface together.", "mu + mu_interface",
-     "curve, curves, map"},
+     "curve, curves, map, cutoff"},
     {"mu_mean_of_ratios", "",
      "Mean over the lines of each line's own coefficient, which is mu; only at a constant "
      "indentation.",
-     "<F_x/F_N>", "curve, curves, map"},
+     "<F_x/F_N>", "curve, curves, map, cutoff"},
     {"mu_ratio_of_means", "",
      "Mean tangential force over mean normal force; only at a constant indentation.", "<F_x>/<F_N>",
-     "curve, curves, map"},
+     "curve, curves, map, cutoff"},
     {"marginal_share", "",
      "Share of its load that the element on the edge of contact carries, mean over the lines; 1 "
      "where the force does not jump; only with the scheme nodal.",
-     "", "curve, curves, map"},
+     "", "curve, curves, map, cutoff"},
     {"mu_low", "",
      "Lower end of the 95 % confidence interval of mu, errors of resolution included; only with a "
      "target accuracy.",
-     "", "curve, curves, map"},
-    {"mu_high", "", "Upper end of the same interval.", "", "curve, curves, map"},
+     "", "curve, curves, map, cutoff"},
+    {"mu_high", "", "Upper end of the same interval.", "", "curve, curves, map, cutoff"},
     {"extrapolated", "",
      "1 where more than a tenth of the friction rests on frequencies at which the elastomer was "
      "not "
      "measured, else 0; only where the measured ones are known.",
-     "share of q C1(q) G''(q v) dq", "curve, curves, map"},
+     "share of q C1(q) G''(q v) dq", "curve, curves, map, cutoff"},
     {"notes", "",
      "What to know before the row is used, separated by blanks; only where there is something. "
      "unresolved_friction: the elements are too few in contact for the tangential force; "
@@ -91,14 +97,18 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "load; seam_jump: the period repeats with a step; extrapolated_material, "
      "extrapolated_temperature, strain_beyond_measured: the elastomer was not measured at the "
      "frequencies that friction rests on, at this temperature, at strains as large as the slopes.",
-     "", "curve, curves, map"},
+     "", "curve, curves, map, cutoff"},
     {"normal_force", "N",
      "Normal force on one period that the nominal pressure means; only with such a load.",
-     "F_N = p_0 L width", "curve, curves, map"},
+     "F_N = p_0 L width", "curve, curves, map, cutoff"},
     {"nominal_pressure", "Pa", "Normal force over the area of one period and the width.", "p_0",
-     "curve, curves, map"},
+     "curve, curves, map, cutoff"},
     {"mean_pressure", "Pa", "Normal force over the area in contact: contact length times width.",
-     "p_0 L/L_c", "curve, curves, map"},
+     "p_0 L/L_c", "curve, curves, map, cutoff"},
+    {"contact_spots", "",
+     "Separate stretches in contact in one period: mean over the realizations; only in scenes with "
+     "a measured surface or spectrum, a nominal pressure, or a measured material.",
+     "", "curve, curves, map, cutoff"},
     {"exponent", "",
      "Exponent of friction along the first parameter, by a parabola through neighbouring cells.",
      "d ln mu / d ln x", "map"},
@@ -107,6 +117,21 @@ inline constexpr auto kColumns = std::to_array<Column>({
      "mu_compared/mu - 1", "curves"},
     {"relative_difference_standard_error", "", "Standard error of the relative difference.", "",
      "curves"},
+
+    // ---- waves and parameters that friction rests on
+    {"cutoff_wavelength", "m", "Waves of the line shorter than it are removed.", "lambda_c",
+     "cutoff"},
+    {"share_of_decade", "",
+     "Part of all friction that one decade of wavelengths makes, from the cut-off before.",
+     "(mu_i - mu_(i-1)) / (mu log10(lambda_(i-1)/lambda_i))", "cutoff"},
+    {"share_of_decade_standard_error", "", "Its standard error, on common lines.", "", "cutoff"},
+    {"key", "", "Key of a parameter of the scene.", "", "sensitivity"},
+    {"value", "", "Its value in the scene, in SI units.", "p", "sensitivity"},
+    {"mu_exponent", "",
+     "By how many per cent friction changes where the parameter changes by one per cent, "
+     "deformation and interface together.",
+     "d ln mu / d ln p", "sensitivity"},
+    {"mu_exponent_standard_error", "", "Its standard error.", "", "sensitivity"},
 
     // ---- a motion in time
     {"time", "s", "Time since the motion began, at the end of the time step.", "t", "motion"},

@@ -81,6 +81,10 @@ std::string listText(const std::vector<Row>& rows,
 
 }  // namespace
 
+std::span<const ListMember<ShiftPoint>> shiftMembers() {
+  return kShiftMembers;
+}
+
 std::span<const ArmMember> armMembers() {
   return kArmMembers;
 }

@@ -27,6 +27,9 @@ using ArmMember = ListMember<Arm>;
 /// Returns modulus, then relaxation time.
 std::span<const ArmMember> armMembers();
 
+/// Returns temperature, then log10 of the shift.
+std::span<const ListMember<ShiftPoint>> shiftMembers();
+
 /// Reads a list. Throws InputError that names the member, such as KEY[1].modulus.
 std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
 

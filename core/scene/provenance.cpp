@@ -61,7 +61,7 @@ std::string withoutMarkup(std::string_view json) {
 Json oversamplingOf(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
   const bool isOfCurve = verb == "curve" || verb == "map" || verb == "sensitivity" ||
-                         verb == "figure" || verb == "accuracy";
+                         verb == "cutoff" || verb == "figure" || verb == "accuracy";
   return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
 }
 

@@ -106,9 +106,18 @@ std::shared_ptr<const MeasuredLines> MeasuredLines::of(const Scene& scene,
   using Key = std::tuple<FileState, Surface>;
   static LastOne<Key, MeasuredLines> last;
   const Key key{FileState::of(scene.folder / scene.surface.file), withoutEvaluation(scene.surface)};
+  // Reading is the first half of the work where a spectrum of the whole surface follows.
+  const bool hasMore = scene.surface.line == LineKind::IsotropicEquivalent ||
+                       scene.surface.processing.seam == Seam::RandomPhases;
+  const ReadingProgress ofReading = [&](double part) {
+    if (progress) progress(hasMore ? 0.5 * part : part);
+  };
+  const ReadingProgress ofLines = [&](double part) {
+    if (progress) progress(0.5 + 0.5 * part);
+  };
   return last.get(key, [&] {
-    return std::make_shared<const MeasuredLines>(scene, readMeasuredSurface(scene, stop, progress),
-                                                 stop, progress);
+    return std::make_shared<const MeasuredLines>(scene, readMeasuredSurface(scene, stop, ofReading),
+                                                 stop, ofLines);
   });
 }
 
@@ -119,7 +128,7 @@ std::int64_t rowOfRealization(std::int64_t realization, std::int64_t realization
 }
 
 MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredFile> file,
-                             const std::stop_token& stop, const ReadingProgress&)
+                             const std::stop_token& stop, const ReadingProgress& progress)
     : surface_(scene.surface), file_(std::move(file)) {
   chooseRows(scene);
   chooseStretch(scene);
@@ -136,9 +145,9 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
   transform_.emplace(periodPoints_);
   // The form alone is removed: filters act on a row and on its equivalent line alike.
   if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rows >= kFewestPoints)
-    equivalent_ = equivalentOf(stretches(), processing.form);
+    equivalent_ = equivalentOf(stretches(stop), processing.form, stop, progress);
   if (stop.stop_requested()) throw ReadingStopped{};
-  if (processing.seam == Seam::RandomPhases) setDensity();
+  if (processing.seam == Seam::RandomPhases) setDensity(stop);
 }
 
 /// The rows that are lines, and gaps where they are refused.
@@ -285,13 +294,14 @@ bool MeasuredLines::hasSeamJump(const ProcessedProfile& profile) const {
 }
 
 /// The stretches of all rows, for the spectrum of the surface; gaps and outliers interpolated.
-Topography MeasuredLines::stretches() const {
+Topography MeasuredLines::stretches(const std::stop_token& stop) const {
   const Topography& all = file_->topography;
   Topography part{
       static_cast<std::int64_t>(usedPoints_), all.rows, all.columnSpacing, all.rowSpacing, {}};
   const ProcessingChoices& processing = surface_.processing;
   std::vector<double> before;  // stands for a row without any measured point
   for (std::int64_t row = 0; row < all.rows; ++row) {
+    if (stop.stop_requested()) throw ReadingStopped{};
     const auto heights = all.row(row).subspan(firstPoint_, usedPoints_);
     std::vector<double> filled(heights.begin(), heights.end());
     markOutliers(filled, processing.outliers, processing.form);
@@ -305,12 +315,13 @@ Topography MeasuredLines::stretches() const {
 }
 
 /// The mean spectrum of the rows, in bands, of which random lines are made.
-void MeasuredLines::setDensity() {
+void MeasuredLines::setDensity(const std::stop_token& stop) {
   constexpr std::int64_t kMostRows = 512;  // more of them change the mean little
   const std::int64_t count = std::min(rows(), kMostRows);
   std::vector<double> powers;
   double height = 0;  // mean square, which the window leaves as it is on average only
   for (std::int64_t i = 0; i < count; ++i) {
+    if (stop.stop_requested()) throw ReadingStopped{};
     const ProcessedProfile one = profile(rowOfRealization(i, count, rows()));
     const std::vector<double> its = hannPowers(one.used);
     powers.resize(its.size());

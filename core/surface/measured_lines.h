@@ -38,7 +38,8 @@ struct ProcessedProfile {
 
 class MeasuredLines {
  public:
-  /// The lines of the scene, of a file that has been read, or of the scene's own.
+  /// The lines of the scene, of a file that has been read, or of the scene's own. `progress` is
+  /// told the part of all this that is done, 0 to 1.
   MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredFile> file,
                 const std::stop_token& stop = {}, const ReadingProgress& progress = {});
   static std::shared_ptr<const MeasuredLines> of(const Scene& scene,
@@ -82,9 +83,9 @@ class MeasuredLines {
  private:
   void chooseRows(const Scene& scene);
   void chooseStretch(const Scene& scene);
-  void setDensity();
+  void setDensity(const std::stop_token& stop);
   std::vector<double> stretch(std::int64_t row) const;
-  Topography stretches() const;
+  Topography stretches(const std::stop_token& stop) const;
 
   Surface surface_;
   std::shared_ptr<const MeasuredFile> file_;

@@ -51,10 +51,6 @@ Buffers& buffersFor(std::size_t nodes) {
   return buffers;
 }
 
-fftw_complex* raw(Complex* values) {
-  return reinterpret_cast<fftw_complex*>(values);
-}
-
 constexpr double kLargest = 0.99;  // of |kappa m|
 
 /// The modes from `first` up to below `end`, counted from 1; the others are 0.
@@ -99,34 +95,13 @@ double rmsSlope(const FourierLine& line) {
   return 2 * std::numbers::pi / line.length * std::sqrt(2 * sum);
 }
 
-struct FourierTransform::Plans {
-  explicit Plans(std::size_t count) : nodes(count) {
-    const Buffers& buffers = buffersFor(count);
-    Complex* modes = buffers.modes.values;
-    double* values = buffers.values.values;
-    const std::lock_guard lock(fourierPlannerLock());
-    const int size = static_cast<int>(count);
-    toNodes = fftw_plan_dft_c2r_1d(size, raw(modes), values, FFTW_ESTIMATE);
-    toModes = fftw_plan_dft_r2c_1d(size, values, raw(modes), FFTW_ESTIMATE);
-  }
-  ~Plans() {
-    const std::lock_guard lock(fourierPlannerLock());
-    fftw_destroy_plan(toNodes);
-    fftw_destroy_plan(toModes);
-  }
-  Plans(const Plans&) = delete;
-  Plans& operator=(const Plans&) = delete;
-
-  std::size_t nodes;
-  fftw_plan toNodes, toModes;
-};
-
-FourierTransform::FourierTransform(std::size_t nodes) : plans_(std::make_unique<Plans>(nodes)) {}
+FourierTransform::FourierTransform(std::size_t nodes)
+    : plans_(std::make_unique<const FourierPlans>(nodes, FourierPlans::Arrays::Aligned)) {}
 FourierTransform::~FourierTransform() = default;
 FourierTransform::FourierTransform(FourierTransform&&) noexcept = default;
 
 std::size_t FourierTransform::nodes() const {
-  return plans_->nodes;
+  return plans_->points();
 }
 
 bool FourierTransform::evaluate(const FourierLine& line, std::vector<double>& height,
@@ -146,25 +121,25 @@ bool FourierTransform::evaluateSlope(const FourierLine& line, std::vector<double
 template <class Factor>
 bool FourierTransform::transform(const FourierLine& line, std::vector<double>& target,
                                  const Factor& factor, const std::stop_token& stop) const {
-  const std::size_t count = plans_->nodes, filled = line.coefficients.size();
+  const std::size_t count = plans_->points(), filled = line.coefficients.size();
   const Buffers& buffers = buffersFor(count);
   Complex* modes = buffers.modes.values;
   modes[0] = 0;
   for (std::size_t k = 1; k <= filled; ++k) modes[k] = line.coefficients[k - 1] * factor(k);
   std::fill(modes + filled + 1, modes + count / 2 + 1, Complex(0));
   if (stop.stop_requested()) return false;
-  fftw_execute_dft_c2r(plans_->toNodes, raw(modes), buffers.values.values);
+  plans_->backward(modes, buffers.values.values);
   if (stop.stop_requested()) return false;
   target.assign(buffers.values.values, buffers.values.values + count);
   return true;
 }
 
 FourierLine FourierTransform::analyse(std::span<const double> height, double length) const {
-  const std::size_t count = plans_->nodes;
+  const std::size_t count = plans_->points();
   const Buffers& buffers = buffersFor(count);
   const Complex* modes = buffers.modes.values;
   std::copy_n(height.begin(), count, buffers.values.values);
-  fftw_execute_dft_r2c(plans_->toModes, buffers.values.values, raw(buffers.modes.values));
+  plans_->forward(buffers.values.values, buffers.modes.values);
   FourierLine line{length, {}};
   for (std::size_t k = 1; k <= modeCount(count); ++k)
     line.coefficients.push_back(modes[k] / static_cast<double>(count));

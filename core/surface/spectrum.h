@@ -13,6 +13,8 @@
 
 namespace asperity {
 
+class FourierPlans;
+
 /// Band-limited line z(x) = 2 Re sum_{k>=1} c_k exp(i q_k x), q_k = 2 pi k / length; its mean is 0.
 struct FourierLine {
   double length = 0;                               // m
@@ -59,8 +61,7 @@ class FourierTransform {
   bool transform(const FourierLine& line, std::vector<double>& target, const Factor& factor,
                  const std::stop_token& stop) const;
 
-  struct Plans;
-  std::unique_ptr<Plans> plans_;
+  std::unique_ptr<const FourierPlans> plans_;
 };
 
 /// A line whose short waves are stronger on the summits, or in the valleys, of its long ones, as of

@@ -424,6 +424,14 @@
         <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
     </message>
     <message>
+        <source>%1 times %2 states, %3 of them different</source>
+        <translation>%1 mal %2 Zustände, davon %3 verschiedene</translation>
+    </message>
+    <message>
+        <source>friction does not depend on %1 in this scene</source>
+        <translation>die Reibung hängt in dieser Szene nicht von %1 ab</translation>
+    </message>
+    <message>
         <source>%1 simulations of %2 states on %3 lines each, in chunks of %4</source>
         <translation>%1 Simulationen zu %2 Zuständen auf je %3 Linien, in Blöcken von %4</translation>
     </message>
@@ -597,26 +605,6 @@
         <translation>Ein weiterer Arm mit der zehnfachen längsten Relaxationszeit</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>one</source>
-        <translation>einer</translation>
-    </message>
-    <message>
-        <source>%1, %2 to %3</source>
-        <translation>%1, %2 bis %3</translation>
-    </message>
-    <message>
-        <source>Fold the table away</source>
-        <translation>Tabelle einklappen</translation>
-    </message>
-    <message>
-        <source>Open the table</source>
-        <translation>Tabelle aufklappen</translation>
-    </message>
-    <message>
         <source>arms: %1</source>
         <translation>Arme: %1</translation>
     </message>
@@ -631,6 +619,10 @@
     <message>
         <source>Two columns from the clipboard, as a spreadsheet copies them, replace all arms: modulus in Pa and relaxation time in s, or as names and units in the first row say</source>
         <translation>Zwei Spalten aus der Zwischenablage, wie eine Tabellenkalkulation sie kopiert, ersetzen alle Arme: Modul in Pa und Relaxationszeit in s, oder wie Namen und Einheiten in der ersten Zeile sagen</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>einer</translation>
     </message>
 </context>
 <context>
@@ -723,6 +715,29 @@
     <message>
         <source> lines</source>
         <translation> Linien</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ComparisonCommands</name>
+    <message>
+        <source>Fit…</source>
+        <translation>Anpassen…</translation>
+    </message>
+    <message>
+        <source>Fit parameters of the scene to the measured friction</source>
+        <translation>Parameter der Szene an die gemessene Reibung anpassen</translation>
+    </message>
+    <message>
+        <source>Fit to measured friction…</source>
+        <translation>An gemessene Reibung anpassen…</translation>
+    </message>
+    <message>
+        <source>Theories</source>
+        <translation>Theorien</translation>
+    </message>
+    <message>
+        <source>Remove measured friction</source>
+        <translation>Gemessene Reibung entfernen</translation>
     </message>
 </context>
 <context>
@@ -1061,6 +1076,184 @@
     </message>
 </context>
 <context>
+    <name>asperity::FitChoices</name>
+    <message>
+        <source>profile along each parameter</source>
+        <translation>Profil entlang jedes Parameters</translation>
+    </message>
+    <message>
+        <source>Vary</source>
+        <translation>Verändern</translation>
+    </message>
+    <message>
+        <source>Measured friction</source>
+        <translation>Gemessene Reibung</translation>
+    </message>
+    <message>
+        <source>random lines</source>
+        <translation>zufällige Linien</translation>
+    </message>
+    <message>
+        <source>All points are computed on the same lines; their scatter is part of the errors</source>
+        <translation>Alle Punkte werden auf denselben Linien gerechnet; deren Streuung ist Teil der Fehler</translation>
+    </message>
+    <message>
+        <source>The least sum of squares with one parameter held: flat where the data leave it open</source>
+        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen</translation>
+    </message>
+    <message>
+        <source>parameters to vary</source>
+        <translation>Parameter, die verändert werden</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>empty: as far as allowed, %1</source>
+        <translation>leer: so weit wie erlaubt, %1</translation>
+    </message>
+    <message>
+        <source>measured friction</source>
+        <translation>gemessene Reibung</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::FitPage</name>
+    <message>
+        <source>Folder of the report</source>
+        <translation>Ordner des Berichts</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>There is the report of another fit in this folder. Replace it?</source>
+        <translation>In diesem Ordner steht der Bericht einer anderen Anpassung. Soll er ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>&amp;Save report…</source>
+        <translation>Bericht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Use these values</source>
+        <translation>Diese Werte &amp;übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Fit to measured friction</source>
+        <translation>An gemessene Reibung anpassen</translation>
+    </message>
+    <message>
+        <source>Tick what may change; limits are optional. All points are computed on the same random lines, and the weighted squares of what is left become least.</source>
+        <translation>Kreuzen Sie an, was sich ändern darf; Grenzen sind freigestellt. Alle Punkte werden auf denselben zufälligen Linien gerechnet, und die gewichteten Quadrate der Abweichungen werden am kleinsten.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>the fit as a diagram</source>
+        <translation>die Anpassung als Diagramm</translation>
+    </message>
+    <message>
+        <source>progress of the fit</source>
+        <translation>Fortschritt der Anpassung</translation>
+    </message>
+    <message>
+        <source>The fit was stopped</source>
+        <translation>Die Anpassung wurde angehalten</translation>
+    </message>
+    <message>
+        <source>reading…</source>
+        <translation>wird gelesen…</translation>
+    </message>
+    <message>
+        <source>evaluation %1, χ² = %2</source>
+        <translation>Auswertung %1, χ² = %2</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Fit again</source>
+        <translation>Noch einmal &amp;anpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Anpassen</translation>
+    </message>
+    <message>
+        <source>Saved %1 files in %2</source>
+        <translation>%1 Dateien in %2 gespeichert</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>at its limit</source>
+        <translation>an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>determined</source>
+        <translation>bestimmt</translation>
+    </message>
+    <message>
+        <source>best determined together: %1 (± %2 %)</source>
+        <translation>gemeinsam am besten bestimmt: %1 (± %2 %)</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>best value</source>
+        <translation>bester Wert</translation>
+    </message>
+    <message>
+        <source>standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>corr. %1</source>
+        <translation>Korr. %1</translation>
+    </message>
+    <message>
+        <source>χ² = %1 for %2 degrees of freedom, %3 evaluations</source>
+        <translation>χ² = %1 bei %2 Freiheitsgraden, %3 Auswertungen</translation>
+    </message>
+    <message>
+        <source>the points have no errors; they scatter by %1 % about the fit</source>
+        <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung</translation>
+    </message>
+</context>
+<context>
     <name>asperity::FrictionChartModel</name>
     <message>
         <source>v = %1 m/s</source>
@@ -1244,6 +1437,18 @@
         <source>Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)</source>
         <translation>Materialien und gemessene Moduln (*.json *.csv *.txt *.dat *.inp);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Add measured friction…</source>
+        <translation>Gemessene Reibung hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add measured friction</source>
+        <translation>Gemessene Reibung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Tables of velocity and friction (*.csv *.txt *.dat *.tsv);;All files (*)</source>
+        <translation>Tabellen von Geschwindigkeit und Reibung (*.csv *.txt *.dat *.tsv);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ImportPage</name>
@@ -1389,6 +1594,33 @@
     <message>
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MapPanel</name>
+    <message>
+        <source>Along x:</source>
+        <translation>Entlang x:</translation>
+    </message>
+    <message>
+        <source>Along y:</source>
+        <translation>Entlang y:</translation>
+    </message>
+    <message>
+        <source>Show:</source>
+        <translation>Zeige:</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture or a table</source>
+        <translation>Die Karte als Bild oder Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>friction over two parameters</source>
+        <translation>Reibung über zwei Parametern</translation>
     </message>
 </context>
 <context>
@@ -1593,6 +1825,25 @@
     </message>
 </context>
 <context>
+    <name>asperity::PairEditor</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Fold the table away</source>
+        <translation>Tabelle einklappen</translation>
+    </message>
+    <message>
+        <source>Open the table</source>
+        <translation>Tabelle aufklappen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ParameterPanel</name>
     <message>
         <source>chosen: %1</source>
@@ -1783,6 +2034,18 @@
         <source>Add measured friction</source>
         <translation>Gemessene Reibung hinzufügen</translation>
     </message>
+    <message>
+        <source>Theories</source>
+        <translation>Theorien</translation>
+    </message>
+    <message>
+        <source>Remove measured friction</source>
+        <translation>Gemessene Reibung entfernen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SceneTabs</name>
@@ -1846,6 +2109,10 @@
         <source>Material</source>
         <translation>Material</translation>
     </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
 </context>
 <context>
     <name>asperity::Session</name>
@@ -1856,6 +2123,57 @@
     <message>
         <source>No steady sliding was found at this load and velocity.</source>
         <translation>Bei dieser Last und Geschwindigkeit wurde kein stationäres Gleiten gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ShiftEditor</name>
+    <message>
+        <source>clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>temperature of row %1 (%2)</source>
+        <translation>Temperatur der Zeile %1 (%2)</translation>
+    </message>
+    <message>
+        <source>log10 of the shift of row %1</source>
+        <translation>log10 der Verschiebung in Zeile %1</translation>
+    </message>
+    <message>
+        <source>Add row</source>
+        <translation>Zeile hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more row, 10 K above the highest temperature</source>
+        <translation>Eine weitere Zeile, 10 K über der höchsten Temperatur</translation>
+    </message>
+    <message>
+        <source>Paste table</source>
+        <translation>Tabelle einfügen</translation>
+    </message>
+    <message>
+        <source>Two columns from the clipboard, as a spreadsheet copies them, replace the table: temperature in K or °C and log10 of the shift, or as names and units in the first row say</source>
+        <translation>Zwei Spalten aus der Zwischenablage, wie eine Tabellenkalkulation sie kopiert, ersetzen die Tabelle: Temperatur in K oder °C und log10 der Verschiebung, oder wie Namen und Einheiten der ersten Zeile es sagen</translation>
+    </message>
+    <message>
+        <source>Remove this row</source>
+        <translation>Diese Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>remove row %1</source>
+        <translation>Zeile %1 entfernen</translation>
+    </message>
+    <message>
+        <source>shift table: %1</source>
+        <translation>Verschiebungstabelle: %1</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>eine</translation>
     </message>
 </context>
 <context>
@@ -2637,6 +2955,10 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
+        <source>parts of the surface</source>
+        <translation>Teile der Oberfläche</translation>
+    </message>
+    <message>
         <source>lines compared</source>
         <translation>verglichene Linien</translation>
     </message>
@@ -2647,6 +2969,10 @@
     <message>
         <source>evaluations</source>
         <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>Zustände</translation>
     </message>
     <message>
         <source>simulations</source>

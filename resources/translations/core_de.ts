@@ -4035,6 +4035,46 @@
         <translation>Verlustmodul G''</translation>
     </message>
     <message>
+        <source>evaluation</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>chi squared</source>
+        <translation>Chi-Quadrat</translation>
+    </message>
+    <message>
+        <source>a fit</source>
+        <translation>eine Anpassung</translation>
+    </message>
+    <message>
+        <source>moduli G', G''</source>
+        <translation>Moduln G', G''</translation>
+    </message>
+    <message>
+        <source>'%1' is no unit of temperature</source>
+        <translation>'%1' ist keine Einheit der Temperatur</translation>
+    </message>
+    <message>
+        <source>has %1 rows; allowed is 1 to %2</source>
+        <translation>hat %1 Zeilen; erlaubt sind 1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2; allowed is %3 to %4</source>
+        <translation>%1 ist %2; erlaubt ist %3 bis %4</translation>
+    </message>
+    <message>
+        <source>has %1 K twice</source>
+        <translation>hat %1 K zweimal</translation>
+    </message>
+    <message>
+        <source>needs two columns: temperature and log10 of the shift</source>
+        <translation>braucht zwei Spalten: Temperatur und log10 der Verschiebung</translation>
+    </message>
+    <message>
+        <source>holds a shift factor that is not above 0</source>
+        <translation>enthält einen Verschiebungsfaktor, der nicht über 0 ist</translation>
+    </message>
+    <message>
         <source>modulus G', G''</source>
         <translation>Modul G', G''</translation>
     </message>
@@ -4425,6 +4465,154 @@
     <message>
         <source>%1 Pa is outside %2 to %3 Pa; --modulus-unit says what the file means</source>
         <translation>%1 Pa liegt außerhalb von %2 bis %3 Pa; --modulus-unit sagt, was die Datei meint</translation>
+    </message>
+    <message>
+        <source>standard error of μ</source>
+        <translation>Standardfehler von μ</translation>
+    </message>
+    <message>
+        <source>friction by Eq. (11)</source>
+        <translation>Reibung nach Gl. (11)</translation>
+    </message>
+    <message>
+        <source>contact fraction</source>
+        <translation>Kontaktanteil</translation>
+    </message>
+    <message>
+        <source>rms slope in contact</source>
+        <translation>rms-Steigung im Kontakt</translation>
+    </message>
+    <message>
+        <source>friction over rms slope</source>
+        <translation>Reibung durch rms-Steigung</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity</source>
+        <translation>dimensionslose Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>dimensionless force</source>
+        <translation>dimensionslose Kraft</translation>
+    </message>
+    <message>
+        <source>friction, deformation and local</source>
+        <translation>Reibung durch Verformung und örtliche</translation>
+    </message>
+    <message>
+        <source>mean of the ratios of forces</source>
+        <translation>Mittel der Kraftverhältnisse</translation>
+    </message>
+    <message>
+        <source>ratio of the mean forces</source>
+        <translation>Verhältnis der mittleren Kräfte</translation>
+    </message>
+    <message>
+        <source>share of the marginal element</source>
+        <translation>Anteil des Randelements</translation>
+    </message>
+    <message>
+        <source>nominal pressure p₀</source>
+        <translation>Nenndruck p₀</translation>
+    </message>
+    <message>
+        <source>mean pressure in contact</source>
+        <translation>mittlerer Druck im Kontakt</translation>
+    </message>
+    <message>
+        <source>exponent d ln μ / d ln x</source>
+        <translation>Exponent d ln μ / d ln x</translation>
+    </message>
+    <message>
+        <source>exponent d ln μ / d ln p</source>
+        <translation>Exponent d ln μ / d ln p</translation>
+    </message>
+    <message>
+        <source>share of a decade</source>
+        <translation>Anteil einer Dekade</translation>
+    </message>
+    <message>
+        <source>Friction over %1 and %2</source>
+        <translation>Reibung über %1 und %2</translation>
+    </message>
+    <message>
+        <source>Dashed: borders of the regions I to IV, each read from the friction curve at one value of the other parameter.</source>
+        <translation>Gestrichelt: Grenzen der Bereiche I bis IV, jeweils aus der Reibungskurve bei einem Wert des anderen Parameters abgelesen.</translation>
+    </message>
+    <message>
+        <source>Dashed: Fₙ/(4ηv) = 0.1 h; beyond it few summits carry the load (region IV).</source>
+        <translation>Gestrichelt: Fₙ/(4ηv) = 0,1 h; jenseits davon tragen wenige Gipfel die Last (Bereich IV).</translation>
+    </message>
+    <message>
+        <source>Cross: the scene's own state.</source>
+        <translation>Kreuz: der Zustand der Szene selbst.</translation>
+    </message>
+    <message>
+        <source>Friction does not depend on the %1 here.</source>
+        <translation>Die Reibung hängt hier nicht ab von: %1.</translation>
+    </message>
+    <message>
+        <source>This quantity does not apply to these states.</source>
+        <translation>Diese Größe hat für diese Zustände keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>says how friction is computed or shown, and cannot be a side of a map</source>
+        <translation>sagt, wie Reibung berechnet oder gezeigt wird, und kann keine Seite einer Karte sein</translation>
+    </message>
+    <message>
+        <source>a map has 2 to %1 points along each side, not %2</source>
+        <translation>eine Karte hat 2 bis %1 Punkte entlang jeder Seite, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 is only one value; a side of a map needs two</source>
+        <translation>%1 bis %2 ist nur ein Wert; eine Seite einer Karte braucht zwei</translation>
+    </message>
+    <message>
+        <source>is both sides of the map; they need two different keys</source>
+        <translation>ist auf beiden Seiten der Karte; sie brauchen zwei verschiedene Schlüssel</translation>
+    </message>
+    <message>
+        <source>%1 times %2 points are more than %3 cells</source>
+        <translation>%1 mal %2 Punkte sind mehr als %3 Zellen</translation>
+    </message>
+    <message>
+        <source>a map has the same lines in every cell; give accuracy.scheme and ensemble.realizations instead of a target</source>
+        <translation>eine Karte hat in jeder Zelle dieselben Linien; geben Sie statt eines Ziels accuracy.scheme und ensemble.realizations an</translation>
+    </message>
+    <message>
+        <source>all cut-offs have the same lines; give accuracy.scheme and ensemble.realizations instead of a target</source>
+        <translation>alle Grenzwellenlängen haben dieselben Linien; geben Sie statt eines Ziels accuracy.scheme und ensemble.realizations an</translation>
+    </message>
+    <message>
+        <source>differences need the same lines on both sides; give accuracy.scheme and ensemble.realizations instead of a target</source>
+        <translation>Differenzen brauchen auf beiden Seiten dieselben Linien; geben Sie statt eines Ziels accuracy.scheme und ensemble.realizations an</translation>
+    </message>
+    <message>
+        <source>has no short waves to remove; a random line, a profile, a spectrum or a measured surface has</source>
+        <translation>hat keine kurzen Wellen, die man entfernen könnte; eine Zufallslinie, ein Profil, ein Spektrum oder eine gemessene Oberfläche hat sie</translation>
+    </message>
+    <message>
+        <source>short-wave cut-off λ</source>
+        <translation>kurzwellige Grenze λ</translation>
+    </message>
+    <message>
+        <source>Friction against the short-wave cut-off</source>
+        <translation>Reibung über der kurzwelligen Grenze</translation>
+    </message>
+    <message>
+        <source>Above: the same lines without their waves shorter than λ. Below: the part of all friction that a decade of wavelengths makes, at the waves of each step.</source>
+        <translation>Oben: dieselben Linien ohne ihre Wellen kürzer als λ. Unten: der Anteil der gesamten Reibung, den eine Dekade der Wellenlängen macht, bei den Wellen jeder Stufe.</translation>
+    </message>
+    <message>
+        <source>What friction depends on</source>
+        <translation>Wovon die Reibung abhängt</translation>
+    </message>
+    <message>
+        <source>Friction changes with no parameter here.</source>
+        <translation>Die Reibung ändert sich hier mit keinem Parameter.</translation>
+    </message>
+    <message>
+        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error.</source>
+        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler.</translation>
     </message>
     <message>
         <source>axis</source>
@@ -5232,6 +5420,26 @@
     <message>
         <source>Shoe on concrete</source>
         <translation>Schuh auf Beton</translation>
+    </message>
+    <message>
+        <source>Foundation and half-space</source>
+        <translation>Bettung und Halbraum</translation>
+    </message>
+    <message>
+        <source>What the model leaves out</source>
+        <translation>Was das Modell auslässt</translation>
+    </message>
+    <message>
+        <source>The same roughness, rubber and load in two models. Points: separate elements, as everywhere in this program. Coloured line: Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
+        <translation>Dieselbe Rauheit, derselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
+    </message>
+    <message>
+        <source>Contact fraction over velocity</source>
+        <translation>Kontaktanteil über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>contact fraction</source>
+        <translation>Kontaktanteil</translation>
     </message>
     <message>
         <source>Everyday surfaces</source>

@@ -70,6 +70,22 @@ TEST_F(ViewTest, HeightsAreSaidInMetresOrAsTheirExaggeration) {
                 HasSubstr("vertical exaggeration " + std::string(times) + "×"));
 }
 
+/// Surfaces of everyday life are drawn as they are, unless a call says otherwise; the rest fills
+/// the picture.
+TEST_F(ViewTest, RoadsAndPapersAreDrawnToScale) {
+  for (const char* name : {"tyre_on_asphalt", "rubber_on_sandpaper", "shoe_on_concrete"}) {
+    program.write("s.json", TemporaryFolder::read(std::filesystem::path(ASPERITY_RESOURCES_DIR) /
+                                                  "scenes" / (std::string(name) + ".json")));
+    const auto said = [&](const std::string& options) {
+      run("render s.json -o c.svg --size 1280x720 " + options);
+      return read("c.svg");
+    };
+    EXPECT_THAT(said(""), HasSubstr("vertical exaggeration 1×")) << name;
+    EXPECT_THAT(said("--exaggeration 4"), HasSubstr("vertical exaggeration 4×")) << name;
+    EXPECT_THAT(said("--heights -1e-5:1e-5"), Not(HasSubstr("vertical exaggeration 1×"))) << name;
+  }
+}
+
 TEST_F(ViewTest, ColoursEndWhereTheyAreTold) {
   EXPECT_THAT(texts("--colours-to 1234"), HasSubstr("1.23 kN/m"));
   EXPECT_THAT(texts("--overlay power --colours-to 3"), HasSubstr("3 W/m"));

@@ -1,8 +1,8 @@
-// asperity_bench [--quick] [--accuracy] [--effects] [--arms] [--output FOLDER]
+// asperity_bench [--quick] [--accuracy] [--effects] [--arms] [--maps] [--output FOLDER]
 //                [Google Benchmark's options]
 // Measures, prints the tables, and writes them to FOLDER/<CPU name>.md. With a filter only what ran
 // is printed and nothing is written. --accuracy, --effects: only the page on accuracy, on effects.
-// --arms: only the section on elements with arms, printed and not written.
+// --arms, --maps: only the section on elements with arms, on maps, printed and not written.
 // Exit: 0 done, 1 failed, 2 bad usage.
 #include <cstdio>
 #include <exception>
@@ -18,6 +18,7 @@
 #include "tests/bench/fields.h"
 #include "tests/bench/line_store.h"
 #include "tests/bench/machine.h"
+#include "tests/bench/maps_report.h"
 #include "tests/bench/memory.h"
 #include "tests/bench/report.h"
 #include "tests/bench/samples.h"
@@ -27,7 +28,8 @@ namespace asperity::bench {
 namespace {
 
 struct Options {
-  bool isQuick = false, isFiltered = false, isAccuracy = false, isEffects = false, isArms = false;
+  bool isQuick = false, isFiltered = false, isAccuracy = false, isEffects = false, isArms = false,
+       isMaps = false;
   std::string output, memoryChild;
   std::vector<char*> rest;  // for Google Benchmark
 };
@@ -45,6 +47,8 @@ Options readOptions(int count, char** arguments) {
       options.isEffects = true;
     else if (argument == "--arms")
       options.isArms = true;
+    else if (argument == "--maps")
+      options.isMaps = true;
     else if (argument == "--output" && hasValue)
       options.output = arguments[++i];
     else if (argument == "--memory-child" && hasValue)
@@ -110,11 +114,16 @@ int run(int count, char** arguments) {
     std::printf("%s", armsSection(options.isQuick).c_str());
     return 0;
   }
+  if (options.isMaps) {
+    std::printf("%s", mapsSection(options.isQuick).c_str());
+    return 0;
+  }
   const bool isOnePage = options.isAccuracy || options.isEffects;
   if (!options.isFiltered || isOnePage) {
     if ((options.isEffects || !isOnePage) &&
         !addPage(options, "_effects",
-                 effectsReport(options.isQuick) + "\n" + armsSection(options.isQuick)))
+                 effectsReport(options.isQuick) + "\n" + armsSection(options.isQuick) + "\n" +
+                     mapsSection(options.isQuick)))
       return 1;
     if ((options.isAccuracy || !isOnePage) &&
         !addPage(options, "_accuracy", accuracyReport(options.isQuick)))

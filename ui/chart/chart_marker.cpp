@@ -17,7 +17,7 @@ constexpr double kRing = 7.5;    // radius, around the point that is read
 }  // namespace
 
 void MarkerItem::update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-                        double lineX, const ChartLook& look) {
+                        double lineX, const ChartLook& look, const QList<QRectF>& taken) {
   prepareGeometryChange();
   geometry_ = geometry;
   marker_ = marker;
@@ -28,16 +28,32 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
   if (!std::isfinite(geometry.xOf(marker_->x))) return;
   lineX_ = geometry.xOf(std::isfinite(lineX) ? lineX : marker_->x);
   const QRectF& area = geometry.area;
-  const QFontMetricsF metrics(look_.font);
-  const double width = metrics.horizontalAdvance(QString::fromStdString(marker_->label.text));
-  const double away = 8 * geometry.scale;
-  const bool left = lineX_ + away + width > area.right();
-  const QPointF baseline(left ? lineX_ - away - width : lineX_ + away, area.bottom() - away);
-  label_ = {baseline.x() - 3, baseline.y() - metrics.ascent(), width + 6, metrics.height()};
+  label_ = placeOfLabel(taken);
   const double dot = geometry.xOf(marker_->x), around = kDot * geometry.scale + 2;
   bounds_ |= QRectF(std::min(lineX_, dot), area.top(), std::abs(lineX_ - dot), area.height())
                  .adjusted(-around, -around, around, around) |
              label_;
+}
+
+/// At the foot of the line: on its right or on its left, else above the text that is in the way.
+QRectF MarkerItem::placeOfLabel(const QList<QRectF>& taken) const {
+  const QRectF& area = geometry_.area;
+  const QFontMetricsF metrics(look_.font);
+  const double width = metrics.horizontalAdvance(QString::fromStdString(marker_->label.text)) + 6;
+  const double away = 8 * geometry_.scale;
+  const double foot = area.bottom() - away + metrics.descent();
+  const QRectF right(lineX_ + away - 3, foot - metrics.height(), width, metrics.height());
+  const QRectF left = right.translated(-width - 2 * away + 6, 0);
+  const bool fitsRight = right.right() - 3 <= area.right(), fitsLeft = left.left() >= area.left();
+  const auto isFree = [&](const QRectF& place) {
+    return std::ranges::none_of(taken, [&](const QRectF& text) { return text.intersects(place); });
+  };
+  if (fitsRight && isFree(right)) return right;
+  if (fitsLeft && isFree(left)) return left;
+  QRectF lifted = fitsRight ? right : left;
+  for (const QRectF& text : taken)
+    if (text.intersects(lifted)) lifted.moveBottom(text.top());
+  return lifted.top() >= area.top() ? lifted : fitsRight ? right : left;
 }
 
 /// Makes the trace of the marker from the points that have a place on the axes.

@@ -16,13 +16,14 @@ class MarkerItem : public QGraphicsItem {
   using QGraphicsItem::QGraphicsItem;
 
   /// lineX: position of the line while it is dragged and the dot has not followed yet; NaN: at the
-  /// marker.
+  /// marker. taken: places of other texts, which the marker's own avoids.
   void update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-              double lineX, const ChartLook& look);
+              double lineX, const ChartLook& look, const QList<QRectF>& taken);
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
  private:
+  QRectF placeOfLabel(const QList<QRectF>& taken) const;
   void layTrace();
   void paintTrace(QPainter& painter) const;
 

@@ -161,7 +161,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   using QGraphicsItem::QGraphicsItem;
 
   void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-            const TickedAxis& xAxis, const TickedAxis& yAxis, bool hasXLabels, double titleBeside) {
+            const TickedAxis& xAxis, const TickedAxis& yAxis, bool hasXLabels, double titleBeside,
+            bool titleAbove) {
     prepareGeometryChange();
     spans_ = diagram.spans;
     shades_ = diagram.shades;
@@ -171,6 +172,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     yAxis_ = yAxis;
     hasXLabels_ = hasXLabels;
     titleBeside_ = titleBeside;
+    titleAbove_ = titleAbove;
     const double edge = kFrameEdge * map.scale;
     frame_ = map.area.adjusted(-edge, 0, edge, 0);
     update();
@@ -194,12 +196,21 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     paintTitles(*painter);
   }
 
+  QList<QRectF> namesInside() const {
+    QList<QRectF> places;
+    for (const DiagramSpan& shade : shades_)
+      if (const QRectF place = placeOfName(shade); !place.isEmpty()) places += place;
+    return places;
+  }
+
   QString cutTitle() const {
     const QString title = QString::fromStdString(xAxis_.title);
     return hasXLabels_ && xTitle() != title ? title : QString();
   }
 
  private:
+  static constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
+
   QRectF columnOf(const DiagramSpan& span) const {
     const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
     const double left = held(map_.xOf(span.from)), right = held(map_.xOf(span.to));
@@ -227,18 +238,26 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   void paintShadeNames(QPainter& painter) const {
-    const QFontMetricsF metrics(look_.font);
     for (const DiagramSpan& shade : shades_) {
-      const QRectF box = columnOf(shade);
-      const QString label = QString::fromStdString(shade.label.text);
+      const QRectF room = roomOfName(shade);
+      if (placeOfName(shade).isEmpty()) continue;
       painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
-      constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
-      const QRectF room = box.adjusted(kAside, 0, -kAside, -kAside);
-      if (!room.contains(metrics.boundingRect(room, kFoot, label))) continue;
       painter.setPen(look_.faintText());
-      painter.drawText(room, kFoot, label);
+      painter.drawText(room, kFoot, QString::fromStdString(shade.label.text));
     }
     painter.setOpacity(1);
+  }
+
+  QRectF roomOfName(const DiagramSpan& shade) const {
+    return columnOf(shade).adjusted(kAside, 0, -kAside, -kAside);
+  }
+
+  /// The place of a shade's name; empty where it does not fit.
+  QRectF placeOfName(const DiagramSpan& shade) const {
+    const QRectF room = roomOfName(shade);
+    const QRectF place = QFontMetricsF(look_.font)
+                             .boundingRect(room, kFoot, QString::fromStdString(shade.label.text));
+    return room.contains(place) ? place : QRectF();
   }
 
   /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
@@ -288,6 +307,10 @@ class ChartPanel::UnderItem : public QGraphicsItem {
                                      frame_.height() + 2 * line),
                               Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
                               QString::fromStdString(yAxis_.title));
+    if (titleAbove_)
+      return painter.drawText(QRectF(frame_.left(), frame_.top() - line - 1, frame_.width(), line),
+                              Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                              QString::fromStdString(yAxis_.title));
     const FittedTitle title =
         fittedTitle(yAxis_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
     painter.save();
@@ -307,6 +330,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   TickedAxis xAxis_, yAxis_;
   bool hasXLabels_ = true;
   double titleBeside_ = 0;
+  bool titleAbove_ = false;
   QRectF frame_;
 };
 
@@ -400,12 +424,16 @@ ChartPanel::~ChartPanel() {
   delete chart_;
 }
 
+QList<QRectF> ChartPanel::namesInside() const {
+  return under_->namesInside();
+}
+
 QString ChartPanel::cutTitle() const {
   return under_->cutTitle();
 }
 
 void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-                      bool hasXLabels, double titleBeside) {
+                      bool hasXLabels, double titleBeside, bool titleAbove) {
   const double edge = kFrameEdge * map.scale;
   const QRectF frame = map.area.adjusted(-edge, 0, edge, 0);
   const QRectF whole(chart_->scene()->sceneRect());
@@ -427,7 +455,7 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
   showAxis(*x_, xAxis, {map.x.from - beyond, map.x.to + beyond});
   showAxis(*y_, yAxis, map.y);
   showSeries(diagram, map, look);
-  under_->show(diagram, map, look, xAxis, yAxis, hasXLabels, titleBeside);
+  under_->show(diagram, map, look, xAxis, yAxis, hasXLabels, titleBeside, titleAbove);
   over_->show(diagram, map, look);
 }
 

@@ -80,9 +80,13 @@ class ChartPanel {
   ChartPanel& operator=(const ChartPanel&) = delete;
 
   /// hasXLabels: labels and title of the x-axis are drawn below. titleBeside: the title of the
-  /// y-axis is on the right and this many pixels wide; 0: it is upright on the left.
+  /// y-axis is on the right and this many pixels wide; 0: it is upright on the left, or level above
+  /// the frame (titleAbove).
   void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look,
-            bool hasXLabels, double titleBeside);
+            bool hasXLabels, double titleBeside, bool titleAbove);
+
+  /// Returns the places of the names of shades, which are inside the frame.
+  QList<QRectF> namesInside() const;
 
   /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.
   QString cutTitle() const;

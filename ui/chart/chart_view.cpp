@@ -29,6 +29,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
 constexpr double kSmall = 20;          // pixels, of a frame that does not fit
 constexpr double kLeastLines = 1.8;    // minimum height of a strip, in lines of text
+constexpr double kLeastTitle = 0.8;    // of its usual size, for the title of a strip
 constexpr std::size_t kStrips = 3;     // from this number of diagrams on, titles are beside them
 constexpr double kBesideGap = 8;       // on either side of those titles
 constexpr double kMostBeside = 0.2;    // part of the width for titles in one line, at most
@@ -188,7 +189,8 @@ void ChartView::showAll() {
     panels_.push_back(std::make_unique<ChartPanel>(*view_->scene()));
   const double beside = besideWidth();
   for (std::size_t i = 0; i < frames_.size(); ++i)
-    panels_[i]->show(sheet_.diagrams[i], frames_[i], look_, i + 1 == frames_.size(), beside);
+    panels_[i]->show(sheet_.diagrams[i], frames_[i], look_, i + 1 == frames_.size(), beside,
+                     i > 0 && hasTitlesAbove_);
   updateMarker();
   if (hover_ && gesture_ == Gesture::None)
     read(*hover_);  // another object may be there now
@@ -230,7 +232,7 @@ void ChartView::placeFrames() {
   const double right = beside > 0 ? beside + 2 * kBesideGap : std::max(18.0, half);
   const double above = diagrams[0].spans.empty() ? 9 : names + 2;
   const double below = 2 * line + 20;
-  const double gap = beside > 0 ? 8 : 12;
+  double gap = beside > 0 ? 8 : 12;
   const double room = view_->height() - above - below;
   std::size_t count = diagrams.size();
   double share = 0;
@@ -238,6 +240,15 @@ void ChartView::placeFrames() {
   const auto heightOf = [&](std::size_t i) {
     return std::floor((room - static_cast<double>(count - 1) * gap) * diagrams[i].height / share);
   };
+  // The title of a strip stands above it where it is too low for an upright one.
+  const auto isTooLowFor = [&](std::size_t i) {
+    const double length =
+        metrics.horizontalAdvance(QString::fromStdString(diagrams[i].y.title.text));
+    return kLeastTitle * length > heightOf(i);
+  };
+  hasTitlesAbove_ = false;
+  for (std::size_t i = 1; i < count && beside == 0; ++i) hasTitlesAbove_ |= isTooLowFor(i);
+  if (hasTitlesAbove_) gap = line + 5;
   while (count > 1 && heightOf(count - 1) < kLeastLines * line) share -= diagrams[--count].height;
   const VisibleRange shown = visibleRange();
   const double width = view_->width() - left - right;
@@ -259,8 +270,9 @@ void ChartView::placeFrames() {
 }
 
 void ChartView::updateMarker() {
-  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, look_);
-  marker_->update(frames_[0], sheet_.diagrams[0].marker, wantedX_, look_);
+  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, look_, {});
+  const QList<QRectF> taken = panels_.empty() ? QList<QRectF>() : panels_[0]->namesInside();
+  marker_->update(frames_[0], sheet_.diagrams[0].marker, wantedX_, look_, taken);
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {

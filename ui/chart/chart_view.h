@@ -109,6 +109,7 @@ class ChartView : public QWidget {
   QGraphicsView* view_;
   std::vector<std::unique_ptr<ChartPanel>> panels_;
   std::vector<ChartGeometry> frames_;  // of the diagrams that fit
+  bool hasTitlesAbove_ = false;        // of strips: they are too low for upright ones
   MarkerItem* marker_;
   TipItem* tip_;
 

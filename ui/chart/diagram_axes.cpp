@@ -123,12 +123,6 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
 }
 
 /// Returns the symbol that ends a name, "v" of "velocity v"; empty where there is none.
-std::string symbolOf(const std::string& name) {
-  constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
-  const std::size_t space = name.rfind(' ');
-  return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
-}
-
 /// Fits "velocity v (m/s)" in the largest size down to `least`; then "v (m/s)" likewise; none where
 /// neither fits.
 std::optional<FittedTitle> saidInFull(const std::string& title, float size, float least,
@@ -193,6 +187,12 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 }
 
 }  // namespace
+
+std::string symbolOf(const std::string& name) {
+  constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
+  const std::size_t space = name.rfind(' ');
+  return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
+}
 
 FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
   const float least = leastTitle(size);

@@ -48,6 +48,10 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
 TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
                        const DiagramSizes& sizes);
 
+/// Returns the symbol at the end of a name: "G'" of "storage modulus G'"; empty where there is
+/// none.
+std::string symbolOf(const std::string& name);
+
 /// A title in the largest of several sizes that fits.
 struct FittedTitle {
   std::string text;

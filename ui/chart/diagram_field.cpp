@@ -178,10 +178,16 @@ void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxe
 }
 
 void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& axes,
-                 const DiagramSizes& sizes) {
+                 const DiagramSizes& sizes, const std::vector<Box>& taken) {
   DrawLayer layer;
   layer.clip = {axes.box.x, axes.box.y, axes.box.width, axes.box.height};
   std::vector<LineLabel> labels;
+  for (const Box& box : taken) {
+    LineLabel label;
+    label.middle = {box.x + box.width / 2, box.y + box.height / 2};
+    label.radius = std::hypot(box.width, box.height) / 2;
+    labels.push_back(label);
+  }
   const float size = std::round(0.92F * sizes.tick);
   for (const DiagramContour& contour : field.contours) {
     const Rgba colour = withAlpha(textOn(fieldColour(partOf(field, contour.value))), kContourAlpha);

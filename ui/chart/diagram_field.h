@@ -13,9 +13,10 @@ TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSize
 float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes);
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes);
-/// Adds the contour lines. A line is interrupted for its value, which stands along it.
+/// Adds the contour lines. A line is interrupted for its value, which stands along it, away from
+/// these boxes.
 void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& axes,
-                 const DiagramSizes& sizes);
+                 const DiagramSizes& sizes, const std::vector<Box>& taken);
 /// Adds the bar at the right of the frame.
 void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
                   const DiagramSizes& sizes, const Theme& theme);

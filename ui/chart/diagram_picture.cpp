@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "ui/chart/diagram_annotations.h"
+#include "ui/chart/diagram_bars.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -43,6 +45,24 @@ class Panel {
     arrange();
   }
 
+  DiagramFrame place() const {
+    const AxisRange &x = axes_.xAxis.range, &y = axes_.yAxis.range;
+    const auto value = [](AxisScale scale, double at) {
+      return scale == AxisScale::Logarithmic ? std::pow(10, at) : at;
+    };
+    const Box& box = axes_.box;
+    return {box.x,
+            box.y,
+            box.width,
+            box.height,
+            axes_.xAxis.scale,
+            axes_.yAxis.scale,
+            value(axes_.xAxis.scale, x.from),
+            value(axes_.xAxis.scale, x.to),
+            value(axes_.yAxis.scale, y.from),
+            value(axes_.yAxis.scale, y.to)};
+  }
+
   float frameHeight() const { return axes_.box.height; }
 
   /// Returns whether the title of the y-axis fits.
@@ -65,7 +85,9 @@ class Panel {
     addSpans(list, diagram_, axes_, sizes_, theme_);
     if (diagram_.field) {
       addFieldColours(list, *diagram_.field, axes_);
-      addContours(list, *diagram_.field, axes_, sizes_);
+      std::vector<Box> taken;
+      for (const PlacedLabel& label : labels_) taken.push_back(label.box);
+      addContours(list, *diagram_.field, axes_, sizes_, taken);
       addColourBar(list, colours_, box, sizes_, theme_);
     } else {
       addDiagramGrid(list, axes_, sizes_, theme_);
@@ -74,6 +96,7 @@ class Panel {
     addDiagramFrame(list, axes_, sizes_, theme_,
                     above);  // marks at the frame's edge are drawn over it
     addMarkerLine(list);
+    addBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
     addBlank(list);
     addLabels(list, labels_, sizes_, theme_);
@@ -171,7 +194,9 @@ class Panel {
     Box& box = axes_.box;
     box.y = top_ + above;
     box.height = std::max(1.0F, bottom_ - box.y);
-    axes_.yAxis = tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_);
+    axes_.yAxis = diagram_.bars.empty()
+                      ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)
+                      : barAxis(diagram_, 0.45F * cell_.width, sizes_);
     float bar = 0;
     if (diagram_.field) {
       colours_ = colourAxis(*diagram_.field, box.height, sizes_);
@@ -362,6 +387,45 @@ float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
   for (const Panel& panel : panelsOf(sheet, options, list))
     lowest = std::min(lowest, panel.isReadable() ? panel.frameHeight() : 0);
   return lowest / sizesFor(sheet, options).tick;
+}
+
+namespace {
+
+double valueAt(AxisScale scale, double from, double to, double part) {
+  return scale == AxisScale::Logarithmic ? from * std::pow(to / from, part)
+                                         : from + (to - from) * part;
+}
+
+double partOf(AxisScale scale, double from, double to, double value) {
+  return scale == AxisScale::Logarithmic ? std::log(value / from) / std::log(to / from)
+                                         : (value - from) / (to - from);
+}
+
+}  // namespace
+
+double DiagramFrame::xAt(float right) const {
+  return valueAt(xScale, xFrom, xTo, static_cast<double>((right - left) / width));
+}
+
+double DiagramFrame::yAt(float down) const {
+  return valueAt(yScale, yFrom, yTo, static_cast<double>((top + height - down) / height));
+}
+
+float DiagramFrame::rightOf(double x) const {
+  return left + width * static_cast<float>(partOf(xScale, xFrom, xTo, x));
+}
+
+float DiagramFrame::downOf(double y) const {
+  return top + height - height * static_cast<float>(partOf(yScale, yFrom, yTo, y));
+}
+
+std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
+                                        const DiagramOptions& options) {
+  const DiagramSheet sheet = prepared(english);
+  DrawList list = emptyList(options);
+  std::vector<DiagramFrame> frames;
+  for (const Panel& panel : panelsOf(sheet, options, list)) frames.push_back(panel.place());
+  return frames;
 }
 
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) {

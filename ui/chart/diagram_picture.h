@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/chart/diagram.h"
 #include "ui/draw/draw_list.h"
@@ -41,6 +42,22 @@ float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
 /// Returns the sheet without its last diagram, then without its note, where they would make the
 /// others too low to read easily.
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options);
+
+/// Where a diagram of a sheet is in its picture, and what the edges of its frame mean.
+struct DiagramFrame {
+  float left = 0, top = 0, width = 0, height = 0;  // pixels
+  AxisScale xScale = AxisScale::Linear, yScale = AxisScale::Linear;
+  double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;  // values at the edges
+
+  /// The values at a place, and back. Pixels, y down.
+  double xAt(float right) const;
+  double yAt(float down) const;
+  float rightOf(double x) const;
+  float downOf(double y) const;
+};
+
+/// Returns the frames of the diagrams in the picture that composeDiagrams() draws.
+std::vector<DiagramFrame> diagramFrames(const DiagramSheet& sheet, const DiagramOptions& options);
 
 /// Draws the sheet. No text covers another, from 320 x 200 pixels on; texts that do not fit are
 /// shortened, then left out, units and powers of ten last. Never throws because of a sheet's

@@ -101,6 +101,7 @@ DiagramSheet translated(DiagramSheet sheet) {
     for (DiagramLabel& label : diagram.labels) translate(label.text);
     if (diagram.marker)
       for (Message* text : {&diagram.marker->name, &diagram.marker->label}) translate(*text);
+    for (DiagramBar& bar : diagram.bars) translate(bar.name);
     if (diagram.field) {
       translate(diagram.field->colours.title);
       for (DiagramContour& contour : diagram.field->contours) translate(contour.label);

@@ -18,6 +18,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/material_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/shift_editor.h"
 #include "ui/panels/value_entry.h"
 #include "ui/panels/value_slider.h"
 
@@ -130,6 +131,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     addMaterials(*line);
   else if (std::holds_alternative<ArmsField>(parameter.field))
     addArms(*line, *column);
+  else if (std::holds_alternative<ShiftTableField>(parameter.field))
+    addShifts(*line, *column);
   else if (std::holds_alternative<TextField>(parameter.field) || isList(parameter))
     addText(*line);
   else
@@ -145,10 +148,11 @@ void ParameterRow::showTexts(const QString& heading) {
   if (!heading.isEmpty()) label_->setProperty("role", "heading");
   label_->setToolTip(description());
   for (QWidget* control :
-       std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, material_, text_})
+       std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, shifts_, material_, text_})
     if (control) describe(*control);
   if (material_) material_->showTexts();
-  if (arms_) arms_->setToolTip({});  // its parts have their own tooltips
+  for (QWidget* table : std::initializer_list<QWidget*>{arms_, shifts_})
+    if (table) table->setToolTip({});  // its parts have their own tooltips
   if (choice_) {
     choice_->view()->setAccessibleName(choice_->accessibleName());
     const auto& words = std::get<ChoiceField>(parameter_.field).choices;
@@ -178,6 +182,7 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
     replace ? text_->replaceText(text) : text_->showText(text);
   }
   if (arms_) arms_->showArms(scene.elastomer.arms, armsWanted(scene), replace);
+  if (shifts_) shifts_->showShifts(scene.elastomer.shift.table, replace);
   if (material_) material_->showMaterial(scene.elastomer);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
@@ -327,6 +332,15 @@ void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
           [this](const std::vector<Arm>& arms) { emit valueGiven(textOf(arms)); });
   line.addWidget(&arms_->fold(), 1);
   column.addWidget(arms_);
+}
+
+void ParameterRow::addShifts(QHBoxLayout& line, QVBoxLayout& column) {
+  shifts_ = new ShiftEditor;
+  name(*shifts_, "shifts");
+  connect(shifts_, &ShiftEditor::shiftsGiven, this,
+          [this](const std::vector<ShiftPoint>& table) { emit valueGiven(textOf(table)); });
+  line.addWidget(&shifts_->fold(), 1);
+  column.addWidget(shifts_);
 }
 
 void ParameterRow::addMaterials(QHBoxLayout& line) {

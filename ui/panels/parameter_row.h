@@ -2,9 +2,9 @@
 // or a list of words, or a text, with a button for files where it names a file, or the table of an
 // elastomer's arms, or the box of materials; description and allowed range as tooltip, a button
 // that resets to the default, and the reason below a refused text. Object names: "slider:KEY",
-// "entry:KEY", "text:KEY", "arms:KEY", "material:KEY", "choice:KEY", "browse:KEY", "reset:KEY",
-// "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and emits the user's
-// input. GUI thread.
+// "entry:KEY", "text:KEY", "arms:KEY", "shifts:KEY", "material:KEY", "choice:KEY", "browse:KEY",
+// "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and emits
+// the user's input. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -22,6 +22,7 @@ namespace asperity {
 class ArmsEditor;
 class ChoiceBox;
 class MaterialBox;
+class ShiftEditor;
 class TextBox;
 class ValueEntry;
 class ValueSlider;
@@ -67,6 +68,7 @@ class ParameterRow : public QWidget {
   void addText(QHBoxLayout& line);
   void addLongText(QHBoxLayout& line);
   void addArms(QHBoxLayout& line, QVBoxLayout& column);
+  void addShifts(QHBoxLayout& line, QVBoxLayout& column);
   void addMaterials(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
@@ -85,6 +87,7 @@ class ParameterRow : public QWidget {
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
   ArmsEditor* arms_ = nullptr;
+  ShiftEditor* shifts_ = nullptr;
   MaterialBox* material_ = nullptr;
   TextBox* text_ = nullptr;  // for several sentences
   QLabel* label_ = nullptr;

@@ -72,6 +72,7 @@ class ArmKernel {
   void run(double depth, const double* strain) {
     depth_ = depth;
     sums_ = {};
+    free_.begin(line_.spacing);
     work_.lengths.clear();
     level_ = 0;
     touching_ = true;
@@ -307,6 +308,8 @@ class ArmKernel {
   void endArc(double position) {
     const double length = std::max(position - arcStart_, 0.0);
     work_.addLength(length);
+    free_.add(arcStart_ - contactStart_, length);
+    sums_.freeStretches = free_.count();
     element_.template endArc<Everything>(length, sums_);
   }
 
@@ -449,8 +452,9 @@ class ArmKernel {
   PassSums sums_;
   double depth_ = 0;
   bool touching_ = true;
-  std::size_t level_ = 0;    // of the block tried next
-  double arcStart_ = 0;      // m
+  std::size_t level_ = 0;  // of the block tried next
+  double arcStart_ = 0;    // m
+  FreeStretches free_;
   double contactStart_ = 0;  // m
   double entryHeight_ = 0;   // m, of the line where the present contact began
   double leftHeight_ = 0;    // m, of the line where the present arc began

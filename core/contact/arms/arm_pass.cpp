@@ -37,6 +37,7 @@ template <bool Everything>
 void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) {
   depth_ = depth;
   sums_ = {};
+  free_.begin(line_.spacing);
   level_ = 0;
   touching_ = true;
   hasLeft_ = false;
@@ -229,6 +230,8 @@ void ArmPass::gatherArc(double position) {
       yieldChange_[i] += coefficients_.conversion.toYield[j * arms + i] * arcMode_[j] * back;
   }
   sums_.depth += volume * length;
+  free_.add(arcStart_ - contactStart_, length);
+  sums_.freeStretches = free_.count();
 }
 
 void ArmPass::enter(double position, double height) {

@@ -27,6 +27,30 @@ struct ArmShape {
 /// Where the slope of a cubic or its curvature changes sign inside (0, 1), in order of travel.
 Few<4> breakpoints(const Cubic& cubic, bool onwards);
 
+/// Counts free stretches. Where pressure is 0 to rounding as contact begins, it ends and begins
+/// again within a few digits of the place: so short stretches, of either kind, count as none.
+class FreeStretches {
+ public:
+  /// spacing: m, of the line's segments. The pass begins in contact, which goes on from that at the
+  /// line's end.
+  void begin(double spacing) {
+    least_ = 1e-6 * spacing;
+    contact_ = spacing;
+    count_ = 0;
+  }
+  /// A free arc follows a contact, of these lengths (m).
+  void add(double contact, double arc) {
+    contact_ += contact;
+    if (!(arc > least_)) return;
+    count_ += contact_ > least_ ? 1 : 0;
+    contact_ = 0;
+  }
+  double count() const { return count_; }
+
+ private:
+  double least_ = 0, contact_ = 0, count_ = 0;
+};
+
 class ArmPass {
  public:
   ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients);
@@ -112,6 +136,7 @@ class ArmPass {
   double leftHeight_ = 0;               // m, of the line where the present arc began
   double back_ = 0;                     // m, that the free surface has come back since
   PassSums sums_;
+  FreeStretches free_;
   ArmTangent* tangent_ = nullptr;
 };
 

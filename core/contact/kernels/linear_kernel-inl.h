@@ -76,6 +76,7 @@ class LinearKernel {
     sums.stiffness = sums.contactLength + totalOf(freeStiffness_);
     sums.slopeSquared = line_.spacing * totalOf(wholeSlopes_) + totalOf(slopes_);
     sums.dissipation = relaxationLength_ * sums.slopeSquared + totalOf(freeLoss_);
+    sums.freeStretches = static_cast<double>(arcs_);
     sums.pressure =
         depths + totalOf(depths_) - relaxationLength_ * (wholeClimb_ + totalOf(climbs_));
     return done;
@@ -128,6 +129,7 @@ class LinearKernel {
     std::size_t whole = 0;
     bool isOne = false;  // first and last segment
     if (hasLeft_) {
+      ++arcs_;
       const std::size_t next = summits.start[summit] + 1;
       const std::size_t first = entryOf(next, last, summits.inside[summit] > 0, relaxed_[patch]);
       isOne = first == last;
@@ -267,6 +269,7 @@ class LinearKernel {
   One decay_;              // of a free surface over 0, 1, ... segments
   double decayOverAll_;    // over as many segments as a vector has lanes
   std::size_t whole_ = 0;  // number of segments
+  std::size_t arcs_ = 0;   // number of free arcs
   double wholeClimb_ = 0;  // m
   One wholeHeights_ = One::all(0), wholeSlopes_ = One::all(0);  // m: of both ends; 1
   Wide length_ = Wide::all(0), depths_ = length_, slopes_ = length_, climbs_ = length_;

@@ -17,7 +17,8 @@ PassSums blend(const PassSums& lower, const PassSums& upper, double share) {
   PassSums sums;
   for (double PassSums::*member :
        {&PassSums::depth, &PassSums::stiffness, &PassSums::pressure, &PassSums::work,
-        &PassSums::dissipation, &PassSums::contactLength, &PassSums::slopeSquared})
+        &PassSums::dissipation, &PassSums::contactLength, &PassSums::slopeSquared,
+        &PassSums::freeStretches})
     sums.*member = lower.*member + share * (upper.*member - lower.*member);
   return sums;
 }

@@ -99,6 +99,7 @@ class NodalKernel {
       const V sum = hn::IfThenElse(hn::Gt(lost_[0], zero()), some, alike);
       depthSum_ = hn::MulAdd(hn::Sub(depth_, surface_), sum, depthSum_);
       forget(lost_[level]);
+      wasLoaded_ = zero();
     }
     surface_ = far;
   }
@@ -117,6 +118,7 @@ class NodalKernel {
         record(surface_, zero());
         depthSum_ = hn::Add(depthSum_, hn::Sub(depth_, surface_));
         forget(lost_[0]);
+        wasLoaded_ = zero();
       }
       surface_ = after(surface_, lost_[0]);
       return;
@@ -155,6 +157,11 @@ class NodalKernel {
       threshold = hn::Max(threshold, reached);
     }
     threshold_ = hn::IfThenElse(loaded, hn::Max(threshold_, threshold), threshold_);
+    // A stretch in contact begins at a loaded element behind one that is not.
+    const V isLoaded = hn::IfThenElseZero(loaded, set(1));
+    stretches_ = hn::Add(stretches_, hn::Sub(isLoaded, hn::Mul(isLoaded, wasLoaded_)));
+    if (i == 0) firstLoaded_ = isLoaded;
+    wasLoaded_ = isLoaded;
     // A new arc begins where the line touches.
     lastHeight_ = hn::IfThenElse(touching, height, lastHeight_);
     lostSinceTouch_ = hn::IfThenZeroElse(touching, lostSinceTouch_);
@@ -195,6 +202,9 @@ class NodalKernel {
     give(loss, states, [](NodalState& s) -> double& { return s.sums.dissipation; });
     give(hn::Mul(slopeSquared_, dx), states,
          [](NodalState& s) -> double& { return s.sums.slopeSquared; });
+    // The first stretch goes on from the last one where both meet at the lowest node.
+    give(hn::Sub(stretches_, hn::Mul(firstLoaded_, wasLoaded_)), states,
+         [](NodalState& s) -> double& { return s.sums.freeStretches; });
   }
 
   const PreparedProfile& line_;
@@ -207,6 +217,7 @@ class NodalKernel {
   V pressure_ = hn::Zero(d_), loaded_ = hn::Zero(d_), depthSum_ = hn::Zero(d_);
   V work_ = hn::Zero(d_), slopeSquared_ = hn::Zero(d_), freeLoss_ = hn::Zero(d_);
   V threshold_ = hn::Set(d_, -1);
+  V stretches_ = hn::Zero(d_), firstLoaded_ = hn::Zero(d_), wasLoaded_ = hn::Zero(d_);
 };
 
 }  // namespace HWY_NAMESPACE

@@ -40,6 +40,7 @@ class Gatherer {
     const double forgotten = -relaxationLength_ * std::expm1(-way * inverse_);
     sums.depth += from.depth * forgotten;
     sums.stiffness += forgotten;
+    sums.freeStretches += 1;
     if constexpr (kOutput == Output::Everything)
       sums.dissipation += 0.5 * from.depth * from.depth * -std::expm1(-2 * way * inverse_);
   }

@@ -28,6 +28,7 @@ struct alignas(64) Lanes {
   Values surface;                                   // height of free lanes at the segment's end
   Values sumDepth, freeStiffness, freeLoss;         // m^2, m, m^2
   Values contactLength, slopeSquared, sumPressure;  // m, m, m^2
+  Values freeStretches;                             // number
   // Flags, 1 or 0:
   Values busy, touching;
   Values closes;            // a free arc ends with this segment at the latest
@@ -203,6 +204,7 @@ class SegmentStep {
     sumDepth_ = sumDepth_ + onlyIn(lanes, depth * forgotten);
     freeStiffness_ = freeStiffness_ + onlyIn(lanes, forgotten);
     freeLoss_ = freeLoss_ + onlyIn(lanes, energy);
+    (Wide::load(lanes_.freeStretches) + onlyIn(lanes, Wide::all(1))).store(lanes_.freeStretches);
   }
 
   /// Adds the sums between two places of this segment, by the polynomial about the lower one.

@@ -32,8 +32,9 @@ constexpr double kDeviationsOfCompleteContact = 3;
 struct TheoryInput {
   ElementLaw law;
   WaveSpectrum spectrum;
-  double length;       // m
-  double normalForce;  // N
+  double length;           // m
+  double normalForce;      // N
+  double nominalPressure;  // Pa
 };
 
 std::vector<TheoryPoint> lawCurve(const Scene& scene, const LineSource& source,
@@ -76,7 +77,7 @@ std::vector<TheoryPoint> completeCurve(const TheoryInput& in, std::span<const do
 }
 
 std::vector<TheoryPoint> perssonCurve(const TheoryInput& in, std::span<const double> velocities) {
-  const PerssonHalfSpace theory(in.law, in.spectrum, in.normalForce / (in.length * in.length));
+  const PerssonHalfSpace theory(in.law, in.spectrum, in.nominalPressure);
   std::vector<TheoryPoint> points;
   for (const double velocity : velocities) {
     const auto [mu, contactFraction] = theory.at(std::abs(velocity));
@@ -98,14 +99,17 @@ const TheoryEntry& entryOf(Theory theory) {
 std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
                                      std::span<const double> velocities) {
   if (theory == Theory::Eq11) return lawCurve(scene, source, velocities);
-  if (scene.load.kind == LoadKind::Indentation || !(scene.load.normalForce > 0)) {
+  const double length = source.length();
+  const double force = loadOn(scene.load, length).normalForce;
+  if (scene.load.kind == LoadKind::Indentation || !(force > 0)) {
     std::vector<TheoryPoint> none;
     for (const double velocity : velocities)
       none.push_back({velocity, kNotApplicable, kNotApplicable, false});
     return none;
   }
-  const TheoryInput in{lawOf(scene.elastomer), waveSpectrum(source), source.length(),
-                       scene.load.normalForce};
+  const double pressure = scene.load.kind == LoadKind::Pressure ? scene.load.nominalPressure
+                                                                : force / (length * length);
+  const TheoryInput in{lawOf(scene.elastomer), waveSpectrum(source), length, force, pressure};
   switch (theory) {
     case Theory::GaussianFoundation:
       return gaussianCurve(in, velocities);

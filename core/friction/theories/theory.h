@@ -28,7 +28,9 @@ struct TheoryPoint {
 
 /// What a theory says of a scene at these velocities. NaN where it does not apply: Eq. (11) without
 /// one relaxation time or to a line that is not self-affine; the foundation at low velocity without
-/// an equilibrium modulus; all of them at a given indentation, which fixes no force.
+/// an equilibrium modulus; all of them at a given indentation, which fixes no force. A nominal
+/// pressure is that of the half-space as it is; the others take the force that it means. Without
+/// one the half-space has the force over the period's square.
 std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
                                      std::span<const double> velocities);
 

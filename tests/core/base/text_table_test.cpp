@@ -240,6 +240,19 @@ TEST(TextTable, ARowOfUnitsMayLeaveColumnsWithoutOne) {
   }
 }
 
+/// As rheometers export intervals: row names in front of the names, a tab in front of all the rest.
+TEST(TextTable, ATabInFrontIsAColumnWithoutAName) {
+  const TextTable table = read(
+      "Result:\tFS -40 \u00B0C\nInterval data:\tPoint No.\tStorage Modulus\tLoss Modulus\n"
+      "\t\t[MPa]\t[kPa]\n\t1\t29.4\t1.3\n\t2\t29.7\t1.2\n");
+  const TextBlock& block = table.largest();
+  ASSERT_EQ(block.columns.size(), 4u);
+  EXPECT_EQ(block.columns[2].name, "Storage Modulus");
+  EXPECT_EQ(block.columns[2].unit, "MPa");
+  EXPECT_EQ(block.columns[3].unit, "kPa");
+  EXPECT_EQ(block.at(1, 2), 29.7);
+}
+
 TEST(TextTable, FindsKeysAndValues) {
   const TextTable made = read(
       "# Channel: Raw\n# Width: 10 \u00B5m\nDate = 2020-01-01\nPoints;512;\nLong remark without a "

@@ -72,6 +72,49 @@ TEST(CurveFile, FrictionBelowWhatElementsResolveHasANote) {
   EXPECT_GT(noted, negative);
 }
 
+/// Scenes with a nominal pressure list contacts; the same under a force have the table that they
+/// had. A point of few contacts has the note in either.
+TEST(CurveFile, ContactSpotsStandInTablesOfScenesThatListThem) {
+  Scene scene;
+  scene.surface.elements = 500;
+  scene.ensemble.realizations = 5;
+  scene.sweep = {1e-2, 1e3, 6};
+  const std::vector<CurvePoint> before = frictionCurve(scene).points;
+  EXPECT_THAT(curveCsv(before), testing::Not(HasSubstr("contact_spots")));
+  EXPECT_THAT(curveCsv(before), testing::Not(HasSubstr("notes")));
+  scene.load.kind = LoadKind::Pressure;
+  scene.load.width = 1;
+  scene.load.nominalPressure = scene.load.normalForce / scene.surface.length;
+  const std::vector<CurvePoint> points = frictionCurve(scene).points;
+  EXPECT_THAT(curveCsv(points), HasSubstr(",contact_spots,notes\n"));
+  const auto root = nlohmann::json::parse(curveJson(points, scene));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i].contactSpots, before[i].contactSpots);
+    EXPECT_EQ(root["points"][i]["contact_spots"], points[i].contactSpots);
+    const bool few = points[i].contactSpots < kFewContacts;
+    EXPECT_EQ(noteSetOf(before[i]).has(Note::FewContacts), few) << points[i].velocity;
+    EXPECT_EQ(notesOf(points[i]), few ? "few_contacts" : "") << points[i].velocity;
+  }
+  EXPECT_GT(points.front().contactSpots, kFewContacts);
+  EXPECT_LT(points.back().contactSpots, kFewContacts);
+}
+
+/// Of stretches that have grown together few are left, and of a single parabola there is one:
+/// neither is a want of summits.
+TEST(CurveFile, FewContactsAreSingleSummitsOfRoughLines) {
+  EXPECT_TRUE(areContactsFew(1, 0.01));
+  EXPECT_FALSE(areContactsFew(kFewContacts, 0.01));
+  EXPECT_FALSE(areContactsFew(1, 1));
+  EXPECT_FALSE(areContactsFew(kNotApplicable, 0.01));
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Parabola;
+  scene.sweep = {1e-2, 1, 3};
+  for (const CurvePoint& point : frictionCurve(scene).points) {
+    EXPECT_EQ(point.contactSpots, 1);
+    EXPECT_FALSE(noteSetOf(point).has(Note::FewContacts));
+  }
+}
+
 /// Resolved lines of every shape, in light and in complete contact, at all velocities: none.
 TEST(CurveFile, ResolvedFrictionHasNoNote) {
   Scene scene;

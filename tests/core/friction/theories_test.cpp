@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <complex>
+#include <cstdio>
+#include <fstream>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "core/friction/ensemble.h"
@@ -145,6 +148,35 @@ TEST(PerssonHalfSpace, DirectionIntegralsAreThoseOfTheComplexModulus) {
   }
 }
 
+/// Values of the theory by plain quadrature from tests/reference/persson_half_space.py, which
+/// shares nothing with the program: a continuous spectrum, sums over the direction. The waves here
+/// are those of a line of 31 mm, which resolve it to a few parts in a thousand.
+TEST(PerssonHalfSpace, AgreesWithTheTableOfReferenceValues) {
+  ElementLaw law = kelvinLaw(1e6, 0);
+  law.arms = {{4e6, 1e-2}, {2e7, 1e-4}};
+  const double hurst = 0.8, height = 5e-6, low = 2e3, rollOff = 1.5e4, high = 6e5, step = 200;
+  WaveSpectrum spectrum;
+  double sum = 0;
+  for (double q = low + step / 2; q < high; q += step) {
+    const double density = q < rollOff ? 1 : std::pow(q / rollOff, -1 - 2 * hurst);
+    spectrum.waves.push_back({q, density});
+    sum += density;
+  }
+  for (SpectralWave& wave : spectrum.waves) wave.meanSquareHeight *= height * height / sum;
+  std::ifstream table(ASPERITY_TESTS_DIR "/reference/persson_half_space.csv");
+  std::string line;
+  ASSERT_TRUE(std::getline(table, line));
+  ASSERT_EQ(line, "velocity,nominal_pressure,mu,contact_fraction");
+  int rows = 0;
+  for (double velocity = 0, pressure = 0, mu = 0, contact = 0; std::getline(table, line); ++rows) {
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &velocity, &pressure, &mu, &contact), 4);
+    const auto found = PerssonHalfSpace(law, spectrum, pressure).at(velocity);
+    EXPECT_NEAR(found.mu / mu, 1, 5e-3) << line;
+    EXPECT_NEAR(found.contactFraction / contact, 1, 5e-3) << line;
+  }
+  EXPECT_EQ(rows, 8);
+}
+
 struct HalfSpaceCase {
   Scene scene = sceneOfSize(4000, 1, 1);
   LineSource source{scene, 1};
@@ -232,6 +264,35 @@ TEST(Theories, Equation11IsThatOfTheCurve) {
   for (const CurvePoint& point : curve.points) velocities.push_back(point.velocity);
   const std::vector<TheoryPoint> law = theoryCurve(Theory::Eq11, scene, source, velocities);
   for (std::size_t i = 0; i < law.size(); ++i) EXPECT_EQ(law[i].mu, curve.points[i].muLaw);
+}
+
+/// A nominal pressure over the period's own width is the force over the period's square; of a
+/// narrower line the half-space keeps the pressure, the line has less force.
+TEST(Theories, TakeANominalPressureAsItIs) {
+  Scene forced = sceneOfSize(300, 2, 1);
+  forced.surface.rollOffWavelength = forced.surface.length / 20;
+  const LineSource source(forced, 1);
+  const double length = forced.surface.length;
+  Scene pressed = forced;
+  pressed.load.kind = LoadKind::Pressure;
+  pressed.load.nominalPressure = forced.load.normalForce / (length * length);
+  pressed.load.normalForce = 1e-9;  // has no meaning beside a pressure
+  pressed.load.width = 0;
+  const std::vector<double> velocities{1e-6, 1e-3};
+  const auto at = [&](Theory theory, const Scene& scene) {
+    return theoryCurve(theory, scene, source, velocities).back();
+  };
+  for (const Theory theory :
+       {Theory::GaussianFoundation, Theory::CompleteContact, Theory::PerssonHalfSpace}) {
+    EXPECT_NEAR(at(theory, pressed).mu / at(theory, forced).mu, 1, 1e-12);
+    EXPECT_NEAR(at(theory, pressed).contactFraction / at(theory, forced).contactFraction, 1, 1e-12);
+  }
+  Scene narrow = pressed;
+  narrow.load.width = length / 10;
+  EXPECT_EQ(at(Theory::PerssonHalfSpace, narrow).contactFraction,
+            at(Theory::PerssonHalfSpace, pressed).contactFraction);
+  EXPECT_LT(at(Theory::GaussianFoundation, narrow).contactFraction,
+            at(Theory::GaussianFoundation, pressed).contactFraction);
 }
 
 TEST(Theories, AnIndentationFixesNoForce) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/input_error.h"
@@ -50,6 +51,17 @@ TEST(PronyFit, AKnownSeriesComesBackInItsModuli) {
   for (const Arm& arm : series.arms) EXPECT_GT(arm.modulus, 0);
 }
 
+TEST(PronyFit, IsStoppedAndSoAreTheShifts) {
+  const SyntheticRubber rubber;
+  std::stop_source stop;
+  PronyOptions options;
+  options.stop = stop.get_token();
+  EXPECT_NO_THROW(fitPronySeries(modulusOver(rubber, 1e-3, 1e5), options));
+  stop.request_stop();
+  EXPECT_THROW(fitPronySeries(modulusOver(rubber, 1e-3, 1e5), options), MaterialStopped);
+  EXPECT_THROW(masterCurve(rubber.sweeps(15), 298.15, false, stop.get_token()), MaterialStopped);
+}
+
 TEST(PronyFit, FromIsothermsToModuli) {
   const SyntheticRubber rubber;
   const MasterCurve curve = masterCurve(rubber.sweeps(15), 298.15);
@@ -60,19 +72,31 @@ TEST(PronyFit, FromIsothermsToModuli) {
             0.01);
 }
 
-/// Noise of 2 % on every modulus: the series is nearer to the truth than the points are.
+/// Noise of 2 % on every modulus: the series is nearer to the truth than the points are, within 3 %
+/// in the root mean square. At the worst single frequency 3 % cannot be promised by any fit. The
+/// bound of Cramer and Rao for these seven sweeps of 21 points, of one who knows the fifteen
+/// relaxation times and has only the moduli and six shifts to find, is a standard error of G'' of
+/// 1.9 % at the lowest frequency (0.5 % in the middle); then the largest deviation over all
+/// frequencies is 2.4 % in the median and above 3 % in a quarter of all repetitions. The fit, which
+/// knows neither times nor their number, has 3.4 % in the median of sixty, and 2.5 % with the true
+/// shifts.
 TEST(PronyFit, NoiseIsAveraged) {
   const SyntheticRubber rubber;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  std::vector<double> worst;
+  for (unsigned seed = 1; seed <= 21; ++seed) {
     const MasterCurve curve = masterCurve(rubber.sweeps(21, 0.02, seed), 298.15);
     std::vector<DynamicModulus> points;
     for (const MasterPoint& point : curve.points) points.push_back(point.modulus);
     const PronySeries series = fitPronySeries(points, {});
-    EXPECT_LT(deviation(series, rubber, curve.lowestFrequency(), curve.highestFrequency()).rms,
-              0.03)
-        << seed;
+    const Deviation found =
+        deviation(series, rubber, curve.lowestFrequency(), curve.highestFrequency());
+    EXPECT_LT(found.rms, 0.03) << seed;
+    worst.push_back(found.largest);
     EXPECT_NEAR(std::hypot(series.rmsStorage, series.rmsLoss) / std::sqrt(2.0), 0.02, 0.006);
   }
+  // At most half again what the bound leaves.
+  std::ranges::sort(worst);
+  EXPECT_LT(worst[worst.size() / 2], 1.5 * 0.024);
 }
 
 TEST(PronyFit, OneArmIsFoundAmongMany) {

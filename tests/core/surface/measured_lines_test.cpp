@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -273,6 +274,35 @@ TEST(IsotropicEquivalent, OfCutProfilesIsThatOfTheSurface) {
   const Squares line = meanOfLines(surface, LineKind::IsotropicEquivalent, true, Seam::Mirror);
   EXPECT_NEAR(std::sqrt(line.height), 1, 0.03);
   EXPECT_NEAR(std::sqrt(line.slope), 1, 0.03);
+}
+
+/// The spectrum of a whole surface is the long part of the work: it says how far it is, and ends
+/// soon where nobody wants it any more.
+TEST(MeasuredLines, TheSpectrumOfASurfaceSaysHowFarItIsAndCanBeStopped) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal(0.0, 1e-7);
+  std::vector<double> heights(96 * 128);
+  for (double& z : heights) z = normal(random);
+  const auto file = fileOf(topographyOf(heights, 96));
+  Scene scene = measuredScene();
+  scene.surface.line = LineKind::IsotropicEquivalent;
+  std::vector<double> parts;
+  const MeasuredLines lines(scene, file, {}, [&parts](double part) { parts.push_back(part); });
+  ASSERT_GT(parts.size(), 20U);
+  EXPECT_TRUE(std::ranges::is_sorted(parts));
+  EXPECT_GT(parts.front(), 0);
+  EXPECT_EQ(parts.back(), 1);
+  for (const double until : {0.0, 0.4, 0.9}) {
+    std::stop_source source;
+    if (until == 0) source.request_stop();
+    double last = 0;
+    const auto stopAt = [&](double part) {
+      last = part;
+      if (part >= until) source.request_stop();
+    };
+    EXPECT_THROW(MeasuredLines(scene, file, source.get_token(), stopAt), ReadingStopped) << until;
+    EXPECT_LT(last, until + 0.05);
+  }
 }
 
 }  // namespace

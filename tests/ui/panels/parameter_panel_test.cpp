@@ -29,6 +29,7 @@ bool isNumber(const Parameter& parameter) {
 QString controlOf(const Parameter& parameter) {
   if (std::holds_alternative<ChoiceField>(parameter.field)) return "choice:";
   if (std::holds_alternative<ArmsField>(parameter.field)) return "arms:";
+  if (std::holds_alternative<ShiftTableField>(parameter.field)) return "shifts:";
   if (parameter.key == "elastomer.material") return "material:";
   return parameter.key == "description" ? "text:" : "entry:";
 }
@@ -58,12 +59,13 @@ TEST_F(ParameterPanelTest, ControlsSayWhatTheyAre) {
   for (const Parameter& row : parameters()) {
     const QString key = fromUtf8(row.key);
     for (QWidget* widget : panel_.findChildren<QWidget*>(QRegularExpression(
-             "^(slider|entry|choice|arms|material|text):" + QRegularExpression::escape(key) +
+             "^(slider|entry|choice|arms|shifts|material|text):" + QRegularExpression::escape(key) +
              "$"))) {
       EXPECT_TRUE(widget->accessibleName().startsWith(fromUtf8(row.label))) << row.key;
       EXPECT_TRUE(widget->accessibleName().contains(fromUtf8(row.unit))) << row.key;
       EXPECT_EQ(widget->accessibleDescription(), fromUtf8(row.sentence));
-      if (controlOf(row) == "arms:") continue;  // its parts have their own
+      if (controlOf(row) == "arms:" || controlOf(row) == "shifts:")
+        continue;  // its parts have their own
       EXPECT_TRUE(widget->toolTip().contains(fromUtf8(row.sentence).toHtmlEscaped())) << row.key;
     }
   }

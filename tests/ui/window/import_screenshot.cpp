@@ -1,23 +1,31 @@
 // Pictures of the pages that open measured files and of the tab of the material, in both languages
 // and themes, to be looked at.
 // Usage: import_screenshot FOLDER [--surface FILE]... [--moduli FILE]... [--tab] [--panel]
-//        [--quick]
+//        [--fit SCENE] [--quick]
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileInfo>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <algorithm>
 #include <cstdio>
 
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/panels/parameter_panel.h"
+#include "ui/window/curve/comparison_commands.h"
 #include "ui/window/figures/diagram_view.h"
+#include "ui/window/fit/fit_page.h"
 #include "ui/window/import/import_commands.h"
 #include "ui/window/import/material_import.h"
 #include "ui/window/import/surface_import.h"
@@ -37,7 +45,9 @@ constexpr int kPatience = 60000;  // ms
 struct Wish {
   QString folder;
   QStringList surfaces, moduli;
+  QString fitted;
   bool tab = false, panel = false, quick = false;
+  QStringList keys;
 };
 
 /// Whether it came within patience; a picture that did not is taken as it is.
@@ -64,6 +74,7 @@ class Photographer {
     for (const QString& file : wish_.moduli) moduli(file);
     if (wish_.tab) tab();
     if (wish_.panel) panel();
+    if (!wish_.fitted.isEmpty()) fit();
   }
 
  private:
@@ -79,8 +90,31 @@ class Photographer {
     std::printf("%s\n", qPrintable(page.complaint()));
   }
   void surface(const QString& file) {
+    // How long the window answers nobody, and how often the bar moves.
+    QElapsedTimer whole, since;
+    qint64 longest = 0;
+    QTimer pulse;
+    QObject::connect(&pulse, &QTimer::timeout, [&] {
+      const qint64 gap = since.restart();
+      if (gap > 40) std::printf("%lld ms: waited %lld ms\n", whole.elapsed(), gap);
+      longest = std::max(longest, gap);
+    });
+    whole.start();
+    since.start();
+    pulse.start(1);
     SurfaceImport& page = window_->imports().openSurface(file);
+    std::printf("the page stands after %lld ms\n", whole.elapsed());
+    since.restart();
+    int moves = 0;
+    QObject::connect(page.findChild<QProgressBar*>("importProgress"), &QProgressBar::valueChanged,
+                     [&](int value) {
+                       ++moves;
+                       if (wish_.quick) std::printf("%lld ms: %d\n", whole.elapsed(), value);
+                     });
     wait(page, "surfaceSpectrum");
+    pulse.stop();
+    std::printf("%s: %lld ms, the window waited at most %lld ms, %d steps of progress\n",
+                qPrintable(file), whole.elapsed(), longest, moves);
     save(page, "surface_" + QFileInfo(file).completeBaseName());
     delete &page;
   }
@@ -123,6 +157,33 @@ class Photographer {
     save(window_->panel(), "panel_lower");
   }
 
+  /// Two parameters of a scene with measured friction, before, during and after.
+  void fit() {
+    window_->document().open(readSceneFile(wish_.fitted.toStdString()));
+    QTest::qWait(300);
+    FitPage& page = *window_->comparisons().openFit();
+    page.resize(size_.boundedTo(QSize(1240, 820)) - QSize(40, 40));
+    auto& keys = *page.findChild<QTableWidget*>("fitKeys");
+    for (int row = 0; row < keys.rowCount(); ++row)
+      if (wish_.keys.contains(keys.item(row, 0)->toolTip().section(' ', -1)))
+        keys.item(row, 0)->setCheckState(Qt::Checked);
+    save(page, "fit_begin");
+    page.findChild<QPushButton*>("fitRun")->click();
+    QTest::qWait(900);
+    save(page, "fit_running");
+    waitFor([&] { return !page.isFitting(); });
+    std::printf("%s\n", qPrintable(page.complaint()));
+    auto& sheet = *page.findChild<DiagramView*>("fitSheet");
+    for (int i = 0; i < 3; ++i) {
+      page.findChild<QTabBar*>("fitSheets")->setCurrentIndex(i);
+      QTest::qWait(600);
+      waitFor([&] { return sheet.isPainted(); });
+      save(page, QStringLiteral("fit_%1").arg(i));
+    }
+    delete &page;
+    save(*window_, "fit_window");
+  }
+
   const Wish& wish_;
   QSize size_;
   QString label_;
@@ -142,21 +203,29 @@ int main(int argc, char** argv) {
                      {"moduli", "measured moduli", "FILE"},
                      {"tab", "the tab of the material"},
                      {"panel", "rows of the panel"},
+                     {"fit", "a scene with measured friction", "SCENE"},
+                     {"key", "that is varied in the fit", "KEY"},
+                     {"size", "of the window, WxH", "WxH"},
                      {"quick", "one language, theme and size"}});
   parser.process(application);
   if (parser.positionalArguments().size() != 1) parser.showHelp(1);
   const Wish wish{parser.positionalArguments().constFirst(),
                   parser.values("surface"),
                   parser.values("moduli"),
+                  parser.value("fit"),
                   parser.isSet("tab"),
                   parser.isSet("panel"),
-                  parser.isSet("quick")};
+                  parser.isSet("quick"),
+                  parser.values("key")};
   QDir().mkpath(wish.folder);
   if (wish.quick) {
     Photographer(wish, "en", false, {1600, 1000}).takeAll();
     return 0;
   }
-  Photographer(wish, "en", false, {1600, 1000}).takeAll();
-  Photographer(wish, "de", true, {1024, 700}).takeAll();
+  QSize first(1600, 1000), second(1024, 700);
+  const QStringList sides = parser.value("size").split('x');
+  if (sides.size() == 2) first = second = {sides[0].toInt(), sides[1].toInt()};
+  Photographer(wish, "en", false, first).takeAll();
+  Photographer(wish, "de", true, second).takeAll();
   return 0;
 }

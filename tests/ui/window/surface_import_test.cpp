@@ -10,13 +10,18 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <sstream>
 #include <string>
+#include <vector>
 
-#include "core/scene/scene_file.h"
+#include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
 #include "qt_application.h"
+#include "tests/app/program.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
@@ -107,18 +112,56 @@ TEST_F(SurfaceImportTest, CancelLeavesEverything) {
   EXPECT_EQ(window_.document().history().count(), 0);
 }
 
-/// The page and the command line read one file as the same line, bit for bit.
-TEST_F(SurfaceImportTest, ItsLineIsThatOfTheCommand) {
-  const QString file = sineFile(0.01);
-  openPage(file);
+/// A column of a table as the program writes it; numbers read back to the same bits.
+std::vector<double> columnOf(const std::string& csv, const std::string& name) {
+  std::istringstream lines(csv);
+  std::string line;
+  while (std::getline(lines, line) && line.starts_with("#")) {
+  }
+  const auto split = [](const std::string& row) {
+    std::vector<std::string> cells;
+    std::istringstream in(row);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    return cells;
+  };
+  const std::vector<std::string> names = split(line);
+  const auto column = std::ranges::find(names, name) - names.begin();
+  std::vector<double> values;
+  while (std::getline(lines, line))
+    values.push_back(
+        std::strtod(split(line).at(static_cast<std::size_t>(column)).c_str(), nullptr));
+  return values;
+}
+
+/// `asperity surface FILE`, `asperity curve SCENE` and the page make the same line of a file, bit
+/// for bit: the heights of the first and of the page, the friction of the second and of the page.
+TEST_F(SurfaceImportTest, TheProgramAndThePageMakeTheSameLine) {
+  const std::string file = sineFile(0.01).toStdString();
+  openPage(QString::fromStdString(file));
   ASSERT_TRUE(waitForPage());
   click("importAccept");
   ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
-  const Scene told = readScene(R"({"surface": {"kind": "measured", "file": "profile.csv"}})",
-                               "told", std::filesystem::path(folder_.path().toStdString()));
-  const Line ofCommand = LineSource(told, 1).make(0), ofPage = LineSource(scene(), 1).make(0);
-  EXPECT_EQ(ofCommand.length, ofPage.length);
-  EXPECT_EQ(ofCommand.height, ofPage.height);
+  const Line ofPage = LineSource(scene(), 1).make(0);
+
+  const Program program;
+  Said said = program.run("surface '" + file + "' -o line.csv --quiet");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_EQ(columnOf(TemporaryFolder::read(program.folder / "line.csv"), "height"), ofPage.height);
+
+  Scene few = scene();
+  few.sweep = {1e-3, 1, 4};
+  write("scene.json", R"({"surface": {"kind": "measured", "file": "profile.csv"},
+                         "ensemble": {"realizations": 0},
+                         "sweep": {"velocity_from": 1e-3, "velocity_to": 1, "points": 4}})");
+  said = program.run("curve '" + folder_.filePath("scene.json").toStdString() + "' --quiet");
+  ASSERT_EQ(said.status, 0) << said.err;
+  Scene alike = few;  // what else the page's scene says is not the file's
+  alike.elastomer = {};
+  alike.load = {};
+  alike.accuracy = {};
+  std::vector<double> friction;
+  for (const CurvePoint& point : frictionCurve(alike).points) friction.push_back(point.mu);
+  EXPECT_EQ(columnOf(said.out, "mu"), friction);
 }
 
 TEST_F(SurfaceImportTest, AStepIsShownAtOnce) {

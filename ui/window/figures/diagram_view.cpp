@@ -14,6 +14,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "ui/chart/chart_panel.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pixel_context.h"
@@ -38,10 +39,12 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
 }
 
 /// The sheet as it can be read at this size: diagrams that would be too low below each other stand
-/// side by side, and the last ones are left out where that is too narrow.
+/// side by side, with symbols at the curves in place of a legend and the subtitle in place of both
+/// headings; the last ones are left out where that is too narrow.
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
-  constexpr float kNarrowest = 290;  // logical pixels of one diagram
+  constexpr float kNarrowest = 190;  // logical pixels of one diagram
+  constexpr double kAside = 4;       // from a curve to its name, as a factor
   const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
   if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
   const auto room =
@@ -49,7 +52,21 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   sheet.diagrams.resize(std::clamp<std::size_t>(room, 1, sheet.diagrams.size()));
   sheet.columns = static_cast<int>(sheet.diagrams.size());
   sheet.sharesAxis = false;
-  for (Diagram& diagram : sheet.diagrams) diagram.height = 1;
+  sheet = translated(std::move(sheet));
+  for (Diagram& diagram : sheet.diagrams) {
+    diagram.height = 1;
+    // The first curve is named above it, the others below them.
+    double aside = diagram.y.scale == AxisScale::Logarithmic ? kAside : 1;
+    for (DiagramSeries& series : diagram.series) {
+      const std::string symbol = symbolOf(series.name.text);
+      if (symbol.empty() || series.points.empty()) continue;
+      const DiagramPoint& at = series.points[series.points.size() / 4];
+      diagram.labels.push_back({Message::name(symbol), at.x, aside * at.y});
+      aside = std::min(aside, 1 / aside);
+      series.name = {};
+    }
+  }
+  if (!sheet.subtitle.empty()) sheet.title = {};
   if (isLow()) sheet.note = {};
   return sheet;
 }
@@ -76,6 +93,10 @@ void DiagramView::setTheme(const Theme& theme) {
   requestSoon();
 }
 
+void DiagramView::setPause(int pause) {
+  pause_->setInterval(pause);
+}
+
 void DiagramView::requestSoon() {
   isDue_ = true;
   if (!pause_->isActive()) request();
@@ -93,14 +114,19 @@ void DiagramView::request() {
   ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
-        QImage image = renderImage(contextOfThread(),
-                                   composeDiagrams(readable(sheetOf(maker), options), options));
+        const DiagramSheet sheet = readable(sheetOf(maker), options);
+        QImage image = renderImage(contextOfThread(), composeDiagrams(sheet, options));
         image.setDevicePixelRatio(scale);
-        return image;
+        std::vector<DiagramFrame> frames = diagramFrames(sheet, options);
+        for (DiagramFrame& frame : frames)
+          for (float* length : {&frame.left, &frame.top, &frame.width, &frame.height})
+            *length /= static_cast<float>(scale);
+        return std::pair{image, std::move(frames)};
       },
-      [this, number = asked_](const QImage& image) {
+      [this, number = asked_](const std::pair<QImage, std::vector<DiagramFrame>>& made) {
         shown_ = number;
-        image_ = image;
+        image_ = made.first;
+        frames_ = made.second;
         update();
         emit painted();
       },
@@ -133,13 +159,15 @@ void DiagramView::contextMenuEvent(QContextMenuEvent* event) {
   if (export_.name.isEmpty() || !maker_) return QWidget::contextMenuEvent(event);
   QMenu menu(this);
   menu.addAction(tr("Copy picture"), this, &DiagramView::copy);
-  menu.addAction(tr("Save diagram…"), this, [this] {
-    QString filters = tr("Pictures (*.png *.svg *.pdf)");
-    if (export_.table) filters += ";;" + tr("Tables (*.csv)");
-    const QString file = askSaveFile(this, tr("Save diagram"), export_.name + ".png", filters);
-    if (!file.isEmpty()) save(file);
-  });
+  menu.addAction(tr("Save diagram…"), this, &DiagramView::saveAs);
   menu.exec(event->globalPos());
+}
+
+void DiagramView::saveAs() {
+  QString filters = tr("Pictures (*.png *.svg *.pdf)");
+  if (export_.table) filters += ";;" + tr("Tables (*.csv)");
+  const QString file = askSaveFile(this, tr("Save diagram"), export_.name + ".png", filters);
+  if (!file.isEmpty()) save(file);
 }
 
 void DiagramView::save(const QString& file) {
@@ -148,7 +176,7 @@ void DiagramView::save(const QString& file) {
         const std::filesystem::path path = file.toStdString();
         if (saved.table && file.endsWith(".csv", Qt::CaseInsensitive))
           return writeFileAtomically(path, saved.table());
-        const DiagramSheet sheet = maker();
+        const DiagramSheet sheet = saved.sheet ? saved.sheet() : maker();
         const DiagramOptions options = printOptions(sheet, theme);
         writePicture(path, composeDiagrams(sheet, options),
                      {translated(sheet.title), saved.origin ? saved.origin() : std::string(),

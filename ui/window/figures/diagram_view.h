@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/chart/diagram.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -22,6 +23,8 @@ struct DiagramExport {
   QString name{};                         // proposed: "material"; empty: it cannot be saved
   std::function<std::string()> origin{};  // provenance of the picture
   std::function<std::string()> table{};   // its numbers as CSV; may be empty
+  /// What a file shows where it is not what the view shows; may be empty.
+  std::function<DiagramSheet()> sheet{};
 };
 
 class DiagramView : public QWidget {
@@ -36,6 +39,13 @@ class DiagramView : public QWidget {
   /// Sets the diagram to show from now on; of many fast requests some are skipped.
   void show(Maker maker, DiagramExport saved = {});
   void setTheme(const Theme& theme);
+  /// Sets the least time between two pictures, ms.
+  void setPause(int pause);
+
+  /// Returns where the diagrams are in the picture that is shown, in logical pixels of the view.
+  const std::vector<DiagramFrame>& frames() const { return frames_; }
+  /// Asks for a file and writes the diagram there.
+  void saveAs();
 
   /// Returns whether the newest request is on the screen.
   bool isPainted() const { return shown_ > 0 && shown_ == asked_ && !isDue_; }
@@ -64,6 +74,9 @@ class DiagramView : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
+ protected:
+  const Theme& theme() const { return theme_; }
+
  private:
   void requestSoon();
   void request();
@@ -72,6 +85,7 @@ class DiagramView : public QWidget {
   DiagramExport export_;
   Theme theme_ = lightTheme();
   QImage image_;
+  std::vector<DiagramFrame> frames_;
   QTimer* pause_;
   bool isDue_ = false;
   quint64 asked_ = 0, shown_ = 0;  // numbers of requests

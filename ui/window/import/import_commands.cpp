@@ -36,6 +36,8 @@ void ImportCommands::addTo(Commands& commands) {
                 [this] { askSurface(parts_.document.scene()); },
                 {Qt::CTRL | Qt::SHIFT | Qt::Key_O}});
   commands.add({"openMaterial", [] { return tr("Open material…"); }, [this] { askMaterial(); }});
+  commands.add(
+      {"openFriction", [] { return tr("Add measured friction…"); }, [this] { askFriction(); }});
 }
 
 /// The folder of the files that the scene names.
@@ -117,14 +119,23 @@ void ImportCommands::takeMaterial(const QString& file) {
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
 }
 
+bool ImportCommands::askFriction() {
+  const QString file = QFileDialog::getOpenFileName(
+      &parts_.window, tr("Add measured friction"), folder(),
+      tr("Tables of velocity and friction (*.csv *.txt *.dat *.tsv);;All files (*)"));
+  return !file.isEmpty() && takeFriction(file);
+}
+
 /// Puts measured friction beside the curve; a table that stands there already is read again.
-void ImportCommands::takeFriction(const QString& file) {
+/// Returns whether it could be read.
+bool ImportCommands::takeFriction(const QString& file) {
   Scene scene = parts_.document.scene();
   const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
   try {
     readFrictionData(path);
   } catch (const std::exception& error) {
-    return parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    return false;
   }
   const std::string name = nameInScene(scene, path);
   if (std::ranges::find(scene.comparison.data, name, &DataFile::file) ==
@@ -133,6 +144,7 @@ void ImportCommands::takeFriction(const QString& file) {
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene,
                        QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
+  return true;
 }
 
 void ImportCommands::openDropped(const QString& file) {
@@ -147,7 +159,8 @@ void ImportCommands::openDropped(const QString& file) {
                       openModuli(file);
                       return;
                     case FileKind::Friction:
-                      return takeFriction(file);
+                      takeFriction(file);
+                      return;
                     case FileKind::Surface:
                       openSurface(file);
                       return;

@@ -45,6 +45,9 @@ class ImportCommands : public QObject {
   /// Makes a material.json the material of the scene, or shows the page of measured moduli.
   void openMaterial(const QString& file);
   MaterialImport& openModuli(const QString& file);
+  /// Puts measured friction beside the curve, from a file that the user chooses; returns whether
+  /// that was done.
+  bool askFriction();
   /// Looks in the background at what the file is, and opens it as that.
   void openDropped(const QString& file);
 
@@ -54,7 +57,7 @@ class ImportCommands : public QObject {
   void askMaterial();
   void takeSurface(Scene scene, const QString& file);
   void takeMaterial(const QString& file);
-  void takeFriction(const QString& file);
+  bool takeFriction(const QString& file);
   void closePages();
   QString folder() const;
 

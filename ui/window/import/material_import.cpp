@@ -23,6 +23,7 @@
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/chart/material_sheets.h"
+#include "core/friction/study.h"
 #include "core/scene/columns.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -307,14 +308,18 @@ void MaterialImport::begin() {
     return take({bytes_, {}, {{error.key(), error.message()}}});
   }
   work_.request(
-      [file = file().toStdString(), bytes = bytes_, wanted](const BackgroundWork::Run&) {
+      [file = file().toStdString(), bytes = bytes_, wanted](const BackgroundWork::Run& run) {
         Preview preview{bytes, {}, {}};
         try {
           if (!preview.bytes)
             preview.bytes =
                 std::make_shared<const std::string>(readRegularFile(file, kLargestFile));
+          MaterialChoices choices = wanted;
+          choices.stop = run.stop();
           preview.material = std::make_shared<const Material>(makeMaterial(
-              *preview.bytes, std::filesystem::path(file).filename().string(), wanted));
+              *preview.bytes, std::filesystem::path(file).filename().string(), choices));
+        } catch (const MaterialStopped&) {
+          throw StudyStopped{};
         } catch (const InputError& error) {
           preview.fault = {error.key(), error.message()};
         }

@@ -35,6 +35,8 @@ struct SurfaceImport::Preview {
 
 namespace {
 
+constexpr double kReading = 0.3;  // part of the work, where a spectrum follows
+
 std::vector<ParameterGroup> groups() {
   return {
       {[] { return SurfaceImport::tr("What the file is"); },
@@ -143,13 +145,19 @@ void SurfaceImport::begin() {
       [this, scene = scene_](const BackgroundWork::Run& run) {
         Preview preview;
         try {
-          const auto progress = [&](double part) {
-            run.tell([this, part] { showProgress(part); });
+          // The bar runs once from end to end: first the file, then the spectrum of all its rows.
+          const bool hasSpectrum = scene.surface.line == LineKind::IsotropicEquivalent ||
+                                   scene.surface.processing.seam == Seam::RandomPhases;
+          const double reading = hasSpectrum ? kReading : 1;
+          const auto within = [&](double from, double to) {
+            return [this, &run, from, to](double part) {
+              run.tell([this, done = from + (to - from) * part] { showProgress(done); });
+            };
           };
-          const auto file = readMeasuredSurface(scene, run.stop(), progress);
+          const auto file = readMeasuredSurface(scene, run.stop(), within(0, reading));
           preview.image = topographyImage(
               file->topography, scene.surface.reading.direction == ProfileDirection::AlongY);
-          const auto lines = MeasuredLines::of(scene, run.stop(), progress);
+          const auto lines = MeasuredLines::of(scene, run.stop(), within(reading, 1));
           const LineSource source(scene, 1);
           preview.line = {source.length(), source.elements()};
           preview.summary = measuredSummary(scene, source);

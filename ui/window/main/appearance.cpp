@@ -132,7 +132,11 @@ QString windowStyleSheet(const Theme& theme) {
       border-bottom: 2px solid transparent; }
     QTabWidget QTabBar::tab:hover { color: %2; }
     QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
-    #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
+    #fitButton { border: none; border-radius: 5px; margin: 4px 8px 4px 4px; padding: 3px 10px;
+      background: %4; color: %2; }
+    #fitButton:hover { background: %3; }
+    #fitButton:focus { border: 1px solid %5; padding: 2px 9px; }
+    #fitKeys QHeaderView::section, #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
     #regionPictures { background: %10; }
     #regionBar QLabel { color: %6; }
     #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: %6; }

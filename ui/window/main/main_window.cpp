@@ -1,4 +1,5 @@
 #include "ui/window/main/main_window.h"
+#include "ui/window/map/map_panel.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -24,6 +25,7 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_comparison.h"
 #include "ui/window/curve/curve_display.h"
@@ -210,6 +212,9 @@ void MainWindow::buildCommands() {
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
+  comparisons_ = new ComparisonCommands(
+      {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
+  comparisons_->addTo(*commands_);
   exports_ = new Exports({*this, *document_, *session_, *canvas_, *tabs_, *figures_, *appearance_,
                           *messages_, *status_});
   exports_->addTo(*commands_);
@@ -239,6 +244,8 @@ void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
+          [this](const Scene& scene) { document_->edit(scene); });
+  connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
     documents_->replace({{}, {}, scene});

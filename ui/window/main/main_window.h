@@ -21,6 +21,7 @@ namespace asperity {
 
 class Appearance;
 class Commands;
+class ComparisonCommands;
 class ContactCanvas;
 class CurveCommands;
 class DocumentCommands;
@@ -55,6 +56,7 @@ class MainWindow : public QMainWindow {
   SceneTabs& tabs() { return *tabs_; }  // under the contact
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
+  ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
   FigurePages& figures() { return *figures_; }  // the views, or the paper's figures
   Exports& exports() { return *exports_; }
   MessageBar& messages() { return *messages_; }
@@ -113,6 +115,7 @@ class MainWindow : public QMainWindow {
   ImportCommands* imports_ = nullptr;
   Exports* exports_ = nullptr;
   CurveCommands* curveCommands_ = nullptr;
+  ComparisonCommands* comparisons_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;
   Tour* tour_ = nullptr;
   WindowVisibility* visibility_ = nullptr;

@@ -13,6 +13,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_view_actions.h"
+#include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/main/appearance.h"
@@ -75,7 +76,9 @@ void MainWindow::buildMenus() {
   view.addSeparator();
   fillLanguages(view);
 
-  curveCommands_->fill(*addMenu([] { return tr("&Curve"); }));
+  QMenu& curve = *addMenu([] { return tr("&Curve"); });
+  curveCommands_->fill(curve);
+  comparisons_->fill(curve, *commands_);
 
   QMenu& help = *addMenu([] { return tr("&Help"); });
   add(help, {"tour", "tourStepBack", "tourStepNext"});

@@ -22,6 +22,7 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/session.h"
+#include "ui/window/map/map_panel.h"
 
 namespace asperity {
 
@@ -76,6 +77,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
       material_(new DiagramView),
       accuracy_(new AccuracyPanel),
       plan_(new PlanList),
+      map_(new MapPanel),
       excitation_(std::make_shared<ExcitationOfScene>()) {
   setObjectName("tabs");
   setDocumentMode(true);
@@ -90,8 +92,9 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   spectrum_->setObjectName("spectrumView");
   statistics_->setObjectName("statisticsView");
   material_->setObjectName("materialView");
+  // The map is last, so that the keys of the other tabs stay.
   for (QWidget* page : std::initializer_list<QWidget*>{plot_, strips_, spectrum_, statistics_,
-                                                       material_, accuracy_, plan_})
+                                                       material_, accuracy_, plan_, map_})
     addTab(page, QString());
   setTabVisible(kMotionTab, false);
   for (int i = 0; i < count(); ++i) {
@@ -104,14 +107,13 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     wanted_ += action;
   }
   keepTranslated(*this, [this] { showTexts(); });
-  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, [this] {
-    // Two plots need more room than one.
-    plot_->setMinimumHeight(accuracy_->comparison() ? kTwoPlots : kOnePlot);
-  });
+  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::keepRoomForPlots);
   for (DiagramView* view : {spectrum_, statistics_, material_}) {
     connect(view, &DiagramView::saved, this, &SceneTabs::saved);
     connect(view, &DiagramView::failed, this, &SceneTabs::failed);
   }
+  connect(map_, &MapPanel::saved, this, &SceneTabs::saved);
+  connect(map_, &MapPanel::failed, this, &SceneTabs::failed);
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsWanted);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }
@@ -131,7 +133,7 @@ void SceneTabs::showTexts() {
   material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
   const QString titles[] = {
       tr("Friction curve"), tr("Motion in time"), tr("Spectrum"), tr("Statistics"),
-      tr("Material"),       tr("Accuracy"),       tr("Plan")};
+      tr("Material"),       tr("Accuracy"),       tr("Plan"),     tr("Map")};
   for (int i = 0; i < count(); ++i) {
     setTabText(i, titles[i]);
     wanted_[i]->setText(titles[i]);
@@ -155,6 +157,12 @@ void SceneTabs::addMenu(QMenu& menu) {
   QMenu* tabs = menu.addMenu(QString());
   keepTranslated(*tabs, [tabs] { tabs->setTitle(tr("Tabs")); });
   tabs->addActions(wanted_);
+}
+
+/// Two plots need more room than one.
+void SceneTabs::keepRoomForPlots() {
+  const bool hasTwo = accuracy_->comparison() || hasMeasuredFriction_;
+  plot_->setMinimumHeight(hasTwo ? kTwoPlots : kOnePlot);
 }
 
 void SceneTabs::setWanted(int index, bool isWanted) {
@@ -191,6 +199,8 @@ void SceneTabs::showScene(const Scene& scene) {
   setTabVisible(kMotionTab, moves && action.isChecked());
   if (moves && !moved) setCurrentIndex(kMotionTab);
   if (moves) strips_->setSheet(transientSheet(scene, {}));
+  hasMeasuredFriction_ = !scene.comparison.data.empty();
+  keepRoomForPlots();
   plan_->showScene(scene);
   spectrum_->show([scene] { return spectrumSheet(scene); },
                   {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});
@@ -201,6 +211,7 @@ void SceneTabs::showScene(const Scene& scene) {
          return provenanceComment("material", scene) + excitationCsv(scene, *excitation->of(scene));
        }});
   accuracy_->showScene(scene);
+  map_->showScene(scene);
   if (!timed_ || !haveSameCurve(*timed_, scene)) {
     timed_ = scene;
     measured_.reset();
@@ -223,6 +234,7 @@ void SceneTabs::setTheme(const Theme& theme) {
   for (ChartView* view : {plot_, strips_}) view->setTheme(theme);
   for (DiagramView* view : {spectrum_, statistics_, material_}) view->setTheme(theme);
   accuracy_->setTheme(theme);
+  map_->setTheme(theme);
 }
 
 void SceneTabs::beginCurve() {

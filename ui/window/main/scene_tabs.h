@@ -1,6 +1,6 @@
 // The tabs under the contact: the friction curve, the motion over time (only where the scene has
 // one), the spectrum of the line, statistics of the contact, where the rubber is used, the cost of
-// accuracy, and the plan.
+// accuracy, the plan, and the map over two parameters.
 // GUI thread; belongs to its parent.
 #pragma once
 
@@ -25,6 +25,7 @@ class ChartView;
 class Commands;
 class DiagramView;
 class ExcitationOfScene;
+class MapPanel;
 class PlanList;
 class Session;
 
@@ -37,6 +38,7 @@ class SceneTabs : public QTabWidget {
   ChartView& plot() { return *plot_; }
   DiagramView& material() { return *material_; }
   AccuracyPanel& accuracy() { return *accuracy_; }
+  MapPanel& map() { return *map_; }
 
   /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
@@ -67,21 +69,28 @@ class SceneTabs : public QTabWidget {
   void saved(const QString& file);
   void failed(const QString& reason);
 
+ protected:
+  /// Qt would paint the foot of a tab bar beside the tabs, which have none.
+  void paintEvent(QPaintEvent*) override {}
+
  private:
   void showTexts();
   void bringToFront(int index);
   void setWanted(int index, bool isWanted);
   void showMeasuredCurve();
+  void keepRoomForPlots();
 
   Session& session_;
   ChartView *plot_, *strips_;
   DiagramView *spectrum_, *statistics_, *material_;
   AccuracyPanel* accuracy_;
   PlanList* plan_;
+  MapPanel* map_;
   Commands* commands_ = nullptr;
-  QList<QAction*> wanted_;      // one for each tab, checkable
-  std::optional<Scene> timed_;  // the scene whose curve is timed
-  QElapsedTimer curveTime_;     // since the request for the curve; invalid once it is complete
+  QList<QAction*> wanted_;            // one for each tab, checkable
+  std::optional<Scene> timed_;        // the scene whose curve is timed
+  bool hasMeasuredFriction_ = false;  // whose ratio to the curve is a plot of its own
+  QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
   /// Results for the present curve; errors are relative, root mean square.
   struct Measured {
     double seconds, standardError, interval;

@@ -1,0 +1,33 @@
+// asperity cutoff: friction against the short-wave cut-off of the line.
+#include "app/commands/sheet_command.h"
+#include "app/progress_bar.h"
+#include "core/chart/cutoff_sheet.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+
+int runCutoff(const SheetCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity cutoff"); });
+  const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 1000, "print"});
+  const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {
+    ProgressBar bar(Words::tr("states"), command.common.quiet);
+    StateOptions options;
+    options.threads = command.common.threads;
+    options.progress = [&bar](double part) {
+      bar.show(static_cast<std::int64_t>(part * 1000), 1000);
+    };
+    return frictionOverCutoff(scene, options);
+  });
+  writeAnswer(command, settings,
+              {provenance("cutoff", scene),
+               cutoffCsv(points),
+               cutoffJson(scene, points),
+               {},
+               cutoffSheet(scene, points)});
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,96 @@
+// asperity map: friction over two parameters, as a picture with contour lines and as a table.
+#include <fmt/format.h>
+
+#include "app/command_line.h"
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "app/picture_options.h"
+#include "app/progress_bar.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/chart/map_sheet.h"
+#include "core/friction/parameter_map.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+ParameterMap compute(const Scene& scene, const MapCommand& command) {
+  const MapAxis x = mapAxis(scene, rangeFromOption("--x", command.x));
+  const MapAxis y = mapAxis(scene, rangeFromOption("--y", command.y));
+  ProgressBar bar(Words::tr("states"), command.common.quiet);
+  const auto cells = static_cast<double>(x.values.size() * y.values.size());
+  MapOptions options;
+  options.threads = command.common.threads;
+  options.progress = [&](double part) {
+    bar.show(static_cast<std::int64_t>(part * cells), static_cast<std::int64_t>(cells));
+  };
+  return parameterMap(scene, x, y, options);
+}
+
+void writePicture(const std::string& output, const ParameterMap& map, const std::string& quantity,
+                  const PictureSettings& settings, HeadlessPictures& pictures) {
+  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
+  if (settings.transparent) options.theme.background.a = 0;
+  nlohmann::ordered_json origin = mapProvenance(map, quantity);
+  origin["picture"] = settings.json();
+  const DiagramSheet sheet = mapSheet(map, quantity);
+  pictures.write(output, composeDiagrams(sheet, options),
+                 {translated(sheet.title), provenanceLine(origin), settings.scale});
+}
+
+std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& outputs) {
+  std::string text = filled(Words::tr("%1 times %2 states, %3 of them different"),
+                            {std::to_string(map.x.values.size()),
+                             std::to_string(map.y.values.size()), std::to_string(map.computed)}) +
+                     "\n";
+  for (const bool alongX : {true, false})
+    if (isWithoutEffect(map, alongX))
+      text += filled(Words::tr("friction does not depend on %1 in this scene"),
+                     {std::string((alongX ? map.x : map.y).key())}) +
+              "\n";
+  for (const std::string& output : outputs) text += wroteLine(output);
+  return text;
+}
+
+}  // namespace
+
+int runMap(const MapCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity map"); });
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
+  checkUseful(command.picture, command.outputs);
+  if (!isMapQuantity(command.quantity))
+    throw InputError("", "--show", notOneOf(command.quantity, mapQuantities()));
+  const PictureSettings settings = pictureSettings(command.picture, {1200, 900, "print"});
+  const ParameterMap map =
+      withSceneContext(command.common, [&] { return compute(scene, command); });
+  HeadlessPictures pictures(settings.backend);
+  for (const std::string& output : command.outputs) {
+    const std::string extension = extensionOf(output);
+    if (extension == ".csv")
+      writeFileAtomically(
+          output, "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
+                      mapCsv(map, command.quantity));
+    else if (extension == ".json")
+      writeFileAtomically(output, mapJson(map, command.quantity));
+    else
+      writePicture(output, map, command.quantity, settings, pictures);
+  }
+  pictures.finish();
+  if (command.common.json)
+    fmt::print("{}", mapJson(map, command.quantity));
+  else if (command.outputs.empty())
+    fmt::print("{}", mapCsv(map, command.quantity));
+  if (!command.outputs.empty())
+    printSummary(command.common.json, command.common.quiet, summaryOf(map, command.outputs));
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,36 @@
+// asperity sensitivity: how much friction changes with each parameter at the scene's own state.
+#include "app/commands/sheet_command.h"
+#include "app/progress_bar.h"
+#include "core/base/input_error.h"
+#include "core/chart/sensitivity_sheet.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+
+int runSensitivity(const SheetCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity sensitivity"); });
+  const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 800, "print"});
+  const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {
+    if (choosesAccuracy(scene))
+      throw InputError("", "accuracy.target_relative_error",
+                       "differences need the same lines on both sides; give accuracy.scheme and "
+                       "ensemble.realizations instead of a target");
+    ProgressBar bar(Words::tr("states"), command.common.quiet);
+    StateOptions options;
+    options.threads = command.common.threads;
+    options.progress = [&bar](double part) {
+      bar.show(static_cast<std::int64_t>(part * 1000), 1000);
+    };
+    return exponentsOf(scene, sensitivities(scene, options));
+  });
+  writeAnswer(command, settings,
+              {provenance("sensitivity", scene), sensitivityCsv(exponents),
+               sensitivityJson(scene, exponents), sensitivityText(exponents),
+               sensitivitySheet(scene, exponents)});
+  return kDone;
+}
+
+}  // namespace asperity

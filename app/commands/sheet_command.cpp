@@ -1,0 +1,52 @@
+#include "app/commands/sheet_command.h"
+
+#include <fmt/format.h>
+
+#include "app/headless_pictures.h"
+#include "app/output.h"
+#include "core/base/atomic_file.h"
+#include "core/scene/provenance.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/language/translated.h"
+
+namespace asperity {
+
+PictureSettings checkSheetOutputs(const SheetCommand& command, const Scene& scene,
+                                  const PictureDefaults& defaults) {
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  for (const std::string& output : command.outputs)
+    checkNoInput(output, inputsOf(command.common, scene));
+  checkUseful(command.picture, command.outputs);
+  return pictureSettings(command.picture, defaults);
+}
+
+void writeAnswer(const SheetCommand& command, const PictureSettings& settings,
+                 const SheetAnswer& answer) {
+  HeadlessPictures pictures(settings.backend);
+  std::string text;
+  for (const std::string& output : command.outputs) {
+    const std::string extension = extensionOf(output);
+    if (extension == ".csv") {
+      writeFileAtomically(output,
+                          "# asperity: " + provenanceLine(answer.origin) + "\n" + answer.csv);
+    } else if (extension == ".json") {
+      writeFileAtomically(output, answer.json);
+    } else {
+      DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
+      if (settings.transparent) options.theme.background.a = 0;
+      nlohmann::ordered_json origin = answer.origin;
+      origin["picture"] = settings.json();
+      pictures.write(output, composeDiagrams(answer.sheet, options),
+                     {translated(answer.sheet.title), provenanceLine(origin), settings.scale});
+    }
+    text += wroteLine(output);
+  }
+  pictures.finish();
+  if (command.common.json)
+    fmt::print("{}", answer.json);
+  else if (command.outputs.empty())
+    fmt::print("{}", answer.printed.empty() ? answer.csv : answer.printed);
+  if (!command.outputs.empty()) printSummary(command.common.json, command.common.quiet, text);
+}
+
+}  // namespace asperity

@@ -1,0 +1,34 @@
+// How much friction changes with each parameter at a scene's own state (core/fit/derivatives.h), as
+// a picture and as tables, sorted by size. Pure; any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/chart/diagram.h"
+#include "core/fit/derivatives.h"
+
+namespace asperity {
+
+/// d ln mu / d ln p of one parameter: by how many per cent friction changes where the parameter
+/// changes by one.
+struct Exponent {
+  std::string_view key;
+  double value = 0;  // of the parameter, SI
+  Estimate exponent;
+};
+
+/// Returns the exponents of a scene with the largest first. Of a parameter whose axis is linear it
+/// is p d ln mu / d p.
+std::vector<Exponent> exponentsOf(const Scene& scene, const std::vector<Sensitivity>& all);
+
+/// A row for each parameter with its exponent and the standard error.
+DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all);
+
+/// For people: aligned columns, in English.
+std::string sensitivityText(const std::vector<Exponent>& all);
+std::string sensitivityCsv(const std::vector<Exponent>& all);
+std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all);
+
+}  // namespace asperity

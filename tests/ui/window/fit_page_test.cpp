@@ -1,0 +1,238 @@
+// The page of a fit as a person uses it: ticking, limits, running, stopping, taking the values,
+// writing the report; theories and measured tables in the menu of the curve.
+#include "ui/window/fit/fit_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QMenu>
+#include <QProcess>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <algorithm>
+
+#include "core/chart/curve_diagram.h"
+#include "core/friction/steady_states.h"
+#include "core/scene/scene_file.h"
+#include "qt_application.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "ui/language/language.h"
+#include "ui/window/curve/comparison_commands.h"
+#include "ui/window/figures/diagram_view.h"
+#include "ui/window/import/import_commands.h"
+
+namespace asperity {
+namespace {
+
+class FitPageTest : public MainWindowTest {
+ protected:
+  /// The friction of the scene with another height and relaxation time, at these velocities.
+  FitPageTest() {
+    Scene truth = smallScene();
+    truth.surface.rmsHeight *= 1.3;
+    truth.elastomer.relaxationTime *= 2;
+    std::vector<Scene> states;
+    for (const double velocity : {1e-3, 1e-2, 0.1, 0.5, 2.0, 10.0, 50.0}) {
+      states.push_back(truth);
+      states.back().sliding.velocity = velocity;
+    }
+    const SteadyStates found = slideStates(states);
+    QByteArray text = "velocity,mu,mu_error\n";
+    for (std::size_t i = 0; i < states.size(); ++i)
+      text += QByteArray::number(states[i].sliding.velocity) + "," +
+              QByteArray::number(found.points[i].mu, 'g', 12) + "," +
+              QByteArray::number(0.02 * found.points[i].mu, 'g', 6) + "\n";
+    file_ = folder_.filePath("mine.csv");
+    QFile file(file_);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+
+  Scene withData() {
+    Scene scene = smallScene();
+    scene.comparison.data = {{file_.toStdString(), {}}};
+    return scene;
+  }
+  const Scene& scene() { return window_.document().scene(); }
+
+  FitPage& openPage(const Scene& scene) {
+    window_.document().open(scene);
+    return *window_.comparisons().openFit();
+  }
+  static int rowOf(QTableWidget& keys, const QString& key) {
+    for (int row = 0; row < keys.rowCount(); ++row)
+      if (keys.item(row, 0)->toolTip().endsWith(key)) return row;
+    return -1;
+  }
+  static QTableWidget& keysOf(FitPage& page) { return *page.findChild<QTableWidget*>("fitKeys"); }
+  static void tick(FitPage& page, const QString& key) {
+    const int row = rowOf(keysOf(page), key);
+    ASSERT_GE(row, 0) << key.toStdString();
+    keysOf(page).item(row, 0)->setCheckState(Qt::Checked);
+  }
+  static QPushButton& button(FitPage& page, const char* name) {
+    return *page.findChild<QPushButton*>(name);
+  }
+  bool fit(FitPage& page) {
+    button(page, "fitRun").click();
+    return waitFor([&] { return !page.isFitting(); });
+  }
+
+  QTemporaryDir folder_;
+  QString file_;
+};
+
+TEST_F(FitPageTest, FindsTheValuesAndTheSceneTakesThemInOneStep) {
+  FitPage& page = openPage(withData());
+  EXPECT_FALSE(button(page, "fitRun").isEnabled());  // nothing is ticked
+  tick(page, "surface.rms_height");
+  tick(page, "elastomer.relaxation_time");
+  ASSERT_TRUE(fit(page));
+  ASSERT_TRUE(page.fitted()) << page.complaint().toStdString();
+  // The same lines made the data: what is left is the rounding of the table.
+  const Scene before = smallScene();
+  const Fit& found = page.fitted()->fit;
+  EXPECT_NEAR(found.scene.surface.rmsHeight / before.surface.rmsHeight, 1.3, 1e-3);
+  EXPECT_NEAR(found.scene.elastomer.relaxationTime / before.elastomer.relaxationTime, 2, 2e-3);
+  EXPECT_TRUE(page.findChild<QLabel*>("fitTable")->isVisibleTo(&page));
+  const int steps = window_.document().history().count();
+  button(page, "fitUse").click();
+  EXPECT_EQ(window_.document().history().count(), steps + 1);
+  EXPECT_DOUBLE_EQ(scene().surface.rmsHeight, found.scene.surface.rmsHeight);
+  EXPECT_EQ(scene().ensemble, withData().ensemble);
+  EXPECT_EQ(scene().comparison, withData().comparison);
+  window_.document().history().undo();
+  EXPECT_DOUBLE_EQ(scene().surface.rmsHeight, before.surface.rmsHeight);
+  EXPECT_DOUBLE_EQ(scene().elastomer.relaxationTime, before.elastomer.relaxationTime);
+}
+
+TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
+  FitPage& page = openPage(withData());
+  tick(page, "surface.rms_height");
+  const int row = rowOf(keysOf(page), "surface.rms_height");
+  keysOf(page).item(row, 2)->setText("100 nm");
+  keysOf(page).item(row, 3)->setText("5 um");
+  ASSERT_TRUE(fit(page));
+  const QString folder = folder_.filePath("window");
+  page.setFolderChooser([&](QWidget*, const QString&) { return folder; });
+  QSignalSpy saved(&page, &FitPage::reportSaved);
+  button(page, "fitSave").click();
+  ASSERT_TRUE(waitFor([&] { return !saved.isEmpty(); })) << page.complaint().toStdString();
+  QFile scene(folder_.filePath("s.json"));
+  ASSERT_TRUE(scene.open(QIODevice::WriteOnly));
+  scene.write(QByteArray::fromStdString(writeScene(withData())));
+  scene.close();
+  QProcess program;
+  program.setWorkingDirectory(folder_.path());
+  program.start(ASPERITY_PROGRAM,
+                {"fit", "s.json", "--vary", "surface.rms_height=1e-07:5e-06", "-o", "command"});
+  ASSERT_TRUE(program.waitForFinished(kWindowPatience));
+  ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+  for (const char* name : {"fit.json", "fit.csv", "curve.svg", "profiles.svg", "curve.pdf"}) {
+    QFile mine(QDir(folder).filePath(name)), its(folder_.filePath("command/" + QString(name)));
+    ASSERT_TRUE(mine.open(QIODevice::ReadOnly)) << name;
+    ASSERT_TRUE(its.open(QIODevice::ReadOnly)) << name;
+    EXPECT_EQ(mine.readAll(), its.readAll()) << name;
+  }
+  for (const char* name : {"curve.png", "profiles.png", "fitted.scene.json"})
+    EXPECT_TRUE(QFile::exists(QDir(folder).filePath(name))) << name;
+}
+
+TEST_F(FitPageTest, IsStoppedAtOnceAndBeginsAgain) {
+  Scene large = withData();
+  large.ensemble.realizations = 20000;
+  FitPage& page = openPage(large);
+  tick(page, "surface.rms_height");
+  tick(page, "elastomer.relaxation_time");
+  button(page, "fitRun").click();
+  EXPECT_TRUE(page.isFitting());
+  EXPECT_FALSE(button(page, "fitUse").isEnabled());
+  QTest::qWait(100);
+  QElapsedTimer time;
+  time.start();
+  button(page, "fitRun").click();
+  EXPECT_FALSE(page.isFitting());
+  EXPECT_LT(time.elapsed(), 50);
+  EXPECT_FALSE(page.complaint().isEmpty());
+  EXPECT_FALSE(page.fitted());
+  page.findChild<QSpinBox*>("fitLines")->setValue(3);
+  ASSERT_TRUE(fit(page));
+  EXPECT_TRUE(page.fitted()) << page.complaint().toStdString();
+  EXPECT_EQ(page.fitted()->fit.scene.ensemble.realizations, 3);
+}
+
+TEST_F(FitPageTest, ARefusedLimitIsSaidAndNothingRuns) {
+  FitPage& page = openPage(withData());
+  tick(page, "surface.rms_height");
+  const int row = rowOf(keysOf(page), "surface.rms_height");
+  keysOf(page).item(row, 2)->setText("3 kg");
+  EXPECT_FALSE(page.complaint().isEmpty());
+  button(page, "fitRun").click();
+  EXPECT_FALSE(page.isFitting());
+  // The scene's own value lies outside of these.
+  keysOf(page).item(row, 2)->setText("1 m");
+  keysOf(page).item(row, 3)->setText("2 m");
+  button(page, "fitRun").click();
+  EXPECT_FALSE(page.isFitting());
+  EXPECT_FALSE(page.complaint().isEmpty());
+}
+
+TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {
+  QFile bad(folder_.filePath("bad.csv"));
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("velocity,mu\n1,0.2\n2,0.3\n");
+  bad.close();
+  Scene scene = smallScene();
+  scene.comparison.data = {{bad.fileName().toStdString(), {}}};
+  FitPage& page = openPage(scene);
+  tick(page, "surface.rms_height");
+  tick(page, "elastomer.relaxation_time");
+  ASSERT_TRUE(fit(page));
+  EXPECT_FALSE(page.fitted());
+  EXPECT_TRUE(page.complaint().contains("2 points")) << page.complaint().toStdString();
+  EXPECT_FALSE(page.complaint().contains("--data"));
+}
+
+TEST_F(FitPageTest, TheoriesAreChosenByNameAndUndone) {
+  auto& theory = action("theory:persson_half_space");
+  EXPECT_TRUE(action("theory:eq_11").isChecked());
+  EXPECT_FALSE(theory.isChecked());
+  EXPECT_TRUE(theory.toolTip().contains("Persson (2001)"));
+  theory.trigger();
+  EXPECT_EQ(scene().comparison.theory, (std::vector{Theory::Eq11, Theory::PerssonHalfSpace}));
+  const auto isDrawn = [&] {
+    return std::ranges::any_of(chart().series, [](const DiagramSeries& series) {
+      return series.id <= kTheoryCurves && series.id > kMeasuredCurves;
+    });
+  };
+  EXPECT_TRUE(waitFor(isDrawn));
+  action("theory:eq_11").trigger();
+  EXPECT_EQ(scene().comparison.theory, (std::vector{Theory::PerssonHalfSpace}));
+  window_.document().history().undo();
+  EXPECT_TRUE(action("theory:eq_11").isChecked());
+  window_.document().history().undo();
+  EXPECT_FALSE(theory.isChecked());
+  EXPECT_TRUE(waitFor([&] { return !isDrawn(); }));
+}
+
+TEST_F(FitPageTest, MeasuredTablesAreRemovedFromTheMenu) {
+  EXPECT_FALSE(control<QToolButton>("fitButton").isVisible());
+  window_.document().open(withData());
+  EXPECT_TRUE(control<QToolButton>("fitButton").isVisible());
+  const auto& sheet = [&]() -> DiagramSheet { return window_.plotView().sheet(); };
+  ASSERT_TRUE(waitFor([&] { return sheet().diagrams.size() == 2; }));
+  auto& menu = control<QMenu>("measuredMenu");
+  emit menu.aboutToShow();
+  action("measured:0").trigger();
+  EXPECT_TRUE(scene().comparison.data.empty());
+  EXPECT_FALSE(control<QToolButton>("fitButton").isVisible());
+  EXPECT_TRUE(waitFor([&] { return sheet().diagrams.size() == 1; }));
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,102 @@
+// A list of pairs of numbers as a table: two values in each row in engineering units, in a certain
+// order, with buttons to add, to remove and to paste a table; a long table is folded under a line
+// that summarizes it. A refused value stays as it was typed, with the reason below it. Every
+// accepted change passes on the whole list. A kind of list derives from it: arms_editor.h,
+// shift_editor.h. Object names, where the names of the kind are "arm" and "armTime", for example:
+// "armsFold", "armsAdd", "armsPaste", "armsRefusal", and from 0 "armTime:I", "armRemove:I",
+// "armError:I". GUI thread; belongs to its parent.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "ui/panels/number_text.h"
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace asperity {
+
+class PairRow;
+
+class PairEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  using Pair = std::array<double, 2>;
+  using Pairs = std::vector<Pair>;
+
+  ~PairEditor() override;
+
+  /// Returns the line with the fold, for the row of the panel.
+  QToolButton& fold() { return *fold_; }
+
+ protected:
+  /// What differs between the kinds of lists; the texts are asked for again in another language.
+  struct Kind {
+    const char* name;                    // "arm", of objects
+    std::array<const char*, 2> columns;  // "armModulus", of objects
+    std::array<NumberRule, 2> rules;
+    std::size_t sortedBy;  // column
+    std::size_t most;      // rows
+    bool mayBeEmpty;
+  };
+  struct Texts {
+    std::array<QString, 2> headings;  // rich text
+    std::array<QString, 2> cells;     // of row %1 (its unit %2, where it has one)
+    QString one;                      // a list of one row
+    QString add, addTip, paste, pasteTip, removeTip, removeName, foldName;
+  };
+
+  PairEditor(const Kind& kind, QWidget* parent);
+  /// Sets the texts of the kind, and again whenever the language changes; the constructor of a kind
+  /// calls it at its end.
+  void begin();
+
+  /// `wanted`: number of rows that is prescribed, if any. `replace` also overwrites refused input.
+  void showPairs(Pairs pairs, std::optional<std::size_t> wanted, bool replace);
+
+  virtual Texts texts() const = 0;
+  /// Returns the row that is added to these.
+  virtual Pair next(const Pairs& pairs) const = 0;
+  /// Reads a table from the clipboard. Throws InputError.
+  virtual Pairs fromTable(std::string_view text) const = 0;
+  /// Passes on the list, in its order.
+  virtual void give(const Pairs& pairs) = 0;
+
+  /// A table that is pasted into one of the entries replaces all rows.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  friend class PairRow;
+
+  Pairs sorted(Pairs pairs) const;
+  QString objectName(const char* part) const;
+  void pass(Pairs pairs);
+  void change(std::size_t index, const Pair& pair);
+  void add();
+  void paste();
+  void remove(std::size_t index);
+  void makeRows(std::size_t count);
+  void showTexts();
+  void showFold();
+  bool isOpen() const;
+
+  const Kind kind_;
+  Pairs pairs_;
+  std::optional<std::size_t> wanted_;
+  std::optional<bool> opened_;  // by hand; otherwise a short list is open
+  std::vector<PairRow*> rows_;
+  QToolButton* fold_;
+  QWidget* table_;
+  QGridLayout* grid_;
+  std::array<QLabel*, 2> headings_{};
+  QToolButton *add_, *paste_;
+  QLabel* refusal_;  // why a table was not taken
+};
+
+}  // namespace asperity

@@ -1,0 +1,146 @@
+#include "ui/window/curve/comparison_commands.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QToolButton>
+#include <algorithm>
+
+#include "core/base/input_error.h"
+#include "core/chart/fit_report.h"
+#include "core/friction/theories/theory.h"
+#include "core/scene/list_text.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/fit/fit_page.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_tabs.h"
+
+namespace asperity {
+
+namespace {
+
+QString wordOf(Theory theory) {
+  return fromUtf8(theoryWords()[static_cast<std::size_t>(theory)]);
+}
+
+bool isShown(const Scene& scene, Theory theory) {
+  return std::ranges::find(scene.comparison.theory, theory) != scene.comparison.theory.end();
+}
+
+}  // namespace
+
+ComparisonCommands::ComparisonCommands(const Parts& parts)
+    : QObject(&parts.window), parts_(parts), button_(new QToolButton) {
+  button_->setObjectName("fitButton");
+  button_->setAutoRaise(true);
+  button_->setFocusPolicy(Qt::TabFocus);
+  connect(button_, &QToolButton::clicked, this, &ComparisonCommands::openFit);
+  parts_.tabs.setCornerWidget(button_);
+  connect(&parts_.document, &SceneDocument::sceneChanged, this,
+          [this](const Scene& scene) { showScene(scene); });
+  keepTranslated(*button_, [this] {
+    button_->setText(tr("Fit…"));
+    button_->setToolTip(tr("Fit parameters of the scene to the measured friction"));
+  });
+}
+
+void ComparisonCommands::addTo(Commands& commands) {
+  commands.add(
+      {"fitParameters", [] { return tr("Fit to measured friction…"); }, [this] { openFit(); }});
+}
+
+void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
+  menu.addSeparator();
+  theories_ = menu.addMenu(QString());
+  theories_->setObjectName("theoryMenu");
+  theories_->setToolTipsVisible(true);
+  for (const TheoryEntry& entry : theoryEntries()) {
+    QAction* action = theories_->addAction(QString());
+    action->setObjectName("theory:" + wordOf(entry.theory));
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this,
+            [this, theory = entry.theory](bool isWanted) { takeTheory(theory, isWanted); });
+    keepTranslated(*theories_, [action, &entry] {
+      action->setText(translatedText(entry.name));
+      action->setToolTip(wrappedTip(translatedText(entry.range)));
+    });
+  }
+  tables_ = menu.addMenu(QString());
+  tables_->setObjectName("measuredMenu");
+  tables_->setToolTipsVisible(true);
+  connect(tables_, &QMenu::aboutToShow, this, &ComparisonCommands::fillTables);
+  keepTranslated(menu, [this] {
+    theories_->setTitle(tr("Theories"));
+    tables_->setTitle(tr("Remove measured friction"));
+  });
+  menu.addActions(commands.get({"openFriction", "fitParameters"}));
+  showScene(parts_.document.scene());
+}
+
+/// Shows what the scene has; theories that say nothing of it can be chosen all the same, for the
+/// next scene.
+void ComparisonCommands::showScene(const Scene& scene) {
+  for (const TheoryEntry& entry : theoryEntries())
+    if (auto* action = theories_->findChild<QAction*>("theory:" + wordOf(entry.theory)))
+      action->setChecked(isShown(scene, entry.theory));
+  const bool hasTables = !scene.comparison.data.empty();
+  tables_->setEnabled(hasTables);
+  button_->setVisible(hasTables);
+}
+
+void ComparisonCommands::takeTheory(Theory theory, bool isWanted) {
+  Scene scene = parts_.document.scene();
+  std::vector<Theory>& shown = scene.comparison.theory;
+  std::erase(shown, theory);
+  if (isWanted) shown.push_back(theory);
+  std::ranges::sort(shown);
+  parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Theories"));
+}
+
+/// Adds one entry for each table, with its name in the legend.
+void ComparisonCommands::fillTables() {
+  tables_->clear();
+  const Scene& scene = parts_.document.scene();
+  for (std::size_t i = 0; i < scene.comparison.data.size(); ++i) {
+    const DataFile& table = scene.comparison.data[i];
+    QAction* action = tables_->addAction(fromUtf8(table.label.empty() ? table.file : table.label),
+                                         this, [this, i] { removeTable(i); });
+    action->setObjectName(QStringLiteral("measured:%1").arg(i));
+    action->setToolTip(fromUtf8((scene.folder / table.file).string()));
+  }
+}
+
+void ComparisonCommands::removeTable(std::size_t index) {
+  Scene scene = parts_.document.scene();
+  std::vector<DataFile>& tables = scene.comparison.data;
+  if (index >= tables.size()) return;
+  tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(index));
+  parts_.document.edit(scene,
+                       QT_TRANSLATE_NOOP("asperity::SceneDocument", "Remove measured friction"));
+}
+
+FitPage* ComparisonCommands::openFit() {
+  if (parts_.document.scene().comparison.data.empty() && !parts_.addTable()) return nullptr;
+  for (FitPage* page : parts_.window.findChildren<FitPage*>(Qt::FindDirectChildrenOnly))
+    delete page;
+  auto* page =
+      new FitPage(parts_.document.scene(), selection_, parts_.appearance.theme(), &parts_.window);
+  connect(page, &FitPage::valuesChosen, this, &ComparisonCommands::takeValues);
+  connect(page, &QDialog::finished, this,
+          [this, page] { selection_ = page->choices().selection(); });
+  page->open();
+  return page;
+}
+
+/// Takes the values alone: the scene keeps its lines and everything beside the curve.
+void ComparisonCommands::takeValues(const Fit& fit) {
+  Scene scene = parts_.document.scene();
+  for (const FittedParameter& parameter : fit.parameters)
+    setValue(*findParameter(parameter.key), scene, parameter.value);
+  parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Fit"));
+}
+
+}  // namespace asperity

@@ -1,0 +1,63 @@
+// The commands for what stands beside the friction curve: theories and measured tables, each by its
+// name in a menu, and the page that fits the scene to the tables. Every choice is a step of the
+// document. Object names: "theory:WORD", "measured:NUMBER", "measuredMenu", "theoryMenu",
+// "fitParameters", "fitButton". Owned by the main window; GUI thread. Failure: on the page of the
+// fit, else as ImportCommands.
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+#include "core/scene/scene.h"
+#include "ui/window/fit/fit_choices.h"
+
+class QAction;
+class QMenu;
+class QToolButton;
+class QWidget;
+
+namespace asperity {
+
+class Appearance;
+class Commands;
+class FitPage;
+struct Fit;
+class SceneDocument;
+class SceneTabs;
+
+class ComparisonCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    QWidget& window;
+    SceneDocument& document;
+    Appearance& appearance;
+    SceneTabs& tabs;
+    std::function<bool()> addTable;  // asks for a measured table; whether there is one
+  };
+  explicit ComparisonCommands(const Parts& parts);
+
+  /// Adds the command that opens the page; its button stands over the friction curve while there is
+  /// measured friction.
+  void addTo(Commands& commands);
+  /// Adds the submenus of theories and tables, and the command.
+  void fill(QMenu& menu, Commands& commands);
+
+  /// Shows the page of the fit; asks for a table first where the scene names none.
+  FitPage* openFit();
+
+ private:
+  void fillTables();
+  void showScene(const Scene& scene);
+  void takeTheory(Theory theory, bool isWanted);
+  void removeTable(std::size_t index);
+  void takeValues(const Fit& fit);
+
+  Parts parts_;
+  FitSelection selection_;  // of the last fit
+  QToolButton* button_;
+  QMenu *theories_ = nullptr, *tables_ = nullptr;
+};
+
+}  // namespace asperity

@@ -1,0 +1,339 @@
+#include "ui/window/fit/fit_page.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <optional>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/chart/comparison.h"
+#include "core/scene/provenance.h"
+#include "ui/draw/png_file.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/window/figures/diagram_view.h"
+#include "ui/window/fit/fit_files.h"
+#include "ui/window/fit/fit_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kUsual(1180, 760);  // pixels
+constexpr int kAround = 40;         // pixels of the screen that stay free
+constexpr int kChoicesWidth = 330;  // pixels
+
+enum Sheet { kCurve, kProfiles, kProgress };
+
+/// What comes of a fit in the background: the fit, or what is wrong.
+struct Outcome {
+  std::shared_ptr<const FittedCurve> fitted{};
+  QString complaint{};
+};
+
+/// The complaint with the name of its parameter in place of the key.
+QString inWordsOfThePanel(const InputError& error) {
+  const QString text = translatedText(error.message());
+  const Parameter* parameter = findParameter(error.key());
+  if (parameter) return ParameterRow::labelOf(*parameter) + ": " + text;
+  return error.key().starts_with("--") ? text : translatedError(error);
+}
+
+QString askFolder(QWidget* parent, const QString& proposed) {
+  const QString folder =
+      QFileDialog::getExistingDirectory(parent, FitPage::tr("Folder of the report"), proposed);
+  if (folder.isEmpty() || !QFileInfo::exists(QDir(folder).filePath("fit.json"))) return folder;
+  const auto answer = QMessageBox::question(
+      parent, FitPage::tr("Save report"),
+      FitPage::tr("There is the report of another fit in this folder. Replace it?"));
+  return answer == QMessageBox::Yes ? folder : QString();
+}
+
+}  // namespace
+
+FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& theme,
+                 QWidget* parent)
+    : QDialog(parent),
+      scene_(scene),
+      chooser_(askFolder),
+      choices_(new FitChoices(scene, before)),
+      run_(new QPushButton),
+      save_(new QPushButton(tr("&Save report…"))),
+      use_(new QPushButton(tr("&Use these values"))),
+      close_(new QPushButton(tr("&Close"))),
+      table_(new QLabel),
+      notes_(new QLabel),
+      complaint_(new QLabel),
+      progressText_(new QLabel),
+      progress_(new QProgressBar),
+      sheets_(new QTabBar),
+      sheet_(new DiagramView) {
+  setObjectName("fitPage");
+  setWindowTitle(tr("Fit to measured friction"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  auto* left = new QVBoxLayout;
+  left->addWidget(choices_, 1);
+  run_->setObjectName("fitRun");
+  run_->setAutoDefault(false);
+  connect(run_, &QPushButton::clicked, this, &FitPage::pressRun);
+  left->addWidget(run_);
+  choices_->setFixedWidth(kChoicesWidth);
+  auto* halves = new QHBoxLayout;
+  halves->setSpacing(14);
+  halves->addLayout(left);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(8);
+  halves->addLayout(right, 1);
+  buildResult(theme);
+  auto* texts = new QWidget;
+  auto* column = new QVBoxLayout(texts);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(table_);
+  column->addWidget(notes_);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(texts);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFixedHeight(10 * fontMetrics().lineSpacing());
+  right->addWidget(scroll);
+  right->addWidget(sheets_);
+  right->addWidget(sheet_, 1);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(14, 12, 14, 12);
+  all->addLayout(halves, 1);
+  all->addLayout(foot());
+  const QSize room = (parent ? parent->screen() : screen())->availableSize();
+  resize(kUsual.boundedTo(room - QSize(kAround, 2 * kAround)));
+  connect(choices_, &FitChoices::changed, this, [this] {
+    if (!isFitting_) finish(choices_->refusal());
+  });
+  connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
+  notes_->setText(
+      tr("Tick what may change; limits are optional. All points are computed on the same random "
+         "lines, and the weighted squares of what is left become least."));
+  showState();
+  showSheet();
+}
+
+void FitPage::buildResult(const Theme& theme) {
+  table_->setObjectName("fitTable");
+  notes_->setObjectName("fitNotes");
+  notes_->setTextFormat(Qt::RichText);
+  notes_->setWordWrap(true);
+  for (QLabel* label : {table_, notes_}) {
+    label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  }
+  table_->hide();
+  sheets_->setObjectName("fitSheets");
+  sheets_->setDrawBase(false);
+  sheets_->setExpanding(false);
+  sheets_->addTab(tr("Curve"));
+  sheets_->addTab(tr("Profiles"));
+  sheets_->addTab(tr("Progress"));
+  connect(sheets_, &QTabBar::currentChanged, this, &FitPage::showSheet);
+  sheet_->setObjectName("fitSheet");
+  sheet_->setAccessibleName(tr("the fit as a diagram"));
+  sheet_->setTheme(theme);
+  connect(sheet_, &DiagramView::failed, this, [this](const QString& reason) { finish(reason); });
+}
+
+QLayout* FitPage::foot() {
+  complaint_->setObjectName("fitComplaint");
+  complaint_->setWordWrap(true);
+  complaint_->setTextFormat(Qt::PlainText);
+  complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  complaint_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  progress_->setObjectName("fitProgress");
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 0);
+  progress_->setFixedSize(120, 6);
+  progress_->setAccessibleName(tr("progress of the fit"));
+  save_->setObjectName("fitSave");
+  use_->setObjectName("fitUse");
+  close_->setObjectName("fitClose");
+  for (QPushButton* button : {save_, use_, close_}) button->setAutoDefault(false);
+  connect(save_, &QPushButton::clicked, this, &FitPage::saveReport);
+  connect(use_, &QPushButton::clicked, this, &FitPage::useValues);
+  connect(close_, &QPushButton::clicked, this, &QDialog::reject);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(complaint_, 1);
+  foot->addWidget(progressText_);
+  foot->addWidget(progress_);
+  foot->addSpacing(8);
+  foot->addWidget(close_);
+  foot->addWidget(save_);
+  foot->addWidget(use_);
+  return foot;
+}
+
+QString FitPage::complaint() const {
+  return complaint_->text();
+}
+
+void FitPage::pressRun() {
+  isFitting_ ? stop() : begin();
+}
+
+/// Begins a fit of the present choices; the earlier result stays until it has ended.
+void FitPage::begin() {
+  const QString refusal = choices_->refusal();
+  if (!refusal.isEmpty()) return finish(refusal);
+  const Scene scene = choices_->scene();
+  const FitSelection selection = choices_->selection();
+  std::vector<VariedParameter> varied;
+  try {
+    varied = variedParameters(selection, scene);
+  } catch (const InputError& error) {
+    return finish(inWordsOfThePanel(error));
+  }
+  isFitting_ = true;
+  chiSquared_.clear();
+  complaint_->clear();
+  sheets_->setCurrentIndex(kProgress);
+  showProgress(0, 0);
+  showState();
+  work_.request(
+      [this, scene, varied, texts = variedTexts(selection),
+       hasProfiles = choices_->wantsProfiles()](const BackgroundWork::Run& run) {
+        Outcome outcome;
+        try {
+          FitOptions options;
+          options.stop = run.stop();
+          options.hasProfiles = hasProfiles;
+          options.progress = [this, &run](int evaluations, double chiSquared) {
+            run.tell([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
+          };
+          FittedCurve fitted = fitWithCurve(scene, readComparisonData(scene), varied, options);
+          fitted.varied = texts;
+          outcome.fitted = std::make_shared<const FittedCurve>(std::move(fitted));
+        } catch (const InputError& error) {
+          outcome.complaint = inWordsOfThePanel(error);
+        }
+        return outcome;
+      },
+      [this](const Outcome& outcome) {
+        isFitting_ = false;
+        if (outcome.fitted)
+          take(outcome.fitted);
+        else
+          finish(outcome.complaint);
+      },
+      [this](const QString& reason) {
+        isFitting_ = false;
+        finish(reason);
+      });
+}
+
+/// Nothing of the stopped fit arrives later.
+void FitPage::stop() {
+  work_.cancel();
+  isFitting_ = false;
+  finish(tr("The fit was stopped"));
+}
+
+void FitPage::showProgress(int evaluations, double chiSquared) {
+  if (evaluations > 0) chiSquared_.push_back(chiSquared);
+  progressText_->setText(chiSquared_.empty()
+                             ? tr("reading…")
+                             : tr("evaluation %1, χ² = %2")
+                                   .arg(evaluations)
+                                   .arg(inLanguage(QString::fromStdString(
+                                       printedNumber(*std::ranges::min_element(chiSquared_), 3)))));
+  if (sheets_->currentIndex() == kProgress) showSheet();
+}
+
+void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
+  fitted_ = std::move(fitted);
+  table_->setText(fittedTable(fitted_->fit));
+  table_->show();
+  notes_->setText(fittedNotes(fitted_->fit));
+  sheets_->setTabEnabled(kProfiles, !fitted_->fit.profiles.empty());
+  finish({});
+  if (sheets_->currentIndex() == kProgress)
+    sheets_->setCurrentIndex(kCurve);
+  else
+    showSheet();
+}
+
+void FitPage::finish(const QString& complaint) {
+  complaint_->setText(complaint);
+  showState();
+}
+
+void FitPage::showState() {
+  run_->setText(isFitting_ ? tr("&Stop") : fitted_ ? tr("&Fit again") : tr("&Fit"));
+  run_->setEnabled(isFitting_ || choices_->isEnough());
+  choices_->setEnabled(!isFitting_);
+  for (QWidget* part : std::initializer_list<QWidget*>{progress_, progressText_})
+    part->setVisible(isFitting_);
+  for (QPushButton* button : {save_, use_})
+    button->setEnabled(fitted_ && !isFitting_ && !isSaving_);
+}
+
+void FitPage::showSheet() {
+  const auto fitted = fitted_;
+  const auto origin = [fitted] { return pictureOrigin("fit", fitted->fit.scene); };
+  switch (sheets_->currentIndex()) {
+    case kProgress:
+      return sheet_->show([chiSquared = chiSquared_] { return progressSheet(chiSquared); });
+    case kProfiles:
+      if (!fitted) return sheet_->show([] { return DiagramSheet{}; });
+      return sheet_->show([fitted] { return profileSheet(fitted->fit); },
+                          {"fit_profiles", origin, {}});
+    default:
+      if (!fitted) return sheet_->show([] { return DiagramSheet{}; });
+      return sheet_->show([fitted] { return fitSheet(fitted->fit, fitted->set); },
+                          {"fit_curve", origin, {}});
+  }
+}
+
+void FitPage::useValues() {
+  if (!fitted_) return;
+  emit valuesChosen(fitted_->fit);
+  accept();
+}
+
+void FitPage::saveReport() {
+  if (!fitted_) return;
+  const QString folder = chooser_(this, QString::fromStdString(scene_.folder.string()));
+  if (folder.isEmpty()) return;
+  isSaving_ = true;
+  showState();
+  files_.request(
+      [folder = folder.toStdString(), fitted = fitted_](const BackgroundWork::Run&) {
+        return writeFitReport(folder, *fitted);
+      },
+      [this, folder](const QStringList& files) {
+        isSaving_ = false;
+        finish(tr("Saved %1 files in %2").arg(files.size()).arg(QDir::toNativeSeparators(folder)));
+        emit reportSaved(folder);
+      },
+      [this](const QString& reason) {
+        isSaving_ = false;
+        finish(reason);
+      });
+}
+
+/// Return in an entry ends the entry, not the page.
+void FitPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return event->accept();
+  QDialog::keyPressEvent(event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,87 @@
+// The page on which parameters of the scene are fitted to the measured friction that it names:
+// what is varied and within which limits; the fit in the background with its progress, which can be
+// stopped at once; best values with errors and correlations, the fitted curve with its band, and
+// the profile of the sum of squares along each parameter. The values become those of the scene, or
+// a report is written as `asperity fit` writes it. Object names: those of FitChoices; "fitRun",
+// "fitTable", "fitNotes", "fitSheets", "fitSheet", "fitProgress", "fitComplaint", "fitSave",
+// "fitUse", "fitClose". GUI thread; deletes itself. Failure: one line on the page.
+#pragma once
+
+#include <QDialog>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/chart/fit_report.h"
+#include "ui/draw/theme.h"
+#include "ui/window/fit/fit_choices.h"
+#include "ui/window/tasks/background_work.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTabBar;
+
+namespace asperity {
+
+class DiagramView;
+
+/// Asks for the folder of a report, beginning with a proposal; empty where nowhere.
+using FolderChooser = std::function<QString(QWidget* parent, const QString& proposed)>;
+
+class FitPage : public QDialog {
+  Q_OBJECT
+
+ public:
+  FitPage(const Scene& scene, const FitSelection& before, const Theme& theme,
+          QWidget* parent = nullptr);
+
+  FitChoices& choices() { return *choices_; }
+  /// Returns what is shown; null before the first fit has ended.
+  const FittedCurve* fitted() const { return fitted_.get(); }
+  bool isFitting() const { return isFitting_; }
+  /// Returns the line that says what is wrong; empty where nothing is.
+  QString complaint() const;
+
+  /// Replaces the usual dialog.
+  void setFolderChooser(FolderChooser chooser) { chooser_ = std::move(chooser); }
+
+ signals:
+  /// Emitted where the user takes the fitted values; the page closes then.
+  void valuesChosen(const asperity::Fit& fit);
+  void reportSaved(const QString& folder);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void buildResult(const Theme& theme);
+  QLayout* foot();
+  void pressRun();
+  void begin();
+  void stop();
+  void showProgress(int evaluations, double chiSquared);
+  void take(std::shared_ptr<const FittedCurve> fitted);
+  void finish(const QString& complaint);
+  void showState();
+  void showSheet();
+  void useValues();
+  void saveReport();
+
+  Scene scene_;
+  FolderChooser chooser_;
+  std::shared_ptr<const FittedCurve> fitted_;
+  std::vector<double> chiSquared_;  // of each evaluation so far
+  bool isFitting_ = false, isSaving_ = false;
+  FitChoices* choices_;
+  QPushButton *run_, *save_, *use_, *close_;
+  QLabel *table_, *notes_, *complaint_, *progressText_;
+  QProgressBar* progress_;
+  QTabBar* sheets_;
+  DiagramView* sheet_;
+  // Last: their threads end before other members are destroyed.
+  BackgroundWork files_{Overtaking::WaitsForItsTurn};
+  BackgroundWork work_{Overtaking::StopsTheRunning};
+};
+
+}  // namespace asperity

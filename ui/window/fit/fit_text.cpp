@@ -1,0 +1,152 @@
+#include "ui/window/fit/fit_text.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/scene/parameters.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/window/fit/fit_page.h"
+
+namespace asperity {
+
+namespace {
+
+QString number(double value, int digits) {
+  return inLanguage(QString::fromStdString(printedNumber(value, digits)));
+}
+
+QString quantity(double value, std::string_view unit) {
+  return inLanguage(QString::fromStdString(printedQuantity(value, unit, 3)));
+}
+
+/// "± 3 %" of a value that is varied by its logarithm, "×÷ 6.7" where that is much.
+QString errorText(const FittedParameter& parameter) {
+  constexpr double kMuch = 0.3;  // of the natural logarithm
+  if (!std::isfinite(parameter.standardError)) return QStringLiteral("–");
+  if (!parameter.isLogarithmic)
+    return QStringLiteral("± ") +
+           quantity(parameter.standardError, findParameter(parameter.key)->unit);
+  if (parameter.standardError < kMuch)
+    return QStringLiteral("± %1 %").arg(number(100 * parameter.standardError, 2));
+  constexpr double kBeyondAll = 20;  // e to this power is more than any table decides
+  if (parameter.standardError > kBeyondAll) return QStringLiteral("×÷ ∞");
+  return QStringLiteral("×÷ ") + number(std::exp(parameter.standardError), 2);
+}
+
+QString stateText(const FittedParameter& parameter) {
+  if (!parameter.isDetermined) return QStringLiteral("⚠ ") + FitPage::tr("not determined");
+  if (parameter.isAtLimit) return QStringLiteral("⚠ ") + FitPage::tr("at its limit");
+  return FitPage::tr("determined");
+}
+
+/// The symbol, or the name where there is none.
+QString shortName(const FittedParameter& parameter) {
+  const Parameter& row = *findParameter(parameter.key);
+  return row.symbol.empty() ? ParameterRow::labelOf(row).toHtmlEscaped() : symbolHtml(row.symbol);
+}
+
+/// A message of core with the names of the panel in place of keys.
+Message inWordsOfThePanel(Message message) {
+  for (Message& value : message.values) {
+    if (const Parameter* parameter = findParameter(value.text))
+      value = Message(std::string(parameter->label));
+    else
+      value = inWordsOfThePanel(value);
+  }
+  return message;
+}
+
+/// "τ G^0.45, ± 3 %": the product that the data determine best.
+QString combinationText(const Fit& fit) {
+  constexpr double kNothing = 0.05;
+  const Combination& best = fit.combinations.front();
+  QStringList factors;
+  for (std::size_t k = 0; k < best.exponents.size(); ++k) {
+    const double exponent = best.exponents[k];
+    if (std::abs(exponent) < kNothing) continue;
+    QString factor = shortName(fit.parameters[k]);
+    if (std::abs(exponent - 1) >= kNothing) factor += "<sup>" + number(exponent, 2) + "</sup>";
+    factors += factor;
+  }
+  return FitPage::tr("best determined together: %1 (± %2 %)")
+      .arg(factors.join(QStringLiteral(" · ")), number(100 * best.standardError, 2));
+}
+
+}  // namespace
+
+QString fittedTable(const Fit& fit) {
+  const auto cell = [](const QString& text, const char* align) {
+    return QStringLiteral("<td align=%1 style='padding-right:10px'>%2</td>").arg(align, text);
+  };
+  const bool hasOthers = fit.parameters.size() > 1;
+  QString rows = "<tr>" + cell(FitPage::tr("parameter"), "left") +
+                 cell("<b>" + FitPage::tr("best value") + "</b>", "right") +
+                 cell(FitPage::tr("standard error"), "right") + cell(QString(), "left");
+  if (hasOthers)
+    for (const FittedParameter& other : fit.parameters) {
+      const QString name = shortName(other);
+      rows += cell(&other == &fit.parameters.front() ? FitPage::tr("corr. %1").arg(name) : name,
+                   "right");
+    }
+  rows += "</tr>";
+  for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
+    const FittedParameter& parameter = fit.parameters[k];
+    const Parameter& row = *findParameter(parameter.key);
+    QString name = ParameterRow::labelOf(row).toHtmlEscaped();
+    if (!row.symbol.empty()) name += "&nbsp; " + symbolHtml(row.symbol);
+    rows += "<tr>" + cell(name, "left") +
+            cell("<b>" + quantity(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
+            cell(errorText(parameter), "right") + cell(stateText(parameter), "left");
+    if (hasOthers)
+      for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
+        const double value =
+            fit.correlation(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
+        const QString text = std::isfinite(value)
+                                 ? inLanguage(QString::fromStdString(printedDecimals(value, 2)))
+                                 : QStringLiteral("–");
+        rows += cell(j == k ? QStringLiteral("1") : text, "right");
+      }
+    rows += "</tr>";
+  }
+  return "<table cellspacing=0 cellpadding=1>" + rows + "</table>";
+}
+
+QString fittedNotes(const Fit& fit) {
+  QStringList lines;
+  lines += FitPage::tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
+               .arg(number(fit.chiSquared, 4))
+               .arg(fit.freedom)
+               .arg(fit.evaluations);
+  if (fit.relativeScatter > 0)
+    lines += FitPage::tr("the points have no errors; they scatter by %1 % about the fit")
+                 .arg(number(100 * fit.relativeScatter, 2));
+  const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);
+  const bool areFactors = std::ranges::all_of(fit.parameters, &FittedParameter::isLogarithmic);
+  if (isOpen && areFactors && fit.parameters.size() > 1) lines += combinationText(fit);
+  for (const Message& note : fit.notes)
+    lines += QStringLiteral("⚠ ") + translatedText(inWordsOfThePanel(note)).toHtmlEscaped();
+  return lines.join(QStringLiteral("<br>"));
+}
+
+DiagramSheet progressSheet(std::span<const double> chiSquared) {
+  Diagram diagram;
+  diagram.x = {"evaluation", "", AxisScale::Linear, 0,
+               std::max(10.0, static_cast<double>(chiSquared.size()) + 1)};
+  diagram.y = {"chi squared", "", AxisScale::Logarithmic};
+  DiagramSeries series;
+  series.mark = SeriesMark::Circle;
+  series.colour = 0;
+  for (std::size_t i = 0; i < chiSquared.size(); ++i)
+    series.points.push_back({static_cast<double>(i + 1), chiSquared[i]});
+  diagram.series = {std::move(series)};
+  DiagramSheet sheet;
+  sheet.diagrams = {std::move(diagram)};
+  return sheet;
+}
+
+}  // namespace asperity

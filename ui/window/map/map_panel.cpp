@@ -1,0 +1,310 @@
+#include "ui/window/map/map_panel.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/chart/map_sheet.h"
+#include "core/friction/study.h"
+#include "core/scene/provenance.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/window/map/map_view.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPoints = 64;    // along each side
+constexpr int kPause = 40;     // ms between two pictures
+constexpr double kCut = 0.42;  // height of the cut over that of the map
+constexpr int kDigits = 3;     // of a value that the cross sets
+
+/// A value as a person would choose it.
+double rounded(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double step = std::pow(10, std::floor(std::log10(std::abs(value))) + 1 - kDigits);
+  return std::round(value / step) * step;
+}
+
+/// Whether two scenes are the same, but for these two parameters.
+bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
+  Scene same = a;
+  for (const Parameter* row : {&x, &y})
+    if (isApplicable(*row, b)) setValue(*row, same, valueOf(*row, b));
+  // Texts and what stands beside a curve mean nothing for a map.
+  same.title = b.title;
+  same.description = b.description;
+  same.chapter = b.chapter;
+  same.comparison = b.comparison;
+  return same == b;
+}
+
+double numberOf(const Parameter& row, const Scene& scene) {
+  const ParameterValue value = valueOf(row, scene);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::get<double>(value);
+}
+
+bool holds(const MapAxis& axis, double value) {
+  const auto [least, most] = std::ranges::minmax(axis.values);
+  return value >= least && value <= most;
+}
+
+/// The cut above the map, which the view has for its cross.
+DiagramSheet sheetWithCut(const ParameterMap& map, const std::string& quantity) {
+  DiagramSheet sheet = mapSheet(map, quantity);
+  sheet.title = {};
+  sheet.subtitle = {};
+  sheet.note = {};
+  sheet.diagrams.front().marker.reset();  // the view draws the cross
+  Diagram cut = mapCut(map, quantity, true);
+  cut.height = kCut;
+  sheet.diagrams.insert(sheet.diagrams.begin(), std::move(cut));
+  sheet.columns = 1;
+  sheet.sharesAxis = true;
+  return sheet;
+}
+
+}  // namespace
+
+MapPanel::MapPanel(QWidget* parent)
+    : QWidget(parent),
+      x_(new QComboBox),
+      y_(new QComboBox),
+      quantity_(new QComboBox),
+      xLabel_(new QLabel),
+      yLabel_(new QLabel),
+      quantityLabel_(new QLabel),
+      reading_(new QLabel),
+      save_(new QPushButton),
+      view_(new MapView) {
+  setObjectName("mapPanel");
+  x_->setObjectName("mapX");
+  y_->setObjectName("mapY");
+  quantity_->setObjectName("mapQuantity");
+  reading_->setObjectName("mapReading");
+  save_->setObjectName("mapSave");
+  view_->setObjectName("mapView");
+  view_->setPause(kPause);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 0);
+  for (const auto& [label, box] :
+       {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
+    label->setBuddy(box);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
+    row->addWidget(label);
+    row->addWidget(box, 1);
+  }
+  reading_->setMinimumWidth(220);
+  reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(reading_, 2);
+  row->addWidget(save_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addLayout(row);
+  column->addWidget(view_, 1);
+  for (const std::string_view name : mapQuantities())
+    quantity_->addItem(QString(), QString::fromUtf8(name.data(), std::ssize(name)));
+  quantity_->setCurrentIndex(quantity_->findData("mu"));
+  keepTranslated(*this, [this] { showTexts(); });
+  connect(x_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
+  connect(y_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
+  connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { showMap(); });
+  connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
+  connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
+  connect(view_, &MapView::pointedAt, this, &MapPanel::read);
+  connect(view_, &MapView::left, reading_, [this] { reading_->clear(); });
+  connect(view_, &MapView::saved, this, &MapPanel::saved);
+  connect(view_, &MapView::failed, this, &MapPanel::failed);
+}
+
+void MapPanel::showTexts() {
+  xLabel_->setText(tr("Along x:"));
+  yLabel_->setText(tr("Along y:"));
+  quantityLabel_->setText(tr("Show:"));
+  save_->setText(tr("Save…"));
+  save_->setToolTip(tr("Save the map as a picture or a table"));
+  view_->setAccessibleName(tr("friction over two parameters"));
+  for (int i = 0; i < quantity_->count(); ++i)
+    quantity_->setItemText(
+        i, translatedText(titleOfMapQuantity(quantity_->itemData(i).toString().toStdString())));
+  for (QComboBox* box : {x_, y_})
+    for (int i = 0; i < box->count(); ++i)
+      if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
+        box->setItemText(i, translatedText(row->label));
+}
+
+QString MapPanel::quantity() const {
+  return quantity_->currentData().toString();
+}
+
+/// Offers the numbers that have a meaning in the scene; a choice stays where it can.
+void MapPanel::fillChoosers() {
+  const std::pair<QComboBox*, const char*> choosers[] = {{x_, "sliding.velocity"},
+                                                         {y_, "load.normal_force"}};
+  for (const auto& [box, usual] : choosers) {
+    const QSignalBlocker quiet(box);
+    const QString chosen = box->count() > 0 ? box->currentData().toString() : QString(usual);
+    box->clear();
+    for (const Parameter& row : parameters())
+      if (isMapParameter(row, scene_))
+        box->addItem(translatedText(row.label),
+                     QString::fromUtf8(row.key.data(), std::ssize(row.key)));
+    box->setCurrentIndex(std::max(0, box->findData(chosen)));
+  }
+  if (x_->currentIndex() == y_->currentIndex() && y_->count() > 1) {
+    const QSignalBlocker quiet(y_);
+    const int load = std::max(y_->findData("load.nominal_pressure"), y_->findData("load.depth"));
+    y_->setCurrentIndex(load >= 0 && load != x_->currentIndex() ? load : (x_->currentIndex() == 0));
+  }
+}
+
+void MapPanel::showScene(const Scene& scene) {
+  scene_ = scene;
+  hasScene_ = true;
+  if (isVisible()) compute();
+}
+
+void MapPanel::setTheme(const Theme& theme) {
+  view_->setTheme(theme);
+}
+
+void MapPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (hasScene_) compute();
+}
+
+/// A hidden map costs nothing.
+void MapPanel::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (map_ && map_->isFinal) return;
+  work_.cancel();
+  wanted_.reset();
+}
+
+/// Whether a map is that of the present scene, so that only the cross may be elsewhere.
+bool MapPanel::isCoveredBy(const ParameterMap& map) const {
+  const Parameter &x = *map.x.range.row, &y = *map.y.range.row;
+  return x_->currentData().toString().toStdString() == x.key &&
+         y_->currentData().toString().toStdString() == y.key &&
+         differOnlyIn(scene_, map.scene, x, y) && holds(map.x, numberOf(x, scene_)) &&
+         holds(map.y, numberOf(y, scene_));
+}
+
+void MapPanel::compute() {
+  if (!hasScene_ || !isVisible()) return;
+  fillChoosers();
+  const auto key = [](const QComboBox* box) { return box->currentData().toString().toStdString(); };
+  if (x_->count() < 2) return;
+  if (wanted_ && isCoveredBy(*wanted_)) {
+    wanted_->scene = scene_;
+    if (map_ && isCoveredBy(*map_)) {
+      ParameterMap moved = *map_;
+      moved.scene = scene_;
+      map_ = std::make_shared<const ParameterMap>(std::move(moved));
+      showMap();
+    }
+    return;
+  }
+  MapAxis x, y;
+  try {
+    x = mapAxis(scene_, usualMapRange(scene_, knownParameter(key(x_)), kPoints));
+    y = mapAxis(scene_, usualMapRange(scene_, knownParameter(key(y_)), kPoints));
+    if (x.range.row == y.range.row)
+      throw InputError("", std::string(x.key()),
+                       "is both sides of the map; they need two "
+                       "different keys");
+  } catch (const InputError& error) {
+    work_.cancel();
+    wanted_.reset();
+    reading_->setText(translatedError(error));
+    return;
+  }
+  wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
+  reading_->clear();
+  work_.request(
+      [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
+        MapOptions options;
+        options.stop = run.stop();
+        options.preview = [this, &run](ParameterMap stage) {
+          run.tell([this, stage = std::make_shared<ParameterMap>(std::move(stage))] {
+            take(std::move(*stage));
+          });
+        };
+        ParameterMap map = parameterMap(scene, x, y, options);
+        if (!map.isComplete) throw StudyStopped{};
+        return map;
+      },
+      [this](ParameterMap map) { take(std::move(map)); },
+      [this](const QString& reason) {
+        wanted_.reset();
+        reading_->setText(reason);
+      });
+}
+
+/// Shows a stage; the cross may have moved since it was asked for.
+void MapPanel::take(ParameterMap map) {
+  if (wanted_) map.scene = wanted_->scene;
+  map_ = std::make_shared<const ParameterMap>(std::move(map));
+  showMap();
+}
+
+void MapPanel::showMap() {
+  if (!map_) return;
+  const std::string shown = quantity().toStdString();
+  view_->setCross(numberOf(*map_->x.range.row, map_->scene),
+                  numberOf(*map_->y.range.row, map_->scene));
+  const auto origin = [map = map_, shown] { return provenanceLine(mapProvenance(*map, shown)); };
+  view_->show([map = map_, shown] { return sheetWithCut(*map, shown); },
+              {"map", origin,
+               [map = map_, shown, origin] {
+                 return "# asperity: " + origin() + "\n" + mapCsv(*map, shown);
+               },
+               [map = map_, shown] { return mapSheet(*map, shown); }});
+}
+
+void MapPanel::moveTo(double x, double y) {
+  if (!map_) return;
+  try {
+    emit sceneEdited(sceneAt(*map_, rounded(x), rounded(y)));
+  } catch (const InputError&) {
+    // Rounding went past a limit; the cross goes on from the next place.
+  }
+}
+
+/// Reads the nearest cell.
+void MapPanel::read(double x, double y) {
+  if (!map_) return;
+  const auto nearest = [](const MapAxis& axis, double value) {
+    const auto place = [&](double v) { return axis.range.isLogarithmic ? std::log(v) : v; };
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < axis.values.size(); ++i)
+      if (std::abs(place(axis.values[i]) - place(value)) <
+          std::abs(place(axis.values[best]) - place(value)))
+        best = i;
+    return best;
+  };
+  const std::size_t i = nearest(map_->x, x), j = nearest(map_->y, y);
+  const std::string shown = quantity().toStdString();
+  const double value = mapValues(*map_, shown)[j * map_->x.values.size() + i];
+  const auto text = [](double number, std::string_view unit) {
+    return QString::fromStdString(asperity::quantity(number, std::string(unit)));
+  };
+  reading_->setText(QStringLiteral("%1, %2: %3")
+                        .arg(text(map_->x.values[i], map_->x.range.row->unit),
+                             text(map_->y.values[j], map_->y.range.row->unit),
+                             text(value, unitOfMapQuantity(shown))));
+}
+
+}  // namespace asperity

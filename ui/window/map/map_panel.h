@@ -1,0 +1,69 @@
+// The tab of the map: friction over two parameters that are chosen, around the present scene. The
+// map is computed in the background while the tab is visible, coarse first; a newer wish stops the
+// older one. Where only the two parameters change, the map stays and its cross moves. GUI thread;
+// belongs to its parent. Failure: a line of the panel gives the reason.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "core/friction/parameter_map.h"
+#include "ui/draw/theme.h"
+#include "ui/window/tasks/background_work.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace asperity {
+
+class MapView;
+
+class MapPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MapPanel(QWidget* parent = nullptr);
+
+  void showScene(const Scene& scene);
+  void setTheme(const Theme& theme);
+
+  MapView& view() { return *view_; }
+  /// Returns the map that is shown; null before the first one.
+  std::shared_ptr<const ParameterMap> map() const { return map_; }
+
+ signals:
+  /// Emitted with the scene at the cross, while this is dragged.
+  void sceneEdited(const asperity::Scene& scene);
+  void saved(const QString& file);
+  void failed(const QString& reason);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void showTexts();
+  void fillChoosers();
+  bool isCoveredBy(const ParameterMap& map) const;
+  void compute();
+  void take(ParameterMap map);
+  void showMap();
+  void moveTo(double x, double y);
+  void read(double x, double y);
+  QString quantity() const;
+
+  Scene scene_;
+  bool hasScene_ = false;
+  QComboBox *x_, *y_, *quantity_;
+  QLabel *xLabel_, *yLabel_, *quantityLabel_;
+  QLabel* reading_;
+  QPushButton* save_;
+  MapView* view_;
+  std::shared_ptr<const ParameterMap> map_;
+  std::optional<ParameterMap> wanted_;  // without points: axes and scene of the newest request
+  BackgroundWork work_;                 // last: its thread ends before other members are destroyed
+};
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "ui/window/map/map_view.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/chart/diagram_colours.h"
+#include "ui/draw/fonts.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kCrossColour = 1;  // as the marker of a diagram
+
+bool holds(const DiagramFrame& frame, const QPointF& at) {
+  return at.x() >= static_cast<qreal>(frame.left) &&
+         at.x() <= static_cast<qreal>(frame.left + frame.width) &&
+         at.y() >= static_cast<qreal>(frame.top) &&
+         at.y() <= static_cast<qreal>(frame.top + frame.height);
+}
+
+}  // namespace
+
+void MapView::setCross(double x, double y) {
+  x_ = x;
+  y_ = y;
+  hasCross_ = true;
+  setMouseTracking(true);
+  update();
+}
+
+/// The map is the last diagram; a low view has no cut above it.
+const DiagramFrame* MapView::map() const {
+  return frames().empty() || !(frames().back().width > 0) ? nullptr : &frames().back();
+}
+
+void MapView::moveCross(const QPointF& to) {
+  const DiagramFrame* frame = map();
+  if (!frame) return;
+  const float right =
+      std::clamp(static_cast<float>(to.x()), frame->left, frame->left + frame->width);
+  const float down = std::clamp(static_cast<float>(to.y()), frame->top, frame->top + frame->height);
+  setCross(frame->xAt(right), frame->yAt(down));
+  emit crossMoved(x_, y_);
+}
+
+void MapView::mousePressEvent(QMouseEvent* event) {
+  const DiagramFrame* frame = map();
+  if (event->button() != Qt::LeftButton || !frame || !holds(*frame, event->position()))
+    return DiagramView::mousePressEvent(event);
+  isDragged_ = true;
+  moveCross(event->position());
+}
+
+void MapView::mouseMoveEvent(QMouseEvent* event) {
+  if (isDragged_) moveCross(event->position());
+  const DiagramFrame* frame = map();
+  const bool isOnMap = frame && holds(*frame, event->position());
+  setCursor(isOnMap ? Qt::CrossCursor : Qt::ArrowCursor);
+  if (isOnMap)
+    emit pointedAt(frame->xAt(static_cast<float>(event->position().x())),
+                   frame->yAt(static_cast<float>(event->position().y())));
+  else
+    emit left();
+}
+
+void MapView::mouseReleaseEvent(QMouseEvent* event) {
+  isDragged_ = false;
+  DiagramView::mouseReleaseEvent(event);
+}
+
+void MapView::leaveEvent(QEvent* event) {
+  DiagramView::leaveEvent(event);
+  emit left();
+}
+
+void MapView::paintEvent(QPaintEvent* event) {
+  DiagramView::paintEvent(event);
+  const DiagramFrame* frame = map();
+  if (!hasCross_ || !frame) return;
+  const QPointF at(static_cast<qreal>(frame->rightOf(x_)), static_cast<qreal>(frame->downOf(y_)));
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const qreal left = static_cast<qreal>(frame->left), top = static_cast<qreal>(frame->top);
+  const qreal width = static_cast<qreal>(frame->width), height = static_cast<qreal>(frame->height);
+  painter.setClipRect(QRectF(left, top, width, height));
+  QColor edge = colourOf(theme().background);
+  edge.setAlphaF(0.6F);
+  const QColor colour = colourOf(seriesColour(kCrossColour, theme()));
+  for (const auto& [pen, ring] :
+       {std::pair{QPen(edge, 3.2), 7.5}, std::pair{QPen(colour, 1.3), 5.5}}) {
+    painter.setPen(pen);
+    if (std::isfinite(at.x()))
+      painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), top + height));
+    if (std::isfinite(at.y()))
+      painter.drawLine(QPointF(left, at.y()), QPointF(left + width, at.y()));
+    painter.setBrush(pen.color());
+    if (std::isfinite(at.x()) && std::isfinite(at.y())) painter.drawEllipse(at, ring, ring);
+  }
+}
+
+}  // namespace asperity
