@@ -16,6 +16,8 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/scene/provenance.h"
+#include "core/study/study_merge.h"
+#include "core/study/study_report.h"
 #include "core/study/study_run.h"
 #include "core/study/study_sheets.h"
 #include "core/study/study_table.h"

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -84,14 +83,5 @@ StudyAnalysis analyseSimulations(const StudySpace& space,
                                  const EachSimulation& each);
 
 StudyAnalysis analyseStudy(const StudyStore& store);
-
-nlohmann::ordered_json analysisJson(const ParameterStudy& study, const StudyAnalysis& analysis);
-/// Tables: one row for each output and key (and part of its axis).
-std::string indicesCsv(const ParameterStudy& study, const StudyAnalysis& analysis);
-std::string effectsCsv(const ParameterStudy& study, const StudyAnalysis& analysis);
-std::string percentilesCsv(const StudyAnalysis& analysis);
-
-/// The name of an axis: its key, or "rows" for a table of several.
-std::string axisName(const StudyAxis& axis);
 
 }  // namespace asperity

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/number_text.h"
+#include "core/study/study_report.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::size_t kMostPoints = 1500;  // of one diagram of scattered points
-constexpr double kStudent = 2.093;         // as in study_analysis.cpp
 
 /// Every axis or column gets a place at 1, 2, ... with its name over it.
 void addNames(Diagram& diagram, const std::vector<std::string>& names,
@@ -66,7 +65,7 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
       constexpr double kAside = 0.12;
       const double x = static_cast<double>(index.axis) + 1;
       const auto point = [](double at, const Estimate& estimate) {
-        const double half = kStudent * estimate.standardError;
+        const double half = kHalfInterval * estimate.standardError;
         return DiagramPoint{at, estimate.value, estimate.value - half, estimate.value + half};
       };
       first.points.push_back(point(x - kAside, index.first));

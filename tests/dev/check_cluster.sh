@@ -18,10 +18,20 @@ die() { say "$*"; tail -n 15 "$scratch"/*.log >&2 2>/dev/null || true; exit 1; }
 # Ends what was started here, and nothing else.
 clean_up() {
   local pid
-  scancel --full --quiet --user="$(id -un)" 2>/dev/null || true
+  if [[ -n ${SLURM_CONF:-} ]]; then
+    scancel --full --quiet --user="$(id -un)" 2>/dev/null || true
+    for _ in {1..100}; do  # until the steps of the jobs have ended
+      [[ -n $(timeout 5 squeue -h 2>/dev/null) ]] || break
+      sleep 0.1
+    done
+  fi
   for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
-  sleep 1
+  for _ in {1..50}; do
+    kill -0 "${pids[@]}" 2>/dev/null || break
+    sleep 0.1
+  done
   for pid in "${pids[@]}"; do kill -9 "$pid" 2>/dev/null || true; done
+  wait 2>/dev/null || true
   rm -rf "$scratch"
 }
 trap clean_up EXIT
@@ -73,8 +83,9 @@ MinJobAge=300
 NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 PartitionName=all Nodes=$host Default=YES MaxTime=INFINITE State=UP
 END
-# Without control groups, which a container may not have.
-printf 'CgroupPlugin=disabled\n' >"$scratch/cgroup.conf"
+# Nothing here uses control groups, which a container may not let us change; slurmd wants a plugin.
+printf 'CgroupPlugin=cgroup/v1\nCgroupMountpoint=%s/cgroup\n' "$scratch" >"$scratch/cgroup.conf"
+mkdir "$scratch/cgroup"
 export SLURM_CONF=$scratch/slurm.conf
 slurmctld -D -c >"$scratch/slurmctld.log" 2>&1 &
 pids+=($!)

@@ -13,6 +13,7 @@
 #include "core/friction/ensemble.h"
 #include "core/scene/columns.h"
 #include "core/scene/sweep.h"
+#include "core/study/study_merge.h"
 #include "core/study/study_table.h"
 #include "tests/core/temporary_folder.h"
 

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "core/base/input_error.h"
+#include "core/study/study_merge.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
