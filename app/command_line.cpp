@@ -432,12 +432,12 @@ class CommandLine {
     study->footer(kStudyFormat);
     // An action has what it reads as its first word, and no --set: the study says everything.
     const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
-                            int (*run)(const StudyCommand&)) {
+                            int (*work)(const StudyCommand&)) {
       CLI::App* app = study->add_subcommand(name, sentence);
       addShared(*app, command.common);
       app->remove_option(app->get_option("--set"));
       app->callback(
-          [this, &command, run] { selected_ = [&command, run] { return run(command); }; });
+          [this, &command, work] { selected_ = [&command, work] { return work(command); }; });
       return app;
     };
     CLI::App* run = action("run", "Run a study, or what is missing of it", studyRun_, runStudyRun);

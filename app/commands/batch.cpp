@@ -204,7 +204,7 @@ class BatchRun {
       result.lineIndentation = known->result.lineIndentation;
       result.lineContactFraction = known->result.lineContactFraction;
       result.files = known->result.files;
-      content.curves.present = {{}, shown, known->curve, 0};
+      if (!known->curve.empty()) content.curves.present = {{}, shown, known->curve, 0};
       if (!grid_) return;
     }
     CurveOptions options;
@@ -223,7 +223,7 @@ class BatchRun {
       result.lineIndentation = frame.indentation;
       result.lineContactFraction = frame.contactFraction;
       write(result, shown, content, frame, pictures);
-      finished_ = {key, {result, content.curves.present.points}};
+      finished_.emplace(key, BatchProgressEntry{result, content.curves.present.points});
     }
     if (!grid_) return;
     const auto [sheet, left, top] = cell();
