@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <QtGlobal>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -14,7 +16,9 @@
 
 #include "app/batch_file.h"
 #include "app/command_options.h"
+#include "app/completions.h"
 #include "app/interruption.h"
+#include "app/remake.h"
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
@@ -37,7 +41,10 @@ constexpr const char* kLastLanguage = "the one used last, or that of the desktop
 class CommandLine {
  public:
   CommandLine() : app_(kDescription, "asperity") {
-    app_.set_version_flag("--version", "asperity " ASPERITY_VERSION);
+    app_.set_version_flag("--version", versionText());
+    app_.add_option("--completions", completions_,
+                    "Print completions of this command line for bash, zsh or fish")
+        ->type_name("SHELL");
     app_.set_help_flag("-h,--help", "Show this help");
     app_.require_subcommand(0, 1);
     app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
@@ -71,6 +78,10 @@ class CommandLine {
       // The parser takes the words in reverse order.
       std::vector<std::string> words(std::make_reverse_iterator(argv + argc),
                                      std::make_reverse_iterator(argv + std::min(argc, 1)));
+      if (asksForKeys(words)) {
+        fmt::print("Scene keys (--set KEY=VALUE):\n{}", parameterTableText());
+        return kDone;
+      }
       if (!words.empty() && words.back() == "help" && !std::filesystem::exists("help")) {
         words.pop_back();
         words.insert(words.begin(), "--help");
@@ -83,7 +94,21 @@ class CommandLine {
     refuseWordsBeforeCommand(app_);
     for (const CommonOptions* common : allCommon_)
       if (!common->language.empty()) chooseLanguage(common->language);
+    if (const auto commands = app_.get_subcommands(); !commands.empty())
+      for (CommonOptions* common : allCommon_) common->given = givenOptions(*commands.front());
+    if (!completions_.empty()) {
+      const std::string script = completionScript(app_, completions_);
+      if (script.empty())
+        throw InputError("", "--completions", notOneOf(completions_, completionShells()));
+      fmt::print("{}", script);
+      return kDone;
+    }
     return selected_ ? selected_() : runWindowCommand(window_);
+  }
+
+  /// The scene and the file's name of a remade file, which its command has instead of a scene file.
+  void setRemade(const Scene& scene) {
+    for (CommonOptions* common : allCommon_) common->remade = scene;
   }
 
   /// Treats a first word that is neither an option, a command nor a file as a misspelt command.
@@ -136,14 +161,24 @@ class CommandLine {
                      "Scene file (JSON), or the name of a shipped scene (figure_1.json)")
         ->required();
     addShared(*command, common);
-    command->footer("Scene keys (--set KEY=VALUE):\n" + parameterTableText());
+    command->footer(fmt::format(
+        "Keys of a scene for --set, with their ranges and units: asperity {} --help keys", name));
     command->callback([this, action = std::move(action)] { selected_ = action; });
     return command;
   }
 
   void addCheck() {
-    addCommand("check", "Read a scene, check it, and print what it describes", check_,
-               [this] { return runCheck(check_); });
+    CLI::App* command =
+        app_.add_subcommand("check", "Read scenes, check them, and print what they describe");
+    command
+        ->add_option("SCENE", check_.scenes,
+                     "Scene files (JSON), names of shipped scenes, or - for standard input")
+        ->required();
+    addShared(*command, check_.common);
+    command->footer(
+        "Keys of a scene for --set, with their ranges and units: asperity check --help "
+        "keys");
+    command->callback([this] { selected_ = [this] { return runCheck(check_); }; });
   }
   void addCurve() {
     CLI::App* command =
@@ -153,8 +188,14 @@ class CommandLine {
         command, curve_.outputs,
         "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
         "or .pdf; may be repeated (default: CSV to standard output)");
-    addPictureOptions(*command, curve_.picture, "1200x800", "print");
     addCurveOptions(*command, curve_.curves);
+    addPictureOptions(*command, curve_.picture, "1200x800", "print", FigurePart::Curve);
+    addColumnChoice(command, curve_.columns);
+    command
+        ->add_option("--realizations-table", curve_.realizationTable,
+                     "FILE.csv or .json for the values of each random line at each velocity")
+        ->type_name("FILE")
+        ->group(kTableGroup);
   }
   void addMap() {
     CLI::App* command = addCommand("map", "Friction over two parameters, as colours and as a table",
@@ -174,7 +215,7 @@ class CommandLine {
     addOutputs(command, map_.outputs,
                "FILE.csv (one row a cell, x fastest), .json, .png, .svg or .pdf; may be repeated "
                "(default: CSV to standard output)");
-    addPictureOptions(*command, map_.picture, "1200x900", "print");
+    addPictureOptions(*command, map_.picture, "1200x900", "print", FigurePart::Chart);
   }
   void addSensitivity() {
     CLI::App* command =
@@ -183,7 +224,7 @@ class CommandLine {
     addOutputs(command, sensitivity_.outputs,
                "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: a table for people "
                "to standard output)");
-    addPictureOptions(*command, sensitivity_.picture, "1200x800", "print");
+    addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
   }
   void addCutoff() {
     CLI::App* command = addCommand(
@@ -192,7 +233,7 @@ class CommandLine {
     addOutputs(command, cutoff_.outputs,
                "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: CSV to standard "
                "output)");
-    addPictureOptions(*command, cutoff_.picture, "1200x1000", "print");
+    addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
   }
   void addMotion() {
     CLI::App* command = addCommand("motion", "Friction, indentation, contact and power in time",
@@ -213,7 +254,8 @@ class CommandLine {
                                 "pictures show their mean")
                    ->capture_default_str(),
                1, 1000000);
-    addPictureOptions(*command, motion_.picture, "1200x1000", "print");
+    addPictureOptions(*command, motion_.picture, "1200x1000", "print", FigurePart::Chart);
+    addColumnChoice(command, motion_.columns);
   }
   void addRender() {
     CLI::App* command = addCommand("render", "Pictures and films of the contact, without a screen",
@@ -221,9 +263,9 @@ class CommandLine {
     command
         ->add_option("-o,--output", render_.output,
                      "FILE.png, .svg or .pdf for one picture; FILE.mp4, .webm, .gif or .webp for a "
-                     "film; or a folder for frame_0001.png and on")
+                     "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
+                     "standard output) for a table of the contact")
         ->required();
-    addPictureOptions(*command, render_.picture, "1280x720", "light");
     command
         ->add_option("--layout", render_.layout,
                      "contact, curve, both, or transient: the contact above strips over time")
@@ -233,6 +275,7 @@ class CommandLine {
                         "power (dissipated) (default: pressure)");
     addViewOptions(*command, render_.view);
     addCurveOptions(*command, render_.curves);
+    addPictureOptions(*command, render_.picture, "1280x720", "light", FigurePart::Curve);
     TimeArguments& time = render_.time;
     limitWhole(command->add_option("--frames", time.frames,
                                    "Number of frames (default: 60 per period, or 60 for a motion)"),
@@ -260,6 +303,13 @@ class CommandLine {
           0, 1e12, "m");
     command->add_flag("--resume", render_.resume,
                       "Keep the frames of an interrupted run and make the missing ones");
+    command
+        ->add_option("--table", render_.table,
+                     "Of .csv and .json: shape (point by point), contacts, gaps, or power (its "
+                     "balance) (default: shape)")
+        ->type_name("NAME")
+        ->group(kTableGroup);
+    addColumnChoice(command, render_.columns);
   }
   void addSurface() {
     CLI::App* command = addCommand(
@@ -268,7 +318,15 @@ class CommandLine {
     addOutputs(
         command, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
-        "FILE.png, .svg or .pdf; may repeat");
+        "FILE.png, .svg or .pdf; - is CSV to standard output; may repeat");
+    command
+        ->add_option("--table", surface_.table,
+                     "Of .csv: line (position, height), spectrum, or statistics")
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->group(kTableGroup);
+    addColumnChoice(command, surface_.columns);
+    addPictureOptions(*command, surface_.picture, "1280x800", "light", FigurePart::Chart);
   }
   void addFit() {
     CLI::App* command = addCommand("fit", "Parameters of a scene that fit measured friction",
@@ -293,7 +351,7 @@ class CommandLine {
         ->required();
     command->add_flag("--no-profiles", fit_.withoutProfiles,
                       "Leave out the profiles of the objective, which take most of the time");
-    addPictureOptions(*command, fit_.picture, "1200x900", "print");
+    addPictureOptions(*command, fit_.picture, "1200x900", "print", FigurePart::Curve);
   }
   void addMaterial() {
     CLI::App* command = app_.add_subcommand(
@@ -367,7 +425,7 @@ class CommandLine {
                         "Name of the material (default: that of the file)");
     command->add_option("--source", material.source,
                         "Where the numbers come from, kept in material.json");
-    addPictureOptions(*command, material.picture, "1200x800", "print");
+    addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
     addShared(*command, material.common);
     command->callback([this, fit = std::move(fit)] {
       for (const CLI::Option* option : fit)
@@ -394,6 +452,7 @@ class CommandLine {
                                 "Number of random lines to average over")
                    ->capture_default_str(),
                1, 1000000);
+    addPictureOptions(*command, figure_.picture, "that of the figure", "print", FigurePart::Curve);
     addShared(*command, figure_.common);
     command->footer("Figures:\n" + words);
     command->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
@@ -407,8 +466,24 @@ class CommandLine {
                      "on the window in the same way")
         ->required();
     addShared(*command, open_.common, kLastLanguage);
+    command->add_flag(
+        "--remake", open_.remakes,
+        "Make the file again from what it says of itself, and open no window; options "
+        "of the command that made it replace its own");
+    command->add_option("-o,--output", open_.output,
+                        "With --remake: the new file (default: the file itself)");
+    command->allow_extras();
     command->footer("With --json the scene is printed as a scene file, and no window opens.");
-    command->callback([this] { selected_ = [this] { return runOpen(open_); }; });
+    command->callback([this, command] {
+      open_.others = command->remaining();
+      if (!open_.remakes && !open_.others.empty())
+        throw CLI::ExtrasError(command->get_name(), open_.others);
+      selected_ = [this] {
+        if (!open_.remakes && !open_.output.empty())
+          throw InputError("", "--output", "is of --remake");
+        return open_.remakes ? remake() : runOpen(open_);
+      };
+    });
   }
   void addBatch() {
     CLI::App* command = app_.add_subcommand(
@@ -484,6 +559,8 @@ class CommandLine {
                    accuracy_.common, [this] { return runAccuracy(accuracy_); });
     command->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")
         ->required();
+    addPictureOptions(*command, accuracy_.picture, "that of the diagrams", "print",
+                      FigurePart::Chart);
   }
   void addExplain() {
     CLI::App* command = addCommand(
@@ -498,14 +575,62 @@ class CommandLine {
     command->remove_option(command->get_option("--set"));  // this command has no scene
     command->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
   }
+  static void addColumnChoice(CLI::App* command, std::string& columns) {
+    command
+        ->add_option("--columns", columns,
+                     "Columns of tables, in this order, separated by commas ('asperity columns' "
+                     "lists them; default: all)")
+        ->type_name("NAMES")
+        ->group(kTableGroup);
+  }
   static void addOutputs(CLI::App* command, std::vector<std::string>& outputs,
                          const char* sentence) {
     command->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
   }
 
+  /// Whether "keys" stands behind --help, or behind "help".
+  static bool asksForKeys(const std::vector<std::string>& reversed) {
+    for (std::size_t i = 0; i + 1 < reversed.size(); ++i)
+      if (reversed[i] == "keys" && (reversed[i + 1] == "--help" || reversed[i + 1] == "-h" ||
+                                    (reversed[i + 1] == "help" && reversed.size() == 2)))
+        return true;
+    return false;
+  }
+
+  static std::string versionText() {
+    return fmt::format("asperity {}\n{} {}, Qt {}, {}", ASPERITY_VERSION,
+#ifdef __clang__
+                       "Clang", __clang_version__,
+#else
+                       "GCC", __VERSION__,
+#endif
+                       qVersion(), vectorTargetInUse());
+  }
+
+  /// Runs the command that made the file on the file's own scene.
+  int remake() {
+    FoundScene found = findScene(open_.common.scene);
+    const Remake remake = remakeOf(open_, found);
+    const std::string output = open_.output.empty() ? open_.common.scene : open_.output;
+    Scene scene = readScene(writeScene(found.scene), open_.common.scene, found.scene.folder,
+                            open_.common.assignments);
+    std::vector<char*> words;
+    std::string name = "asperity";
+    std::vector<std::string> own = remake.words;
+    words.push_back(name.data());
+    for (std::string& word : own) words.push_back(word.data());
+    CommandLine again;
+    if (remake.folder.empty()) again.setRemade(scene);
+    const int status = again.run(static_cast<int>(words.size()), words.data());
+    if (status == kDone) finishRemake(remake, output);
+    return status;
+  }
+
   CLI::App app_;
-  std::vector<const CommonOptions*> allCommon_;
-  CommonOptions window_, check_, columns_;
+  std::string completions_;
+  std::vector<CommonOptions*> allCommon_;
+  CommonOptions window_, columns_;
+  CheckCommand check_;
   CurveCommand curve_;
   MapCommand map_;
   SheetCommand sensitivity_, cutoff_;
@@ -539,13 +664,35 @@ void fillClosedStreams() {
 
 }  // namespace
 
+namespace {
+
+/// Returns what standard input holds. Throws InputError where it is more than a scene may be.
+std::string standardInput() {
+  std::string text;
+  char part[4096];
+  while (const std::size_t count = std::fread(part, 1, sizeof part, stdin)) {
+    text.append(part, count);
+    if (text.size() > kLargestScene)
+      throw InputError("standard input", "", "is larger than a scene may be");
+  }
+  return text;
+}
+
+}  // namespace
+
 Scene sceneOf(const CommonOptions& options) {
+  if (options.remade)
+    return readScene(writeScene(*options.remade), options.scene, options.remade->folder,
+                     options.assignments);
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
+  if (options.scene == "-")
+    return readScene(standardInput(), "standard input", {}, options.assignments);
   return readNamedScene(options.scene, {}, options.assignments);
 }
 
 std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene) {
-  std::vector<std::filesystem::path> inputs{options.scene};
+  std::vector<std::filesystem::path> inputs;
+  if (!options.remade) inputs.emplace_back(options.scene);  // a remade file may replace itself
   if (!scene.surface.file.empty()) inputs.push_back(scene.folder / scene.surface.file);
   if (!scene.elastomer.material.empty())
     inputs.push_back(materialFile(scene.elastomer.material, scene.folder));

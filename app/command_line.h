@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_options.h"
 #include "app/curve_arguments.h"
 #include "app/frame_source.h"
 #include "app/picture_options.h"
@@ -29,6 +30,8 @@ struct CommonOptions {
   bool quiet = false;
   bool json = false;
   bool timing = false;
+  std::vector<GivenOption> given;    // that shape outputs
+  std::optional<Scene> remade = {};  // instead of the file `scene`, which names it in errors
 };
 
 struct CurveCommand {
@@ -36,6 +39,8 @@ struct CurveCommand {
   std::vector<std::string> outputs;
   PictureArguments picture;
   CurveArguments curves;
+  std::string columns;           // --columns; empty: all
+  std::string realizationTable;  // file; empty: none
 };
 
 struct MapCommand {
@@ -59,6 +64,7 @@ struct MotionCommand {
   PictureArguments picture;
   std::int64_t every = 1;  // time steps between two rows
   std::int64_t lines = 1;  // realizations
+  std::string columns;     // --columns; empty: all
 };
 
 struct RenderCommand {
@@ -71,11 +77,16 @@ struct RenderCommand {
   ViewArguments view;
   CurveArguments curves;
   bool resume = false;
+  std::string table;    // --table; empty: shape, where the output is a table
+  std::string columns;  // --columns; empty: all
 };
 
 struct SurfaceCommand {
   CommonOptions common;
   std::vector<std::string> outputs;
+  PictureArguments picture;
+  std::string table = "line";  // of a CSV: line, spectrum or statistics
+  std::string columns;         // --columns; empty: all
 };
 
 struct FitCommand {
@@ -120,6 +131,7 @@ struct FigureCommand {
   std::vector<std::string> names;
   std::string output;  // folder
   std::int64_t realizations = 200;
+  PictureArguments picture;
 };
 
 struct ExplainCommand {
@@ -128,12 +140,21 @@ struct ExplainCommand {
 };
 
 struct OpenCommand {
-  CommonOptions common;  // the scene is read from any file that contains one
+  CommonOptions common;             // the scene is read from any file that contains one
+  bool remakes = false;             // the file itself, instead of opening the window
+  std::string output;               // of a remade file; empty: the file itself
+  std::vector<std::string> others;  // options of the command that made the file
+};
+
+struct CheckCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes;
 };
 
 struct AccuracyCommand {
   CommonOptions common;
   std::string output;  // folder
+  PictureArguments picture;
 };
 
 struct BatchCommand {
@@ -161,7 +182,7 @@ auto withSceneContext(const CommonOptions& options, const Work& work) {
   }
 }
 
-int runCheck(const CommonOptions& command);
+int runCheck(const CheckCommand& command);
 int runCurve(const CurveCommand& command);
 int runMap(const MapCommand& command);
 int runSensitivity(const SheetCommand& command);
@@ -171,6 +192,8 @@ int runColumns(const CommonOptions& command);
 int runFit(const FitCommand& command);
 int runMaterial(const MaterialCommand& command);
 int runRender(const RenderCommand& command);
+/// Writes a table of the contact; part of `render`.
+int runContactTable(const RenderCommand& command);
 int runSurface(const SurfaceCommand& command);
 int runExplain(const ExplainCommand& command);
 int runAccuracy(const AccuracyCommand& command);

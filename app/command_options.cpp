@@ -1,12 +1,14 @@
 #include "app/command_options.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/output.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -124,6 +126,45 @@ void refuseEmptyWords(CLI::App& app) {
     else
       option->check(hasText);
   for (CLI::App* command : app.get_subcommands({})) refuseEmptyWords(*command);
+}
+
+std::vector<GivenOption> givenOptions(const CLI::App& command) {
+  // Measured friction and theories are part of the scene by then.
+  static constexpr std::array<std::string_view, 12> kShapeNothing{
+      "--output", "--set",    "--threads", "--quiet",  "--json", "--timing",
+      "--resume", "--remake", "--data",    "--theory", "--help", "--realizations-table"};
+  std::vector<GivenOption> given;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string word = option->get_positional() ? "" : nameOf(*option);
+    if (option->count() == 0 || !word.starts_with("--")) continue;
+    if (std::ranges::find(kShapeNothing, word) != kShapeNothing.end()) continue;
+    const bool isFlag = option->get_expected_max() == 0;
+    given.push_back({word.substr(2), isFlag ? std::vector<std::string>{} : option->results(),
+                     option->get_group()});
+  }
+  return given;
+}
+
+nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
+                                  const std::string& output) {
+  // A bare ".png" would be the name of a hidden file.
+  const std::string extension = extensionOf("x" + output);
+  const bool isTable =
+      output == "-" || extension.empty() || extension == ".csv" || extension == ".json";
+  nlohmann::ordered_json options = nlohmann::ordered_json::object();
+  for (const GivenOption& option : given) {
+    if (option.group == (isTable ? kPictureGroup : kTableGroup)) continue;
+    if (isTable && option.word == "language") continue;  // tables have one language
+    std::string key = option.word;
+    std::ranges::replace(key, '-', '_');
+    if (option.values.empty())
+      options[key] = true;
+    else if (option.values.size() == 1)
+      options[key] = option.values.front();
+    else
+      options[key] = option.values;
+  }
+  return options;
 }
 
 InputError errorOf(const CLI::App& app, const CLI::ParseError& error) {

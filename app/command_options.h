@@ -6,9 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
@@ -47,6 +49,26 @@ void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most);
 /// Forbids empty text for options and files, and values for flags; CLI11 would accept both
 /// silently. Call it once, after all options have been added.
 void refuseEmptyWords(CLI::App& app);
+
+/// An option that was given: its word without dashes, what was given, and the group of options in
+/// which the help shows it.
+struct GivenOption {
+  std::string word;
+  std::vector<std::string> values;  // empty for a flag
+  std::string group;
+};
+
+/// Groups of options in the help; each shapes outputs of one kind.
+inline constexpr const char *kPictureGroup = "Pictures", *kTableGroup = "Tables";
+
+/// Returns the options that were given to a command and shape its outputs: not the scene and what
+/// is set in it, the names of outputs, threads, or what is printed.
+std::vector<GivenOption> givenOptions(const CLI::App& command);
+
+/// Returns the options that shape this output, for its provenance: {"columns": "a,b", "with":
+/// ["x", "y"], "regions": true}. An extension says whether it is a table (.csv, .json, "-" and
+/// none) or a picture.
+nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given, const std::string& output);
 
 /// Returns the parser's error in the words of this program. app: the app that parsed.
 InputError errorOf(const CLI::App& app, const CLI::ParseError& error);

@@ -1,5 +1,7 @@
 #include "app/curve_arguments.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -20,10 +22,12 @@
 #include "core/chart/curve_words.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_file.h"
+#include "core/friction/realization_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
+#include "core/scene/sweep.h"
 #include "ui/language/words.h"
 
 namespace asperity {
@@ -32,6 +36,11 @@ namespace {
 constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--with",
                      *kData = "--data", *kTheory = "--theory";
 constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
+constexpr const char *kOver = "--over", *kY = "--y", *kXScale = "--x-scale", *kYScale = "--y-scale",
+                     *kFamily = "--family";
+constexpr std::int64_t kMostOfFamily = 100;
+constexpr NamedChoices<AxisScale, 2> kScaleNames{
+    {{"log", AxisScale::Logarithmic}, {"linear", AxisScale::Linear}}};
 constexpr std::int64_t kMostOversampling = 64;
 constexpr NamedChoices<CurveAxes, 2> kAxesNames{
     {{"physical", CurveAxes::Physical}, {"dimensionless", CurveAxes::Dimensionless}}};
@@ -81,12 +90,41 @@ CurveAxes axesFrom(const std::string& name) {
   return chosenFrom(kAxesNames, name, kAxes);
 }
 
-/// Reads a range of a logarithmic axis. Throws InputError where an end is not above 0.
-NumberRange positiveRange(const char* option, const std::string& text) {
+/// Reads a range of an axis. Throws InputError where an end has no place on it.
+NumberRange axisRange(const char* option, const std::string& text, AxisScale scale) {
   const NumberRange range = rangeFrom(option, text, "");
-  if (!(range.from > 0))
+  if (scale == AxisScale::Logarithmic && !(range.from > 0))
     throw InputError("", option, shortened(text) + " is not above 0 on a logarithmic axis");
   return range;
+}
+
+CurveQuantity quantityFrom(const std::string& word) {
+  if (const auto quantity = quantityNamed(word)) return *quantity;
+  throw InputError("", kY, notOneOf(word, quantityWords()));
+}
+
+/// Sets axes, quantity, scales and ranges. Throws InputError naming the option.
+void setAxes(CurveSet& set, const CurveArguments& arguments) {
+  set.axes = axesFrom(arguments.axes);
+  set.y = quantityFrom(arguments.y);
+  if (set.axes == CurveAxes::Dimensionless && set.y != CurveQuantity::Mu)
+    throw InputError("", kY, "belongs to physical axes; dimensionless ones show mu over the slope");
+  if (set.axes == CurveAxes::Dimensionless && !set.isOfVelocity())
+    throw InputError(
+        "", kAxes,
+        message("dimensionless goes over velocities, not over {}", set.present.scene.sweep.key));
+  if (!arguments.xScale.empty()) set.xScale = chosenFrom(kScaleNames, arguments.xScale, kXScale);
+  if (!arguments.yScale.empty()) set.yScale = chosenFrom(kScaleNames, arguments.yScale, kYScale);
+  if (!arguments.xRange.empty()) {
+    const NumberRange range = axisRange(kXRange, arguments.xRange, set.scaleOfX());
+    set.xFrom = range.from;
+    set.xTo = range.to;
+  }
+  if (!arguments.yRange.empty()) {
+    const NumberRange range = axisRange(kYRange, arguments.yRange, set.scaleOfY());
+    set.yFrom = range.from;
+    set.yTo = range.to;
+  }
 }
 
 /// Returns the scene with the assignments applied.
@@ -101,10 +139,45 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
   try {
     Scene other = readScene(writeScene(scene), kWith, scene.folder, each);
     if (other.sliding.kind != scene.sliding.kind) needSteadySliding(other, "a curve");
+    if (other.sweep.key != scene.sweep.key)
+      throw InputError("", "sweep.key", "all curves of a chart go over the same key");
     return other;
   } catch (const InputError& error) {
     throw InputError(kWith, error.key(), error.message());
   }
+}
+
+/// Returns the range of a family. Throws InputError naming the option or the key.
+ParameterRange familyRange(const CurveArguments& arguments, const Scene& scene) {
+  const ParameterRange range = rangeFromOption(kFamily, arguments.family);
+  if (range.key() == scene.sweep.key)
+    throw InputError("", kFamily, message("{} is the axis of the curves already", range.key()));
+  if (Message reason = whyNotSwept(*range.row, scene); !reason.empty())
+    throw InputError("", kFamily, std::move(reason));
+  checkRange(range, scene);
+  if (range.points > kMostOfFamily)
+    throw InputError("", kFamily,
+                     message("{} curves are more than {}", range.points, kMostOfFamily));
+  return range;
+}
+
+/// A curve of a family, not yet computed.
+struct FamilyMember {
+  double value;
+  Scene scene;
+};
+
+std::vector<FamilyMember> familyOf(const CurveArguments& arguments, const Scene& scene) {
+  std::vector<FamilyMember> members;
+  if (arguments.family.empty()) return members;
+  const ParameterRange range = familyRange(arguments, scene);
+  for (const double value : valuesOf(range)) try {
+      members.push_back(
+          {value, sceneWith(scene, std::string(range.key()) + "=" + fmt::format("{}", value))});
+    } catch (const InputError& error) {
+      throw InputError(kFamily, error.key(), error.message());
+    }
+  return members;
 }
 
 nlohmann::ordered_json numberOr(double value) {
@@ -114,7 +187,12 @@ nlohmann::ordered_json numberOr(double value) {
 }  // namespace
 
 const char* CurveArguments::firstOption() const {
+  if (!over.empty()) return kOver;
   if (axes != "physical") return kAxes;
+  if (y != "mu") return kY;
+  if (!xScale.empty()) return kXScale;
+  if (!yScale.empty()) return kYScale;
+  if (!family.empty()) return kFamily;
   if (!xRange.empty()) return kXRange;
   if (!yRange.empty()) return kYRange;
   if (!compare.empty()) return kCompare;
@@ -125,18 +203,39 @@ const char* CurveArguments::firstOption() const {
 
 bool CurveArguments::hasMore(const Scene& scene) const {
   const Comparisons none;
-  return !compare.empty() || !with.empty() || !(scene.comparison == none);
+  return !compare.empty() || !with.empty() || !family.empty() || !(scene.comparison == none);
 }
 
 void CurveArguments::addTo(nlohmann::ordered_json& picture) const {
   if (axes != "physical") picture["axes"] = axes;
+  if (y != "mu") picture["y"] = y;
+  if (!xScale.empty()) picture["x_scale"] = xScale;
+  if (!yScale.empty()) picture["y_scale"] = yScale;
   if (!xRange.empty()) picture["x_range"] = xRange;
   if (!yRange.empty()) picture["y_range"] = yRange;
   if (!compare.empty()) picture["compared_with"] = compare;
+  if (!family.empty()) picture["family"] = family;
   if (!with.empty()) picture["with"] = with;
 }
 
 void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
+  command
+      .add_option(kOver, arguments.over,
+                  "Go over another key than velocity: any number that changes friction, such as "
+                  "load.normal_force=1mN:10N:41; logarithmic where the key's slider is, unless "
+                  ":log or :linear says otherwise")
+      ->type_name("KEY=FROM:TO:N");
+  command
+      .add_option(kFamily, arguments.family,
+                  "Add one curve for each value of a second key, such as "
+                  "elastomer.temperature=280:320:5")
+      ->type_name("KEY=FROM:TO:N");
+  command
+      .add_option(kY, arguments.y,
+                  "What the vertical axis shows: mu, normalized_mu, contact_fraction, "
+                  "rms_slope_contact, indentation, tangential_force, power or mean_pressure")
+      ->type_name("QUANTITY")
+      ->capture_default_str();
   command
       .add_option(
           kCompare, arguments.compare,
@@ -166,16 +265,32 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command
       .add_option(kAxes, arguments.axes,
                   "physical, or dimensionless: Eq. (13), and mu over the rms slope")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kPictureGroup);
+  command
+      .add_option(kXScale, arguments.xScale, "log or linear (default: as the values are spaced)")
+      ->type_name("SCALE")
+      ->group(kPictureGroup);
+  command.add_option(kYScale, arguments.yScale, "log or linear (default: log)")
+      ->type_name("SCALE")
+      ->group(kPictureGroup);
   command
       .add_option(kXRange, arguments.xRange,
                   "Limits of the x-axis, in its unit (default: automatic)")
-      ->type_name("FROM:TO");
-  command.add_option(kYRange, arguments.yRange, "Limits of the friction axis (default: automatic)")
-      ->type_name("FROM:TO");
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
+  command.add_option(kYRange, arguments.yRange, "Limits of the vertical axis (default: automatic)")
+      ->type_name("FROM:TO")
+      ->group(kPictureGroup);
 }
 
-ComparedScene withComparisons(Scene scene, const CurveArguments& arguments) {
+ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
+  if (!arguments.over.empty()) try {
+      const Scene over = sceneOver(rangeFromOption(kOver, arguments.over), scene);
+      scene = readScene(writeScene(over), "", scene.folder);
+    } catch (const InputError& error) {
+      throw error.key() == kOver ? error : InputError(kOver, error.key(), error.message());
+    }
   std::vector<FrictionData> given;
   for (const std::string& name : arguments.data) {
     const std::filesystem::path file(name);
@@ -199,32 +314,42 @@ ComparedScene withComparisons(Scene scene, const CurveArguments& arguments) {
 }
 
 void checkCurves(const CurveArguments& arguments, const Scene& scene) {
-  axesFrom(arguments.axes);
-  if (!arguments.xRange.empty()) positiveRange(kXRange, arguments.xRange);
-  if (!arguments.yRange.empty()) positiveRange(kYRange, arguments.yRange);
-  if (!arguments.compare.empty()) settingFrom(arguments.compare, scene);
+  CurveSet set;
+  set.present.scene = scene;
+  setAxes(set, arguments);
+  if (!arguments.compare.empty()) {
+    settingFrom(arguments.compare, scene);
+    needVelocityAxis(scene, kCompare);
+  }
   if (!arguments.compare.empty() && choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "--compare needs the same resolution at every velocity, not a target");
+  familyOf(arguments, scene);
   for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
 }
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
+    if (file != "-" && extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
   for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
+                                      {kXScale, !arguments.xScale.empty()},
+                                      {kYScale, !arguments.yScale.empty()},
                                       {kXRange, !arguments.xRange.empty()},
                                       {kYRange, !arguments.yRange.empty()}})
     if (given) throw InputError("", option, "belongs to pictures, and no output is one");
 }
 
-Curve computeCurve(const Scene& scene, const CommonOptions& common) {
+Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationTable* lines) {
   ProgressBar bar(Words::tr("realizations"), common.quiet);
   CurveOptions options;
   options.threads = common.threads;
   options.progress = [&bar](const CurveProgress& progress) {
     bar.show(progress.realizationsDone, progress.realizationsTotal);
   };
+  if (lines)
+    options.eachLine = [lines](std::int64_t realization, std::span<const SteadyResult> results) {
+      lines->add(realization, results);
+    };
   return computeCurve(scene, options);
 }
 
@@ -233,16 +358,14 @@ CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared
   const Scene& scene = compared.scene;
   CurveSet set;
   set.present = {{}, scene, std::move(own), 0};
-  set.axes = axesFrom(arguments.axes);
-  if (!arguments.xRange.empty()) {
-    const NumberRange range = positiveRange(kXRange, arguments.xRange);
-    set.xFrom = range.from;
-    set.xTo = range.to;
-  }
-  if (!arguments.yRange.empty()) {
-    const NumberRange range = positiveRange(kYRange, arguments.yRange);
-    set.yFrom = range.from;
-    set.yTo = range.to;
+  setAxes(set, arguments);
+  for (const FamilyMember& member : familyOf(arguments, scene)) {
+    set.familyKey = rangeFromOption(kFamily, arguments.family).key();
+    Curve curve = computeCurve(member.scene, common);
+    requireTarget(curve);
+    set.pinned.push_back({parameterInWords(set.familyKey, member.scene), member.scene,
+                          std::move(curve.points), static_cast<int>(set.pinned.size()),
+                          static_cast<int>(set.pinned.size()) + 1, member.value});
   }
   for (const std::string& assignments : arguments.with) {
     const Scene other = sceneWith(scene, assignments);
@@ -253,7 +376,7 @@ CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared
                           std::move(curve.points), static_cast<int>(set.pinned.size()),
                           static_cast<int>(set.pinned.size()) + 1});
   }
-  if (!(scene.comparison == Comparisons{})) {
+  if (hasComparisons(set)) {
     StateOptions options;
     options.threads = common.threads;
     addComparisons(set, readComparisonData(scene, compared.given), options);
@@ -270,10 +393,13 @@ CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared
 void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   for (const NamedCurve& curve : set.pinned) {
     const std::vector<CurvePoint>* const curves[] = {&curve.points};
-    const CurveTable table(curves);
+    const CurveTable table(curves, columnsFor(curve.scene, showsForces(set)));
     auto points = nlohmann::ordered_json::array();
     for (const CurvePoint& point : curve.points) points.push_back(table.json(point));
-    answer["with"].push_back({{"name", curve.name.english()}, {"points", std::move(points)}});
+    nlohmann::ordered_json other{{"name", curve.name.english()}};
+    if (std::isfinite(curve.ofFamily)) other[set.familyKey] = curve.ofFamily;
+    other["points"] = std::move(points);
+    answer[std::isfinite(curve.ofFamily) ? "family" : "with"].push_back(std::move(other));
   }
   for (const TheoryCurve& theory : set.theories) {
     const TheoryEntry& entry = entryOf(theory.theory);

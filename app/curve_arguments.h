@@ -16,11 +16,16 @@ class App;
 namespace asperity {
 
 struct CommonOptions;
+class RealizationTable;
 
 /// The options as text from the command line; empty: not given.
 struct CurveArguments {
+  std::string over;  // KEY=FROM:TO:N, instead of the scene's axis
   std::string axes = "physical";
+  std::string y = "mu";           // word of a quantity (core/friction/curve_quantity.h)
+  std::string xScale, yScale;     // log or linear
   std::string xRange, yRange;     // FROM:TO, in the units of the axes
+  std::string family;             // KEY=FROM:TO:N: one further curve for each value
   std::string compare;            // SCHEME[:OVERSAMPLING[:LINES]]
   std::vector<std::string> with;  // KEY=VALUE[;KEY=VALUE...], one for each further curve
   std::vector<std::string> data;  // files of measured friction, beside those of the scene
@@ -41,7 +46,8 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene);
 /// Throws InputError where an axis is given but no output file is a picture.
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);
 
-/// A scene with the measured friction and the theories of the options, as if it named them itself.
+/// A scene with the axis, the measured friction and the theories of the options, as if it named
+/// them itself.
 struct ComparedScene {
   Scene scene;
   std::vector<FrictionData> given;  // the tables of the options: the last that the scene names
@@ -49,12 +55,14 @@ struct ComparedScene {
 
 /// Reads the tables of the options, so that what is wrong with them is said before anything is
 /// computed. Throws InputError naming the file or the option.
-ComparedScene withComparisons(Scene scene, const CurveArguments& arguments);
+ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 
 /// Computes the scene's curve with the options that all commands share
 /// (core/accuracy/compute_curve.h), and shows progress. A missed target is not yet an error here;
 /// requireTarget() makes it one.
-Curve computeCurve(const Scene& scene, const CommonOptions& common);
+/// lines: gets the results of each random line; may be null.
+Curve computeCurve(const Scene& scene, const CommonOptions& common,
+                   RealizationTable* lines = nullptr);
 
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.

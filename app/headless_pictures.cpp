@@ -1,6 +1,8 @@
 #include "app/headless_pictures.h"
 
 #include <QGuiApplication>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "app/output.h"
@@ -21,9 +23,12 @@ void sayOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& mess
 /// Makes an application that needs no display: text needs only fonts.
 std::unique_ptr<QGuiApplication> offscreenApplication() {
   qInstallMessageHandler(sayOnlyFatal);
-  static int count = 3;
+  // Qt takes the words that it knows out of the list, so every application needs them anew.
+  static int count;
   static char name[] = "asperity", option[] = "-platform", platform[] = "offscreen";
-  static char* arguments[] = {name, option, platform, nullptr};
+  static char* arguments[4];
+  count = 3;
+  std::ranges::copy(std::array<char*, 4>{name, option, platform, nullptr}, arguments);
   return std::make_unique<QGuiApplication>(count, arguments);
 }
 
@@ -44,7 +49,10 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
   if (extension == ".png")
     writePng(file, list, properties);
   else if (extension == ".svg")
-    writeSvg(file, list, {properties.title, properties.metadata});
+    writeSvg(file, list,
+             {.title = properties.title,
+              .metadata = properties.metadata,
+              .millimetres = properties.isOnPaper ? 25.4 / (96 * properties.scale) : 0});
   else if (extension == ".pdf")
     writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
   else

@@ -22,13 +22,26 @@ std::string extensionOf(const std::string& file) {
   return extension;
 }
 
+bool hasStandardOutput(const std::vector<std::string>& files) {
+  return std::ranges::find(files, "-") != files.end();
+}
+
+void writeTable(const std::string& output, const std::string& text) {
+  if (output == "-")
+    fmt::print("{}", text);
+  else
+    writeFileAtomically(output, text);
+}
+
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions, Without without) {
   std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
-    if (file == "-" && without == Without::PrintsTable)
-      throw InputError("", "--output",
-                       "'-' is no file; without --output the table goes to standard output");
+    if (file == "-" && without == Without::PrintsTable) {
+      if (!seen.insert(file).second)
+        throw InputError("", "--output", file + " is given more than once");
+      continue;
+    }
     checkWritable(file);
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())

@@ -15,8 +15,14 @@ std::string extensionOf(const std::string& file);
 /// What a command prints where it is given no output file.
 enum class Without { PrintsSummary, PrintsTable };
 
+/// Whether `-`, standard output, is one of the outputs.
+bool hasStandardOutput(const std::vector<std::string>& files);
+
+/// Writes a table to a file, or to standard output where it is `-`.
+void writeTable(const std::string& output, const std::string& text);
+
 /// Throws InputError where a file has none of these extensions, can never be written or is given
-/// twice.
+/// twice. `-` is allowed where a table can be printed.
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions,
                   Without without = Without::PrintsSummary);

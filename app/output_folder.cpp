@@ -34,12 +34,10 @@ void OutputFolder::write(const std::string& origin) const {
     for (const char* extension : kExtensions) checkName(pathOf(sheet.name + extension));
   HeadlessPictures pictures(settings_.backend);
   for (const Sheet& sheet : sheets_) {
-    DiagramOptions options{settings_.width, settings_.height, settings_.scale, settings_.theme};
-    if (settings_.transparent) options.theme.background.a = 0;
-    const DrawList picture = composeDiagrams(sheet.sheet, options);
+    const DrawList picture = drawSheet(sheet.sheet, settings_);
     for (const char* extension : kExtensions)
       pictures.write(pathOf(sheet.name + extension), picture,
-                     {translated(sheet.sheet.title), origin, settings_.scale});
+                     settings_.properties(translated(sheet.sheet.title), origin));
   }
   pictures.finish();
   for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)

@@ -45,7 +45,9 @@ ContactOverlay overlayFrom(const std::string& name) {
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {
   if (sheet.diagrams.size() < 2) return;
   const int room = settings.height - above;
-  const int needed = heightForAll(sheet, {settings.width, room, settings.scale, settings.theme});
+  DiagramOptions options = settings.diagramOptions();
+  options.height = room;
+  const int needed = heightForAll(sheet, options);
   if (needed == room) return;
   const std::string given = fmt::format("{}x{}", settings.width, settings.height);
   if (needed == 0)
@@ -62,6 +64,20 @@ PictureComposer::PictureComposer(const PictureSettings& settings, PictureContent
 }
 
 DrawList PictureComposer::compose(const Frame& frame) {
+  const FigureStyle& style = settings_.style;
+  Frame renamed;
+  if (!style.title.empty() && frame.scene) {
+    Scene scene = *frame.scene;
+    scene.title = style.title;
+    renamed = frame;
+    renamed.scene = std::make_shared<const Scene>(std::move(scene));
+  }
+  DrawList list = composeParts(renamed.scene ? renamed : frame);
+  if (style.isGrey) removeColours(list);
+  return list;
+}
+
+DrawList PictureComposer::composeParts(const Frame& frame) {
   const PictureLayout layout = content_.layout;
   if (layout == PictureLayout::Contact) return contact(frame, settings_.height);
   if (layout == PictureLayout::Curve)
@@ -72,8 +88,9 @@ DrawList PictureComposer::compose(const Frame& frame) {
   DiagramSheet sheet;
   if (layout == PictureLayout::Transient) {
     const auto samples = frame.transient ? *frame.transient : std::vector<TransientSample>{};
-    sheet = withoutCrowding(transientSheet(*frame.scene, samples, frame.spacing, frame.length),
-                            optionsFor(below, kStripText));
+    sheet = withoutCrowding(
+        styled(transientSheet(*frame.scene, samples, frame.spacing, frame.length), settings_.style),
+        optionsFor(below, kStripText));
     options.leastText = stripText(sheet, below);
   } else if (below_ && !frame.transient) {
     return stacked(contact(frame, above), *below_);
@@ -128,7 +145,7 @@ void PictureComposer::checkRoom(const Scene& scene) const {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
-  DiagramSheet sheet = curveSheet(content_.curves);
+  DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
   if (layout == PictureLayout::Both) sheet.title = {};
   checkPanels(sheet, settings_, layout == PictureLayout::Both ? contactHeight() : 0);
 }
@@ -140,6 +157,9 @@ ContactPictureOptions PictureComposer::contactOptions(int height) const {
   options.scale = settings_.scale;
   options.theme = settings_.theme;
   options.overlay = content_.overlay;
+  options.letters = settings_.look.letters;
+  options.curve = settings_.look.curve;
+  options.title = settings_.style.hasTitle;
   return options;
 }
 
@@ -152,13 +172,15 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
 }
 
 DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
-  return {settings_.width, height, settings_.scale, settings_.theme, leastText};
+  DiagramOptions options = settings_.diagramOptions(leastText);
+  options.height = height;
+  return options;
 }
 
 /// Returns the curve with the line, the marker at the frame's velocity, and the trace of a motion.
 DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
-  DiagramSheet sheet = curveSheet(content_.curves);
-  sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes);
+  DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
+  sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes, content_.curves.y);
   return sheet;
 }
 

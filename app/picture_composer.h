@@ -45,6 +45,7 @@ class PictureComposer {
   DrawList compose(const Frame& frame);
 
  private:
+  DrawList composeParts(const Frame& frame);
   int contactHeight() const;  // pixels, where a diagram is below it
   DrawList contact(const Frame& frame, int height);
   ContactPictureOptions contactOptions(int height) const;

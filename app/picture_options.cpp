@@ -20,17 +20,28 @@ namespace {
 constexpr int kSmallest = 160, kLargest = 16384;  // of width and height in pixels
 constexpr double kPixelsPerInch = 96;
 
+/// Sets width and height from a size in pixels or on paper, at settings.scale.
 void readSize(const std::string& text, PictureSettings& settings) {
-  const std::size_t cross = text.find('x');
-  const std::string_view all = text;
-  const bool good = cross != std::string::npos &&
-                    readNumber(all.substr(0, cross), settings.width) &&
-                    readNumber(all.substr(cross + 1), settings.height);
-  const auto fits = [](int pixels) { return pixels >= kSmallest && pixels <= kLargest; };
-  if (!good || !fits(settings.width) || !fits(settings.height))
+  const auto fits = [](double pixels) { return pixels >= kSmallest && pixels <= kLargest; };
+  const std::optional<PictureSize> size = pictureSizeFrom(text);
+  const bool isWhole = size && (size->isOnPaper() || (size->width == std::floor(size->width) &&
+                                                      size->height == std::floor(size->height)));
+  if (!isWhole || (!size->isOnPaper() && !(fits(size->width) && fits(size->height))))
     throw InputError("", "--size",
                      message("{} is not WIDTHxHEIGHT with {} to {} pixels each", shortened(text),
                              kSmallest, kLargest));
+  settings.isOnPaper = size->isOnPaper();
+  const double density =
+      size->isOnPaper() ? kPixelsPerInch * static_cast<double>(settings.scale) / size->perInch : 1;
+  const double width = std::round(size->width * density),
+               height = std::round(size->height * density);
+  if (!fits(width) || !fits(height))
+    throw InputError("", "--size",
+                     message("{} at {} dpi has {} x {} pixels; {} to {} each are allowed",
+                             shortened(text), kPixelsPerInch * static_cast<double>(settings.scale),
+                             width, height, kSmallest, kLargest));
+  settings.width = static_cast<int>(width);
+  settings.height = static_cast<int>(height);
 }
 
 float scaleFrom(const std::string& text) {
@@ -46,8 +57,52 @@ float scaleFrom(const std::string& text) {
   return static_cast<float>(scale);
 }
 
-constexpr NamedChoices<const Theme& (*)(), 3> kThemes{
-    {{"light", lightTheme}, {"dark", darkTheme}, {"print", printTheme}}};
+constexpr NamedChoices<const Theme& (*)(), 4> kThemes{
+    {{"light", lightTheme}, {"dark", darkTheme}, {"print", printTheme}, {"paper", paperTheme}}};
+
+/// Returns the style that the options ask for: that of a file, then each option.
+FigureStyle styleFrom(const PictureArguments& arguments) {
+  FigureStyle style = arguments.style.empty() ? FigureStyle{} : readStyle(arguments.style);
+  for (const auto& [word, value] : arguments.figure)
+    for (const FigureOption& option : figureOptions())
+      if (option.word == word)
+        if (const Message refusal = option.set(style, value); !refusal.empty())
+          throw InputError("", "--" + word, refusal);
+  if (!arguments.size.empty()) style.size = arguments.size;
+  if (!arguments.theme.empty()) style.theme = arguments.theme;
+  return style;
+}
+
+/// Returns the pixels of the picture to one pixel at 96 per inch.
+float scaleOf(const PictureArguments& arguments, const FigureStyle& style, float usual) {
+  constexpr float kPaperDensity = 300;  // dpi
+  const bool hasDensity =
+      std::ranges::any_of(arguments.figure, [](const auto& given) { return given.first == "dpi"; });
+  if (!arguments.scale.empty() && hasDensity)
+    throw InputError("", "--scale", "and --dpi both say the density; one is enough");
+  if (!arguments.scale.empty()) return scaleFrom(arguments.scale);
+  if (style.dotsPerInch > 0) return static_cast<float>(style.dotsPerInch / kPixelsPerInch);
+  const std::optional<PictureSize> size = pictureSizeFrom(style.size);
+  if (size && size->isOnPaper()) return kPaperDensity / static_cast<float>(kPixelsPerInch);
+  return style.size.empty() ? usual : 1;
+}
+
+/// Returns letters and lines in pixels. A picture with a size on paper has letters of 7 pt, more
+/// where it is wider than two columns of a journal, and none below 6 pt.
+FigureLook lookOf(const FigureStyle& style, const PictureSettings& settings) {
+  constexpr double kPaperLetters = 7, kLeastLetters = 6, kTwoColumns = 178 / 25.4;  // pt, inches
+  const double inch = kPixelsPerInch * static_cast<double>(settings.scale), point = inch / 72;
+  FigureLook look;
+  look.legend = style.legend;
+  look.ticks = style.ticks;
+  double letters = style.fontSize;
+  if (letters == 0 && settings.isOnPaper)
+    letters = kPaperLetters * std::max(1.0, settings.width / inch / kTwoColumns);
+  look.letters = static_cast<float>(letters * point);
+  look.curve = static_cast<float>(style.lineWidth * point);
+  if (letters > 0) look.least = static_cast<float>(std::min(letters, kLeastLetters) * point);
+  return look;
+}
 
 constexpr NamedChoices<PixelBackend, 3> kBackends{{{"auto", PixelBackend::Automatic},
                                                    {"osmesa", PixelBackend::Osmesa},
@@ -76,7 +131,7 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
   bool hasPicture = false, hasPixels = false;
   for (const std::string& file : files) {
     const std::string extension = extensionOf(file);
-    const bool isTable = extension == ".csv" || extension == ".json";
+    const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
     hasPicture |= !isTable;
     hasPixels |= !isTable && extension != ".svg" && extension != ".pdf";
   }
@@ -87,48 +142,109 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
     for (const auto& [option, given] : {std::pair{"--size", !arguments.size.empty()},
                                         {"--scale", !arguments.scale.empty()},
                                         {"--theme", !arguments.theme.empty()},
+                                        {"--style", !arguments.style.empty()},
                                         {"--transparent", arguments.transparent},
                                         {"--backend", !arguments.backend.empty()}})
       refuse(option, given, "belongs to pictures, and no output is one");
+  if (!hasPicture && !arguments.figure.empty())
+    refuse(("--" + arguments.figure.front().first).c_str(), true,
+           "belongs to pictures, and no output is one");
   if (!hasPixels)
     refuse("--backend", !arguments.backend.empty(),
            "draws pixels; .svg and .pdf are written without them");
 }
 
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
-                       const std::string& defaultSize, const std::string& defaultTheme) {
-  command
-      .add_option("--size", arguments.size,
-                  "Width and height in pixels (default: " + defaultSize + " times the scale)")
+                       const std::string& defaultSize, const std::string& defaultTheme,
+                       FigurePart most) {
+  const auto add = [&](const char* option, auto& value, const std::string& sentence) {
+    return command.add_option(option, value, sentence)->group(kPictureGroup);
+  };
+  add("--size", arguments.size,
+      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt) (default: " +
+          defaultSize + " times the scale)")
       ->type_name("WxH");
-  command.add_option(
-      "--scale", arguments.scale,
+  add("--scale", arguments.scale,
       "Density: 2 doubles texts and line widths; or 300dpi (default: 1, which is 96dpi)");
-  command.add_option("--theme", arguments.theme,
-                     "light, dark or print (default: " + defaultTheme + ")");
-  command.add_flag("--transparent", arguments.transparent, "No background");
-  command.add_option(
-      "--backend", arguments.backend,
+  add("--theme", arguments.theme,
+      "light, dark, print, or paper: a contact in light tints (default: " + defaultTheme + ")");
+  std::string names;
+  for (const std::string_view name : shippedStyles()) names += std::string(name) + ", ";
+  add("--style", arguments.style,
+      "Values of these options from a file, or shipped: " + names.substr(0, names.size() - 2))
+      ->type_name("NAME|FILE");
+  command.add_flag("--transparent", arguments.transparent, "No background")->group(kPictureGroup);
+  add("--backend", arguments.backend,
       "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
+  for (const FigureOption& row : figureOptions()) {
+    if (row.part > most || command.get_option_no_throw("--" + std::string(row.word))) continue;
+    CLI::Option* option = command.add_option_function<std::vector<std::string>>(
+        "--" + std::string(row.word),
+        [&arguments, word = std::string(row.word)](const std::vector<std::string>& values) {
+          for (const std::string& value : values) arguments.figure.emplace_back(word, value);
+        },
+        std::string(row.sentence));
+    option->type_name(std::string(row.values))->group(kPictureGroup);
+    if (row.repeats)
+      option->take_all()->allow_extra_args(false);
+    else
+      option->expected(1);
+  }
+}
+
+void refuseChartOptions(const PictureArguments& arguments, const Message& why) {
+  for (const auto& [word, value] : arguments.figure)
+    for (const FigureOption& option : figureOptions())
+      if (option.word == word && option.part != FigurePart::Picture)
+        throw InputError("", "--" + word, why);
+}
+
+PictureDefaults printDefaults(const DiagramSheet& sheet) {
+  const DiagramOptions print = printOptions(sheet);
+  return {static_cast<int>(std::lround(static_cast<float>(print.width) / print.scale)),
+          static_cast<int>(std::lround(static_cast<float>(print.height) / print.scale)), "print",
+          print.scale};
 }
 
 PictureSettings pictureSettings(const PictureArguments& arguments,
                                 const PictureDefaults& defaults) {
   PictureSettings settings;
-  if (!arguments.scale.empty()) settings.scale = scaleFrom(arguments.scale);
-  settings.width =
-      static_cast<int>(std::lround(static_cast<float>(defaults.width) * settings.scale));
-  settings.height =
-      static_cast<int>(std::lround(static_cast<float>(defaults.height) * settings.scale));
-  readSize(arguments.size.empty() ? fmt::format("{}x{}", settings.width, settings.height)
-                                  : arguments.size,
+  settings.style = styleFrom(arguments);
+  const FigureStyle& style = settings.style;
+  settings.scale = scaleOf(arguments, style, defaults.scale);
+  const auto pixels = [&](int length) {
+    return static_cast<int>(std::lround(static_cast<float>(length) * settings.scale));
+  };
+  readSize(style.size.empty()
+               ? fmt::format("{}x{}", pixels(defaults.width), pixels(defaults.height))
+               : style.size,
            settings);
-  settings.themeName = arguments.theme.empty() ? defaults.theme : arguments.theme;
+  settings.themeName = style.theme.empty() ? defaults.theme : style.theme;
   settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
   settings.transparent = arguments.transparent;
   if (!arguments.backend.empty())
     settings.backend = chosenFrom(kBackends, arguments.backend, "--backend");
+  settings.look = lookOf(style, settings);
   return settings;
+}
+
+DiagramOptions PictureSettings::diagramOptions(float leastText) const {
+  DiagramOptions options{width, height, scale, theme, leastText};
+  options.look = look;
+  if (transparent) options.theme.background.a = 0;
+  return options;
+}
+
+PictureProperties PictureSettings::properties(const std::string& title,
+                                              const std::string& origin) const {
+  return {title, origin, scale, isOnPaper};
+}
+
+DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText) {
+  DrawList list =
+      composeDiagrams(styled(sheet, settings.style), settings.diagramOptions(leastText));
+  if (settings.style.isGrey) removeColours(list);
+  return list;
 }
 
 namespace {

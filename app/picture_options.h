@@ -6,11 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/chart/figure_style.h"
 #include "core/run/frame.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/pixel_context.h"
+#include "ui/draw/png_file.h"
 
 namespace CLI {
 class App;
@@ -24,7 +28,9 @@ struct PictureArguments {
   std::string scale;    // empty: 1
   std::string theme;    // empty: the command's default
   std::string backend;  // empty: auto
+  std::string style;    // shipped name or file; empty: none
   bool transparent = false;
+  std::vector<std::pair<std::string, std::string>> figure;  // word and value of figureOptions()
 };
 
 /// The options after reading and checking.
@@ -35,6 +41,14 @@ struct PictureSettings {
   Theme theme;
   bool transparent = false;
   PixelBackend backend = PixelBackend::Automatic;
+  FigureStyle style;       // what the picture contains
+  FigureLook look;         // its letters and lines, in pixels
+  bool isOnPaper = false;  // its size was given as lengths
+
+  /// Returns the size, density and look of charts. leastText: as in DiagramOptions.
+  DiagramOptions diagramOptions(float leastText = 0) const;
+  /// Returns what a file of such a picture keeps.
+  PictureProperties properties(const std::string& title, const std::string& origin) const;
 
   /// Returns the settings that change a picture, for its provenance.
   nlohmann::ordered_json json() const;
@@ -43,10 +57,24 @@ struct PictureSettings {
 struct PictureDefaults {
   int width, height;  // at scale 1
   std::string theme;
+  float scale = 1;  // where neither option nor style gives a density
 };
 
+/// Adds the options of pictures and, by `most`, those of charts and of friction curves, but for
+/// those that the command has already in a form of its own.
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
-                       const std::string& defaultSize, const std::string& defaultTheme);
+                       const std::string& defaultSize, const std::string& defaultTheme,
+                       FigurePart most = FigurePart::Picture);
+
+/// Throws InputError where an option of charts is given, with this reason.
+void refuseChartOptions(const PictureArguments& arguments, const Message& why);
+
+/// Returns the defaults of a printed sheet (printOptions of ui/chart).
+PictureDefaults printDefaults(const DiagramSheet& sheet);
+
+/// Draws a sheet in the style of the settings. Throws InputError where the style names what the
+/// sheet does not have.
+DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText = 0);
 
 /// Throws InputError where an option is given that applies to none of the files.
 void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files);

@@ -1,4 +1,5 @@
-// A progress bar on stderr if it is a terminal; prints nothing into a pipe. One thread at a time.
+// Progress on stderr: a bar on a terminal; into a pipe a line every ten seconds, so that a log of
+// long work shows that it goes on. One thread at a time.
 #pragma once
 
 #include <chrono>
@@ -9,7 +10,7 @@ namespace asperity {
 
 class ProgressBar {
  public:
-  /// Draws only where stderr is a terminal and quiet is false.
+  /// Shows nothing where quiet is true.
   ProgressBar(std::string what, bool quiet);
   ~ProgressBar();  // clears its line
   ProgressBar(const ProgressBar&) = delete;
@@ -20,7 +21,7 @@ class ProgressBar {
 
  private:
   std::string what_;
-  bool visible_;
+  bool isQuiet_, isTerminal_;
   std::chrono::steady_clock::time_point drawn_{};
 };
 

@@ -46,6 +46,11 @@ void chooseVectorTarget() {
                              kTargets[instructionSet() == InstructionSet::Avx2 ? 1 : 2].word));
 }
 
+std::string vectorTargetInUse() {
+  const auto* target = std::ranges::find(kTargets, instructionSet(), &Target::set);
+  return fmt::format("{} kernels", target == kTargets.end() ? "scalar" : target->word);
+}
+
 std::string vectorTargetHelp() {
   return fmt::format(
       "Environment: {}={} forces the vectors that are computed with (else the widest of the "

@@ -13,4 +13,7 @@ void chooseVectorTarget();
 /// Returns the help text: the variable and its values.
 std::string vectorTargetHelp();
 
+/// Returns "avx2 kernels": what the present machine computes with.
+std::string vectorTargetInUse();
+
 }  // namespace asperity

@@ -15,6 +15,7 @@
 #include "core/run/motion_accuracy.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
@@ -27,7 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFiles[] = {"accuracy.csv",       "accuracy.json",      "work_precision.png",
-                                  "work_precision.svg", "standard_error.png", "standard_error.svg"};
+                                  "work_precision.svg", "work_precision.pdf", "standard_error.png",
+                                  "standard_error.svg", "standard_error.pdf"};
 
 std::string fileIn(const std::string& folder, const char* name) {
   return (fs::path(folder) / name).string();
@@ -46,17 +48,18 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
   });
 }
 
-void writePictures(const std::string& folder, const WorkPrecision& comparison) {
+void writePictures(const AccuracyCommand& command, const WorkPrecision& comparison) {
   HeadlessPictures pictures;
   const std::string origin = pictureOrigin("accuracy", comparison.scene);
-  const auto write = [&](const DiagramSheet& sheet, const char* png, const char* svg) {
-    const DrawList list = composeDiagrams(sheet, printOptions(sheet));
-    for (const char* name : {png, svg})
-      pictures.write(fileIn(folder, name), list,
-                     {translated(sheet.title), origin, printOptions(sheet).scale});
+  const auto write = [&](const DiagramSheet& sheet, const std::string& name) {
+    const PictureSettings settings = pictureSettings(command.picture, printDefaults(sheet));
+    const DrawList list = drawSheet(sheet, settings);
+    for (const char* extension : {".png", ".svg", ".pdf"})
+      pictures.write(fileIn(command.output, (name + extension).c_str()), list,
+                     settings.properties(translated(sheet.title), origin));
   };
-  write(workPrecisionSheet(comparison), "work_precision.png", "work_precision.svg");
-  write(standardErrorSheet(comparison), "standard_error.png", "standard_error.svg");
+  write(workPrecisionSheet(comparison), "work_precision");
+  write(standardErrorSheet(comparison), "standard_error");
   pictures.finish();
 }
 
@@ -119,7 +122,11 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 
 int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
-  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity accuracy"); });
+  withSceneContext(command.common, [&] {
+    needSteadySliding(scene, "asperity accuracy");
+    needVelocityAxis(scene, "asperity accuracy");
+  });
+  pictureSettings(command.picture, {1200, 800, "print"});
   makeFolder(command.output);
   for (const char* name : kFiles) {
     checkWritable(fileIn(command.output, name));
@@ -131,7 +138,7 @@ int runAccuracy(const AccuracyCommand& command) {
       fileIn(command.output, "accuracy.csv"),
       provenanceComment("accuracy", comparison.scene) + workPrecisionCsv(comparison));
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
-  writePictures(command.output, comparison);
+  writePictures(command, comparison);
   printSummary(command.common.json, command.common.quiet, summaryOf(comparison, command.output));
   if (command.common.json) fmt::print("{}", json);
   return kDone;

@@ -244,7 +244,7 @@ class BatchRun {
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
       writeFileAtomically(fileIn(name + ".csv"),
-                          provenanceComment("batch", scene) + curveCsv(curve));
+                          provenanceComment("batch", scene) + curveCsv(curve, columnsFor(scene)));
       result.files.push_back(name + ".csv");
     }
     if (layoutFrom(result.item.show) == PictureLayout::Transient) {

@@ -1,6 +1,9 @@
 // asperity check: reads and validates a scene, and prints a summary of a few lines.
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <vector>
+
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
@@ -48,20 +51,64 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
   return text + "\n";
 }
 
-}  // namespace
+/// Numbers that follow from the scene.
+nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
+                                   const LawInput& in) {
+  nlohmann::ordered_json json = {
+      {"length", source.length()},
+      {"elements", source.elements()},
+      {"spacing", source.length() / static_cast<double>(source.elements())},
+      {"rms_height", in.rmsHeight},
+      {"rms_slope", in.rmsSlope},
+      {"normal_force", in.normalForce}};
+  if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
+    json["dimensionless_force"] = dimensionlessForce(in);
+  if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
+    json["dimensionless_velocity"] = dimensionlessVelocity(in);
+  return json;
+}
 
-int runCheck(const CommonOptions& command) {
+/// Checks one scene; adds its answer to `answers`.
+void checkScene(const CommonOptions& command, bool isOneOfMany,
+                std::vector<nlohmann::ordered_json>& answers) {
   const Scene scene = sceneOf(command);
   withSceneContext(command, [&] {
     const LineSource source(scene, pointsPerElement(scene));
-    printSummary(command.json, command.quiet, summaryOf(scene, source, lawInputOf(scene, source)));
+    const LawInput in = lawInputOf(scene, source);
+    const std::string name = isOneOfMany ? command.scene + ": " : "";
+    printSummary(command.json, command.quiet, name + summaryOf(scene, source, in));
+    answers.push_back(provenance("check", scene));
+    if (isOneOfMany) answers.back()["file"] = command.scene;
+    answers.back()["valid"] = true;
+    answers.back()["derived"] = derivedJson(scene, source, in);
   });
-  if (command.json) {
-    nlohmann::ordered_json answer = provenance("check", scene);
-    answer["valid"] = true;
-    fmt::print("{}\n", answer.dump(2));
+}
+
+}  // namespace
+
+int runCheck(const CheckCommand& command) {
+  std::vector<nlohmann::ordered_json> answers;
+  CommonOptions common = command.common;
+  const bool isOneOfMany = command.scenes.size() > 1;
+  int status = kDone;
+  for (const std::string& scene : command.scenes) {
+    common.scene = scene;
+    try {
+      checkScene(common, isOneOfMany, answers);
+    } catch (const InputError& error) {
+      if (!isOneOfMany) throw;
+      std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);
+      answers.push_back({{"schema", "asperity-check/1"},
+                         {"file", scene},
+                         {"valid", false},
+                         {"message", std::string(error.what())}});
+      status = kBadInput;
+    }
   }
-  return kDone;
+  if (common.json)
+    fmt::print("{}\n",
+               isOneOfMany ? nlohmann::ordered_json(answers).dump(2) : answers.front().dump(2));
+  return status;
 }
 
 }  // namespace asperity

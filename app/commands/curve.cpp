@@ -1,4 +1,4 @@
-// asperity curve: friction over velocity, averaged over the scene's realizations.
+// asperity curve: friction over velocity or any other key, averaged over the scene's realizations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +15,11 @@
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/realization_table.h"
+#include "core/scene/data_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
@@ -29,34 +32,41 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
                    const PictureSettings& settings) {
   const std::vector<std::string>& outputs = command.outputs;
   const auto isPicture = [](const std::string& output) {
-    return extensionOf(output) != ".csv" && extensionOf(output) != ".json";
+    return output != "-" && extensionOf(output) != ".csv" && extensionOf(output) != ".json";
   };
   if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
-  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
-  if (settings.transparent) options.theme.background.a = 0;
   const DiagramSheet sheet = curveSheet(set);
-  checkPanels(sheet, settings, 0);
-  const DrawList list = composeDiagrams(sheet, options);
-  nlohmann::ordered_json origin = provenance("curve", set.present.scene);
-  origin["picture"] = settings.json();
-  command.curves.addTo(origin["picture"]);
+  checkPanels(styled(sheet, settings.style), settings, 0);
+  const DrawList list = drawSheet(sheet, settings);
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : outputs)
-    if (isPicture(output))
+    if (isPicture(output)) {
+      const ProvenanceOptions given(optionsFor(command.common.given, output));
+      nlohmann::ordered_json origin = provenance("curve", set.present.scene);
+      origin["picture"] = settings.json();
+      command.curves.addTo(origin["picture"]);
       pictures.write(output, list,
-                     {translated(sheet.title), provenanceLine(origin), settings.scale});
+                     settings.properties(translated(sheet.title), provenanceLine(origin)));
+    }
   pictures.finish();
 }
 
-std::string summaryOf(const Curve& curve, const std::vector<std::string>& outputs) {
+std::string axisOf(const Curve& curve, const Scene& scene) {
+  const std::size_t points = curve.points.size();
+  if (!scene.sweep.isOfVelocity())
+    return points == 1
+               ? filled(Words::tr("one value of %1"), {scene.sweep.key})
+               : filled(Words::tr("%1 values of %2"), {std::to_string(points), scene.sweep.key});
+  return points == 1 ? Words::tr("one velocity")
+                     : filled(Words::tr("%1 velocities"), {std::to_string(points)});
+}
+
+std::string summaryOf(const Curve& curve, const Scene& scene,
+                      const std::vector<std::string>& outputs) {
   const std::int64_t lines = curve.points.front().realizations;
-  const std::size_t velocities = curve.points.size();
-  std::string text =
-      (velocities == 1 ? Words::tr("one velocity")
-                       : filled(Words::tr("%1 velocities"), {std::to_string(velocities)})) +
-      ", " +
-      (lines == 1 ? Words::tr("one realization")
-                  : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
+  std::string text = axisOf(curve, scene) + ", " +
+                     (lines == 1 ? Words::tr("one realization")
+                                 : filled(Words::tr("%1 realizations"), {std::to_string(lines)}));
   if (curve.marginalFraction > 0)
     text += ", " + filled(Words::tr("%1 % of the balances with a partly loaded element"),
                           {shortNumber(100 * curve.marginalFraction, 2)});
@@ -71,7 +81,7 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
     return noteSetOf(point).has(Note::UnresolvedFriction);
   });
   const CurvePoint& first = curve.points.front();
-  if (std::isfinite(first.normalForce))
+  if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
     text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
                    {shortNumber(first.normalForce, 6)}) +
             "\n";
@@ -85,21 +95,9 @@ std::string summaryOf(const Curve& curve, const std::vector<std::string>& output
                          "column notes"),
                {std::to_string(unresolved)}) +
         "\n";
-  for (const std::string& output : outputs) text += wroteLine(output);
+  for (const std::string& output : outputs)
+    if (output != "-") text += wroteLine(output);
   return text;
-}
-
-/// Returns one table of all curves where there are more than the scene's own.
-std::string tableOf(const CurveSet& set, const CurveArguments& arguments) {
-  return arguments.hasMore(set.present.scene) ? curveSetCsv(set) : curveCsv(set.present.points);
-}
-
-std::string jsonOf(const CurveSet& set, const CurveArguments& arguments) {
-  const std::string own = curveJson(set.present.points, set.present.scene);
-  if (!arguments.hasMore(set.present.scene)) return own;
-  auto answer = nlohmann::ordered_json::parse(own);
-  addCurvesTo(answer, set);
-  return answer.dump(2) + "\n";
 }
 
 std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
@@ -109,10 +107,62 @@ std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
   return "# asperity: " + provenanceLine(origin) + "\n";
 }
 
+/// Returns one table of all curves where there are more than the scene's own, after a comment that
+/// says how it was made.
+std::string tableOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
+  const ProvenanceOptions options(optionsFor(command.common.given, ".csv"));
+  const bool hasMore = command.curves.hasMore(set.present.scene);
+  return commentOf(set, command.curves) +
+         columns.of(hasMore ? curveSetCsv(set)
+                            : curveCsv(set.present.points,
+                                       columnsFor(set.present.scene, showsForces(set))));
+}
+
+std::string jsonOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
+  const ProvenanceOptions options(optionsFor(command.common.given, ".json"));
+  auto answer = nlohmann::ordered_json::parse(
+      curveJson(set.present.points, set.present.scene, showsForces(set)));
+  if (command.curves.hasMore(set.present.scene)) addCurvesTo(answer, set);
+  answer["points"] = columns.of(answer["points"]);
+  return answer.dump(2) + "\n";
+}
+
+void writeRealizations(const CurveCommand& command, const Scene& scene,
+                       const RealizationTable& lines) {
+  const std::string& file = command.realizationTable;
+  nlohmann::ordered_json given = optionsFor(command.common.given, file);
+  given.erase("columns");  // they are those of the curve
+  given["output_option"] = "realizations-table";
+  const ProvenanceOptions options(std::move(given));
+  if (extensionOf(file) == ".csv") {
+    writeFileAtomically(file, provenanceComment("curve", scene) + csvOf(lines.table()));
+    return;
+  }
+  nlohmann::ordered_json answer = provenance("curve", scene);
+  answer["rows"] = jsonOf(lines.table());
+  writeFileAtomically(file, answer.dump(2) + "\n");
+}
+
+/// Checks the file of the table of realizations, which only curves of given lines have.
+void checkRealizations(const CurveCommand& command, const Scene& scene) {
+  constexpr const char* kOption = "--realizations-table";
+  const std::string& file = command.realizationTable;
+  if (file.empty()) return;
+  needVelocityAxis(scene, "--realizations-table");
+  if (choosesAccuracy(scene))
+    throw InputError("", kOption,
+                     "needs the same lines at every velocity; with "
+                     "accuracy.target_relative_error each has its own");
+  checkOutputs({file}, {".csv", ".json"});
+  checkNoInput(file, inputsOf(command.common, scene));
+  if (std::ranges::find(command.outputs, file) != command.outputs.end())
+    throw InputError("", kOption, file + " is --output, too");
+}
+
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const ComparedScene compared = withComparisons(sceneOf(command.common), command.curves);
+  const ComparedScene compared = withCurveOptions(sceneOf(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
@@ -121,27 +171,36 @@ int runCurve(const CurveCommand& command) {
   checkUseful(command.picture, command.outputs);
   checkUseful(command.curves, command.outputs);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 800, "print"});
+  const ColumnChoice columns(command.columns, {"curve", "curves"});
+  checkRealizations(command, scene);
   checkCurves(command.curves, scene);
   findLinesWithProgress(scene, command.common.quiet);
-  const Curve curve =
-      withSceneContext(command.common, [&] { return computeCurve(scene, command.common); });
+  RealizationTable lines(sweepVelocities(scene.sweep));
+  const bool keepsLines = !command.realizationTable.empty();
+  const Curve curve = withSceneContext(command.common, [&] {
+    return computeCurve(scene, command.common, keepsLines ? &lines : nullptr);
+  });
   const CurveSet set = withSceneContext(command.common, [&] {
     return curvesOf(command.curves, compared, curve.points, command.common);
   });
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
-    if (extension == ".csv")
-      writeFileAtomically(output, commentOf(set, command.curves) + tableOf(set, command.curves));
-    if (extension == ".json") writeFileAtomically(output, jsonOf(set, command.curves));
+    if (extension == ".csv") writeFileAtomically(output, tableOf(set, command, columns));
+    if (extension == ".json") writeFileAtomically(output, jsonOf(set, command, columns));
   }
+  if (keepsLines) writeRealizations(command, scene, lines);
   writePictures(command, set, settings);
-  const bool tableOnStdout = command.outputs.empty();
+  const bool tableOnStdout =
+      (command.outputs.empty() && !keepsLines) || hasStandardOutput(command.outputs);
   if (command.common.json)
-    fmt::print("{}", jsonOf(set, command.curves));
+    fmt::print("{}", jsonOf(set, command, columns));
   else if (tableOnStdout)
-    fmt::print("{}", tableOf(set, command.curves));
-  if (!tableOnStdout)
-    printSummary(command.common.json, command.common.quiet, summaryOf(curve, command.outputs));
+    fmt::print("{}", tableOf(set, command, columns));
+  std::vector<std::string> files = command.outputs;
+  if (keepsLines) files.push_back(command.realizationTable);
+  if (!files.empty())
+    printSummary(command.common.json || tableOnStdout, command.common.quiet,
+                 summaryOf(curve, scene, files));
   requireTarget(curve);
   return kDone;
 }

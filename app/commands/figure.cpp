@@ -63,20 +63,32 @@ std::string claimsFile(const FigureCommand& command) {
 void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& names) {
   makeFolder(command.output);
   for (const FigureName name : names)
-    for (const char* extension : {".csv", ".png", ".svg"})
+    for (const char* extension : {".csv", ".png", ".svg", ".pdf"})
       checkWritable(fileOf(command, name, extension));
   checkWritable(claimsFile(command));
 }
 
 void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
-  writeFileAtomically(fileOf(command, figure.name, ".csv"),
-                      provenanceComment("figure", figure.scene) + figure.csv);
-  const DrawList picture =
-      composeFigure(figure, contactOf(figure).get(), printOptions(figure.sheet));
-  const PictureProperties properties{translated(figure.sheet.title),
-                                     pictureOrigin("figure", figure.scene),
-                                     printOptions(figure.sheet).scale};
-  for (const char* extension : {".png", ".svg"})
+  const auto optionsOf = [&](const char* extension) {
+    nlohmann::ordered_json options = optionsFor(command.common.given, extension);
+    options["name"] = entryOf(figure.name).word;
+    if (!command.common.assignments.empty()) options["set"] = command.common.assignments;
+    return options;
+  };
+  {
+    const ProvenanceOptions given(optionsOf(".csv"));
+    writeFileAtomically(fileOf(command, figure.name, ".csv"),
+                        provenanceComment("figure", figure.scene) + figure.csv);
+  }
+  const PictureSettings settings = pictureSettings(command.picture, printDefaults(figure.sheet));
+  Figure shown = figure;
+  shown.sheet = styled(figure.sheet, settings.style);
+  DrawList picture = composeFigure(shown, contactOf(figure).get(), settings.diagramOptions());
+  if (settings.style.isGrey) removeColours(picture);
+  const ProvenanceOptions given(optionsOf(".png"));
+  const PictureProperties properties =
+      settings.properties(translated(figure.sheet.title), pictureOrigin("figure", figure.scene));
+  for (const char* extension : {".png", ".svg", ".pdf"})
     pictures.write(fileOf(command, figure.name, extension), picture, properties);
 }
 
@@ -133,7 +145,7 @@ std::string summaryOf(const FigureCommand& command, const Made& made) {
               "\n";
   }
   for (const Figure& figure : made.figures)
-    text += wroteLine(fileOf(command, figure.name, ".csv") + " (.png, .svg)");
+    text += wroteLine(fileOf(command, figure.name, ".csv") + " (.png, .svg, .pdf)");
   return text + wroteLine(claimsFile(command));
 }
 
@@ -145,6 +157,12 @@ int runFigure(const FigureCommand& command) {
   options.realizations = command.realizations;
   options.assignments = command.common.assignments;
   for (const FigureName name : names) figureScene(name, options);
+  for (const FigureName name : names) {
+    // A picture of a contact has none of the parts of charts.
+    if (name == FigureName::Contact)
+      refuseChartOptions(command.picture, "is of charts, and this figure is a contact");
+  }
+  pictureSettings(command.picture, {1200, 800, "print"});
   prepareFolder(command, names);
   const Made made = makeFigures(command, names);
   const std::string claims = claimsJson(made.figures);

@@ -11,8 +11,10 @@
 #include "app/progress_bar.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/chart/comparison.h"
 #include "core/chart/fit_report.h"
 #include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -65,11 +67,12 @@ int runFit(const FitCommand& command) {
   const PictureSettings settings = pictureSettings(command.picture, kPictures);
   CurveArguments beside;
   beside.data = command.data;
-  const ComparedScene compared = withComparisons(sceneOf(command.common), beside);
+  const ComparedScene compared = withCurveOptions(sceneOf(command.common), beside);
   const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
+    needVelocityAxis(scene, "asperity fit");
     const std::vector<VariedParameter> varied = variedFrom(command.varied, scene);
     const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
     std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);

@@ -34,13 +34,23 @@ ParameterMap compute(const Scene& scene, const MapCommand& command) {
 
 void writePicture(const std::string& output, const ParameterMap& map, const std::string& quantity,
                   const PictureSettings& settings, HeadlessPictures& pictures) {
-  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
-  if (settings.transparent) options.theme.background.a = 0;
   nlohmann::ordered_json origin = mapProvenance(map, quantity);
   origin["picture"] = settings.json();
   const DiagramSheet sheet = mapSheet(map, quantity);
-  pictures.write(output, composeDiagrams(sheet, options),
-                 {translated(sheet.title), provenanceLine(origin), settings.scale});
+  pictures.write(output, drawSheet(sheet, settings),
+                 settings.properties(translated(sheet.title), provenanceLine(origin)));
+}
+
+/// Returns the table after a comment that says how it was made.
+std::string tableOf(const ParameterMap& map, const MapCommand& command) {
+  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
+  return "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
+         mapCsv(map, command.quantity);
+}
+
+std::string jsonOf(const ParameterMap& map, const MapCommand& command) {
+  const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
+  return mapJson(map, command.quantity);
 }
 
 std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& outputs) {
@@ -53,7 +63,8 @@ std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& o
       text += filled(Words::tr("friction does not depend on %1 in this scene"),
                      {std::string((alongX ? map.x : map.y).key())}) +
               "\n";
-  for (const std::string& output : outputs) text += wroteLine(output);
+  for (const std::string& output : outputs)
+    if (output != "-") text += wroteLine(output);
   return text;
 }
 
@@ -74,22 +85,24 @@ int runMap(const MapCommand& command) {
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
-    if (extension == ".csv")
-      writeFileAtomically(
-          output, "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
-                      mapCsv(map, command.quantity));
-    else if (extension == ".json")
-      writeFileAtomically(output, mapJson(map, command.quantity));
-    else
+    if (extension == ".csv") {
+      writeFileAtomically(output, tableOf(map, command));
+    } else if (extension == ".json") {
+      writeFileAtomically(output, jsonOf(map, command));
+    } else if (output != "-") {
+      const ProvenanceOptions given(optionsFor(command.common.given, output));
       writePicture(output, map, command.quantity, settings, pictures);
+    }
   }
   pictures.finish();
+  const bool tableOnStdout = command.outputs.empty() || hasStandardOutput(command.outputs);
   if (command.common.json)
-    fmt::print("{}", mapJson(map, command.quantity));
-  else if (command.outputs.empty())
-    fmt::print("{}", mapCsv(map, command.quantity));
+    fmt::print("{}", jsonOf(map, command));
+  else if (tableOnStdout)
+    fmt::print("{}", tableOf(map, command));
   if (!command.outputs.empty())
-    printSummary(command.common.json, command.common.quiet, summaryOf(map, command.outputs));
+    printSummary(command.common.json || tableOnStdout, command.common.quiet,
+                 summaryOf(map, command.outputs));
   return kDone;
 }
 

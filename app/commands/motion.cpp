@@ -13,6 +13,7 @@
 #include "app/picture_options.h"
 #include "app/progress_bar.h"
 #include "core/base/atomic_file.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/ticks.h"
@@ -37,15 +38,31 @@ MotionTable compute(const Scene& scene, const MotionCommand& command) {
 }
 
 void writePicture(const std::string& output, const Scene& scene, const MotionTable& table,
-                  const PictureSettings& settings, HeadlessPictures& pictures) {
-  DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme,
-                         kMotionText};
-  if (settings.transparent) options.theme.background.a = 0;
+                  const PictureSettings& settings, const MotionCommand& command,
+                  HeadlessPictures& pictures) {
+  const ProvenanceOptions given(optionsFor(command.common.given, output));
   nlohmann::ordered_json origin = motionProvenance("motion", scene, table);
   origin["picture"] = settings.json();
   const DiagramSheet sheet = motionSheet(scene, table);
-  pictures.write(output, composeDiagrams(sheet, options),
-                 {translated(sheet.title), provenanceLine(origin), settings.scale});
+  pictures.write(output, drawSheet(sheet, settings, kMotionText),
+                 settings.properties(translated(sheet.title), provenanceLine(origin)));
+}
+
+std::string tableOf(const Scene& scene, const MotionTable& table, const MotionCommand& command,
+                    const ColumnChoice& columns) {
+  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
+  return "# asperity: " + provenanceLine(motionProvenance("motion", scene, table)) + "\n" +
+         columns.of(motionCsv(table));
+}
+
+std::string jsonOf(const Scene& scene, const MotionTable& table, const MotionCommand& command,
+                   const ColumnChoice& columns) {
+  const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
+  const std::string text = motionJson(scene, table);
+  if (columns.isAll()) return text;
+  auto answer = nlohmann::ordered_json::parse(text);
+  answer["points"] = columns.of(answer["points"]);
+  return answer.dump(2) + "\n";
 }
 
 std::string summaryOf(const MotionTable& table, const std::vector<std::string>& outputs) {
@@ -59,7 +76,8 @@ std::string summaryOf(const MotionTable& table, const std::vector<std::string>& 
         ", " + filled(Words::tr("estimated error of mu by elements and time steps %1 (%2 %)"),
                       {shortNumber(table.muError, 2), shortNumber(100 * table.relativeError, 2)});
   text += "\n";
-  for (const std::string& output : outputs) text += wroteLine(output);
+  for (const std::string& output : outputs)
+    if (output != "-") text += wroteLine(output);
   return text;
 }
 
@@ -72,26 +90,27 @@ int runMotion(const MotionCommand& command) {
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 1000, "print"});
+  const ColumnChoice columns(command.columns, {"motion"});
   const MotionTable table = compute(scene, command);
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : command.outputs) {
     const std::string extension = extensionOf(output);
     if (extension == ".csv")
-      writeFileAtomically(
-          output, "# asperity: " + provenanceLine(motionProvenance("motion", scene, table)) + "\n" +
-                      motionCsv(table));
+      writeFileAtomically(output, tableOf(scene, table, command, columns));
     else if (extension == ".json")
-      writeFileAtomically(output, motionJson(scene, table));
-    else
-      writePicture(output, scene, table, settings, pictures);
+      writeFileAtomically(output, jsonOf(scene, table, command, columns));
+    else if (output != "-")
+      writePicture(output, scene, table, settings, command, pictures);
   }
   pictures.finish();
+  const bool tableOnStdout = command.outputs.empty() || hasStandardOutput(command.outputs);
   if (command.common.json)
-    fmt::print("{}", motionJson(scene, table));
-  else if (command.outputs.empty())
-    fmt::print("{}", motionCsv(table));
+    fmt::print("{}", jsonOf(scene, table, command, columns));
+  else if (tableOnStdout)
+    fmt::print("{}", tableOf(scene, table, command, columns));
   if (!command.outputs.empty())
-    printSummary(command.common.json, command.common.quiet, summaryOf(table, command.outputs));
+    printSummary(command.common.json || tableOnStdout, command.common.quiet,
+                 summaryOf(table, command.outputs));
   return kDone;
 }
 

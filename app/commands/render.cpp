@@ -18,9 +18,11 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/run/contact_tables.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "ui/contact/contact_overlay.h"
+#include "ui/contact/contact_probe.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
@@ -46,6 +48,17 @@ Kind kindOf(const std::string& output) {
   return Kind::Sequence;
 }
 
+/// Returns the numbers beside the crosshair, SI; a value that the frame does not have is left out.
+Json probeJson(const ProbeReading& reading) {
+  Json json = {{"position", reading.position},      {"rigid_height", reading.line},
+               {"surface_height", reading.surface}, {"gap", reading.gap},
+               {"line_load", reading.pressure},     {"slope", reading.slope}};
+  if (reading.surfaceRate) json["surface_rate"] = *reading.surfaceRate;
+  if (reading.age) json["time_since_contact"] = *reading.age;
+  if (reading.power) json["power"] = *reading.power;
+  return json;
+}
+
 double frictionOf(const Frame& frame) {
   return frame.transient ? frame.muMarch : frame.muSteady;
 }
@@ -55,7 +68,7 @@ class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
       : command_(command),
-        compared_(withComparisons(sceneOf(command.common), command.curves)),
+        compared_(withCurveOptions(sceneOf(command.common), command.curves)),
         scene_(compared_.scene),
         kind_(kindOf(command.output)),
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),
@@ -114,6 +127,10 @@ class Rendering {
     if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
     answer["indentation"] = last_.indentation;
     answer["contact_fraction"] = last_.contactFraction;
+    answer["derived"] = derivedNumbers(last_);
+    if (command_.view.probe)
+      if (const auto reading = probeReading(last_, *command_.view.probe))
+        answer["probe"] = probeJson(*reading);
     answer["files"] = files_;
     if (kind_ != Kind::Picture) answer["pipeline"] = pipelineJson();
     return answer;
@@ -176,6 +193,9 @@ class Rendering {
     }
     if (!showsCurve())
       if (const char* option = command_.curves.firstOption()) refuse(option, "the curve");
+    if (layout_ == PictureLayout::Contact)
+      refuseChartOptions(command_.picture,
+                         message("is of charts, which --layout {} does not show", command_.layout));
   }
 
   void checkLayout() const {
@@ -201,6 +221,7 @@ class Rendering {
   /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
   /// picture.
   Json origin() const {
+    const ProvenanceOptions given(optionsFor(command_.common.given, command_.output + ".png"));
     Json origin = provenance("render", scene_);
     if (showsCurve()) addCurveOversampling(origin, scene_);
     Json& picture = origin["picture"] = settings_.json();
@@ -229,7 +250,7 @@ class Rendering {
   void writePicture() {
     HeadlessPictures pictures(settings_.backend);
     pictures.write(command_.output, compose(0),
-                   {translated(scene_.title), provenanceLine(origin()), settings_.scale});
+                   settings_.properties(translated(scene_.title), provenanceLine(origin())));
     pictures.finish();
     files_ = {command_.output};
   }
@@ -356,6 +377,12 @@ class Rendering {
 }  // namespace
 
 int runRender(const RenderCommand& command) {
+  const std::string extension = extensionOf(command.output);
+  if (command.output == "-" || extension == ".csv" || extension == ".json")
+    return runContactTable(command);
+  for (const auto& [option, given] :
+       {std::pair{"--table", !command.table.empty()}, {"--columns", !command.columns.empty()}})
+    if (given) throw InputError("", option, "belongs to tables, and the output is none");
   Rendering rendering(command);
   rendering.run();
   printSummary(command.common.json, command.common.quiet, rendering.summary());

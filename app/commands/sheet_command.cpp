@@ -31,22 +31,26 @@ void writeAnswer(const SheetCommand& command, const PictureSettings& settings,
                           "# asperity: " + provenanceLine(answer.origin) + "\n" + answer.csv);
     } else if (extension == ".json") {
       writeFileAtomically(output, answer.json);
+    } else if (output == "-") {
+      continue;
     } else {
-      DiagramOptions options{settings.width, settings.height, settings.scale, settings.theme};
-      if (settings.transparent) options.theme.background.a = 0;
       nlohmann::ordered_json origin = answer.origin;
       origin["picture"] = settings.json();
-      pictures.write(output, composeDiagrams(answer.sheet, options),
-                     {translated(answer.sheet.title), provenanceLine(origin), settings.scale});
+      pictures.write(output, drawSheet(answer.sheet, settings),
+                     settings.properties(translated(answer.sheet.title), provenanceLine(origin)));
     }
     text += wroteLine(output);
   }
   pictures.finish();
   if (command.common.json)
     fmt::print("{}", answer.json);
-  else if (command.outputs.empty())
-    fmt::print("{}", answer.printed.empty() ? answer.csv : answer.printed);
-  if (!command.outputs.empty()) printSummary(command.common.json, command.common.quiet, text);
+  else if (command.outputs.empty() && !answer.printed.empty())
+    fmt::print("{}", answer.printed);
+  else if (command.outputs.empty() || hasStandardOutput(command.outputs))
+    fmt::print("# asperity: {}\n{}", provenanceLine(answer.origin), answer.csv);
+  if (!command.outputs.empty())
+    printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
+                 text);
 }
 
 }  // namespace asperity

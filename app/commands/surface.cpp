@@ -16,6 +16,7 @@
 #include "core/base/text.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/measured_sheet.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "core/surface/line_source.h"
@@ -36,7 +37,8 @@ std::string summaryOf(const Line& line, const std::vector<std::string>& outputs)
                             {number(line.length), std::to_string(line.nodes()),
                              number(line.rmsHeight), number(line.rmsSlope)}) +
                      "\n";
-  for (const std::string& output : outputs) text += wroteLine(output);
+  for (const std::string& output : outputs)
+    if (output != "-") text += wroteLine(output);
   return text;
 }
 
@@ -98,23 +100,60 @@ DiagramSheet sheetOf(const Scene& scene, const LineSource& source, const Line& l
   return measuredSheet(measuredSummary(scene, source), title);
 }
 
-void writePicture(const std::string& output, const Scene& scene, const LineSource& source,
-                  const Line& line) {
-  const int width = 1280, height = source.measured() ? 1100 : 800;
-  HeadlessPictures pictures;
-  pictures.write(output, composeDiagrams(sheetOf(scene, source, line), {width, height}),
-                 {translated(scene.title), pictureOrigin("surface", scene)});
+/// A measured surface has a diagram more.
+PictureSettings settingsOf(const SurfaceCommand& command, bool isMeasured) {
+  return pictureSettings(command.picture, {1280, isMeasured ? 1100 : 800, "light"});
+}
+
+void writePicture(const std::string& output, const SurfaceCommand& command, const Scene& scene,
+                  const LineSource& source, const Line& line) {
+  const PictureSettings settings = settingsOf(command, source.measured() != nullptr);
+  HeadlessPictures pictures(settings.backend);
+  pictures.write(output, drawSheet(sheetOf(scene, source, line), settings),
+                 settings.properties(translated(scene.title), pictureOrigin("surface", scene)));
   pictures.finish();
 }
 
-void writeSurface(const std::string& output, const Scene& scene, const LineSource& source,
-                  const Line& line) {
+enum class SurfaceTable { Line, Spectrum, Statistics };
+constexpr NamedChoices<SurfaceTable, 3> kTables{{{"line", SurfaceTable::Line},
+                                                 {"spectrum", SurfaceTable::Spectrum},
+                                                 {"statistics", SurfaceTable::Statistics}}};
+
+std::string csvTextOf(SurfaceTable table, const Scene& scene, const LineSource& source,
+                      const Line& line) {
+  if (table == SurfaceTable::Spectrum) return csvOf(spectrumTable(source));
+  if (table == SurfaceTable::Statistics) return csvOf(statisticsTable(scene, source, line));
+  return lineCsv(line);
+}
+
+void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
+                  const LineSource& source, const Line& line) {
+  const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
+  const std::string_view columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = extensionOf(output);
-  if (extension == ".csv")
-    writeFileAtomically(output, provenanceComment("surface", scene) + lineCsv(line));
+  if (extension == ".csv" || output == "-")
+    writeTable(
+        output,
+        provenanceComment("surface", scene) +
+            ColumnChoice(command.columns, {columnsOf}).of(csvTextOf(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (extension == ".png" || extension == ".svg" || extension == ".pdf")
-    writePicture(output, scene, source, line);
+    writePicture(output, command, scene, source, line);
+}
+
+/// Throws for options of tables that no output is, and for unknown ones.
+void checkTable(const SurfaceCommand& command) {
+  const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
+  const std::string_view columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  ColumnChoice(command.columns, {columnsOf});
+  const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
+    return output == "-" || extensionOf(output) == ".csv";
+  });
+  for (const auto& [option, given] :
+       {std::pair{"--table", table != SurfaceTable::Line}, {"--columns", !command.columns.empty()}})
+    if (given && !hasTable)
+      throw InputError("", option, "belongs to .csv tables, and no output is one");
 }
 
 /// An error of a file that is given itself names it once, and no key.
@@ -132,9 +171,12 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 }  // namespace
 
 int runSurface(const SurfaceCommand& command) {
-  const bool isFile = isSurfaceFile(command.common.scene);
+  const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneOfFile(command.common) : sceneOf(command.common);
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"});
+  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkTable(command);
+  checkUseful(command.picture, command.outputs);
+  settingsOf(command, false);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   const auto run = [&] {
@@ -147,9 +189,14 @@ int runSurface(const SurfaceCommand& command) {
     const std::string text =
         (source.measured() ? measuredText(measuredSummary(scene, source)) : std::string()) +
         notesText(notesOf(source)) + summaryOf(line, command.outputs);
-    for (const std::string& output : command.outputs) writeSurface(output, scene, source, line);
-    printSummary(command.common.json, command.common.quiet, text);
-    if (command.common.json) fmt::print("{}", surfaceJson(scene, source, line));
+    for (const std::string& output : command.outputs)
+      if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
+    const bool machineReads = command.common.json || hasStandardOutput(command.outputs);
+    printSummary(machineReads, command.common.quiet, text);
+    if (command.common.json) {
+      const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
+      fmt::print("{}", surfaceJson(scene, source, line));
+    }
   };
   withSceneContext(command.common, [&] { withFileContext(isFile, command.common.scene, run); });
   return kDone;

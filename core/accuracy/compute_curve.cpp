@@ -1,19 +1,102 @@
 #include "core/accuracy/compute_curve.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/friction/steady_states.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
+namespace {
+
+std::vector<Scene> statesOf(const Scene& scene, const std::vector<double>& values) {
+  std::vector<Scene> states;
+  states.reserve(values.size());
+  for (const double value : values) states.push_back(sceneAt(scene, value));
+  return states;
+}
+
+void setSwept(std::vector<CurvePoint>& points, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].swept = values[i];
+}
+
+Curve slideSweep(const std::vector<Scene>& states, const std::vector<double>& values,
+                 const CurveOptions& options) {
+  StateOptions slide;
+  slide.threads = options.threads;
+  slide.stop = options.stop;
+  if (options.progress)
+    slide.partial = [&](std::int64_t done, std::int64_t total, std::vector<CurvePoint> points) {
+      setSwept(points, values);
+      options.progress({done, total, points});
+    };
+  SteadyStates found = slideStates(states, slide);
+  setSwept(found.points, values);
+  Curve curve;
+  curve.points = std::move(found.points);
+  curve.isComplete = found.isComplete;
+  curve.largestResidual = found.largestResidual;
+  curve.marginalFraction = found.marginalFraction;
+  return curve;
+}
+
+/// Each value to its own target, one after the other.
+Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& values,
+                  const CurveOptions& options) {
+  Curve curve;
+  curve.points.resize(states.size());
+  curve.isComplete = true;
+  setSwept(curve.points, values);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    Scene state = states[i];
+    state.sweep.velocityFrom = state.sweep.velocityTo = state.sliding.velocity;
+    state.sweep.points = 1;
+    CurveOptions one;
+    one.threads = options.threads;
+    one.stop = options.stop;
+    const Curve found =
+        choosesAccuracy(state) ? targetCurve(state, one).curve : frictionCurve(state, one);
+    if (!found.isComplete) {
+      curve.isComplete = false;
+      return curve;
+    }
+    curve.points[i] = found.points.front();
+    curve.points[i].swept = values[i];
+    curve.largestResidual = std::max(curve.largestResidual, found.largestResidual);
+    curve.isTargetMet = curve.isTargetMet && found.isTargetMet;
+    if (!std::isnan(found.achievedError) &&
+        (std::isnan(curve.achievedError) || found.achievedError > curve.achievedError))
+      curve.achievedError = found.achievedError;
+    if (options.progress)
+      options.progress({static_cast<std::int64_t>(i + 1), static_cast<std::int64_t>(states.size()),
+                        curve.points});
+  }
+  return curve;
+}
+
+/// A curve over another key than velocity.
+Curve sweepCurve(const Scene& scene, const CurveOptions& options) {
+  const std::vector<double> values = sweepValues(scene);
+  const std::vector<Scene> states = statesOf(scene, values);
+  return std::ranges::any_of(states, choosesAccuracy) ? targetSweep(states, values, options)
+                                                      : slideSweep(states, values, options);
+}
+
+}  // namespace
 
 Curve computeCurve(const Scene& scene, const CurveOptions& options) {
   Scene steady = scene;
   steady.sliding.kind = SlidingKind::Steady;
+  if (!steady.sweep.isOfVelocity()) return sweepCurve(steady, options);
   return choosesAccuracy(steady) ? targetCurve(steady, options).curve
                                  : frictionCurve(steady, options);
 }
 
 CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& options) {
+  scene.sweep = {};
   scene.sweep.velocityFrom = scene.sweep.velocityTo = velocity;
   scene.sweep.points = 1;
   return computeCurve(scene, options).points.front();

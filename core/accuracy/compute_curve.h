@@ -14,12 +14,22 @@
 namespace asperity {
 
 /// Returns the curve of steady sliding, whatever motion the scene has: mu, its error, contact and
-/// indentation at every velocity of the sweep (m/s). With `accuracy.target_relative_error` the
-/// resolution and the number of lines are chosen for each velocity; otherwise the scene's own are
-/// used. A cancelled curve is not complete and has the points of the finished part.
+/// indentation at every value of the sweep. With `accuracy.target_relative_error` the resolution
+/// and the number of lines are chosen for each point; otherwise the scene's own are used. A
+/// cancelled curve is not complete and has the points of the finished part.
+///
+/// Over another key than velocity, every value is a state of its own that slides at
+/// `sliding.velocity` (core/friction/steady_states.h); states that differ only in scaling share
+/// their lines. Each point is that of the state's own curve over velocity, to rounding: a
+/// resolution that the scene leaves open is chosen for each value, as that curve would, and a
+/// target is met at each value. fixResolution (core/fit/derivatives.h) would hold one resolution
+/// along the axis, which a derivative needs; here the choice keeps the error of resolution below
+/// half of the standard error at each point, so that a change of it stays below what the error bars
+/// show.
 Curve computeCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// Returns the only point of such a curve at this velocity (m/s), which replaces the scene's sweep.
+/// Returns the only point of a curve over velocity at this velocity (m/s), which replaces the
+/// scene's sweep.
 CurvePoint computePoint(Scene scene, double velocity, const CurveOptions& options = {});
 
 /// Throws std::runtime_error with the achieved error where a curve misses its target.

@@ -1,16 +1,20 @@
 #include "core/chart/comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
 
 constexpr std::int64_t kTheoryPoints = 160;
+constexpr std::int64_t kTheoryPointsOfLines = 48;  // each of a line of its own
 
 double temperatureOf(const MeasuredPoint& point, const Scene& scene) {
   return std::isnan(point.temperature) ? scene.elastomer.temperature : point.temperature;
@@ -23,20 +27,84 @@ double shiftToScene(const MeasuredPoint& point, const Scene& scene) {
   return temperatureShift(there) / temperatureShift(scene.elastomer);
 }
 
-/// Returns the theories other than Eq. (11) over the velocities of the scene's sweep.
-std::vector<TheoryCurve> theoryCurves(const Scene& scene) {
+/// Whether Eq. (11) stands in the points of the curve, and is drawn from them.
+bool hasLawInPoints(const CurveSet& set) {
+  return set.isOfVelocity() && (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
+}
+
+std::vector<TheoryCurve> theoryCurves(const CurveSet& set, const std::stop_token& stop) {
   std::vector<TheoryCurve> curves;
-  const std::vector<Theory>& theories = scene.comparison.theory;
-  if (std::ranges::all_of(theories, [](Theory theory) { return theory == Theory::Eq11; }))
-    return curves;
-  const LineSource source(scene, 1);
-  Sweep fine = scene.sweep;
-  fine.points = std::max(fine.points, kTheoryPoints);
-  const std::vector<double> velocities = sweepVelocities(fine);
-  for (const Theory theory : theories)
-    if (theory != Theory::Eq11)
-      curves.push_back({theory, theoryCurve(theory, scene, source, velocities)});
+  const Scene& scene = set.present.scene;
+  for (const Theory theory : scene.comparison.theory) {
+    if (theory == Theory::Eq11 && hasLawInPoints(set)) continue;
+    const bool isOfSurface = scene.sweep.key.starts_with("surface.");
+    curves.push_back(
+        {theory,
+         theoryOverAxis(theory, scene, isOfSurface ? kTheoryPointsOfLines : kTheoryPoints, stop)});
+  }
   return curves;
+}
+
+/// What a table may say of a state besides its velocity.
+struct MeasuredColumn {
+  std::string_view key;
+  double MeasuredPoint::*value;
+};
+constexpr std::array<MeasuredColumn, 4> kMeasuredColumns{
+    {{"sliding.velocity", &MeasuredPoint::velocity},
+     {"load.normal_force", &MeasuredPoint::normalForce},
+     {"load.nominal_pressure", &MeasuredPoint::nominalPressure},
+     {"elastomer.temperature", &MeasuredPoint::temperature}}};
+
+/// Whether a measured value is that of the scene, as far as both are known.
+bool agrees(const MeasuredColumn& column, const MeasuredPoint& point, const Scene& scene) {
+  constexpr double kClose = 0.02;
+  const Parameter& row = *findParameter(column.key);
+  const double measured = point.*column.value;
+  if (std::isnan(measured) || !isApplicable(row, scene)) return true;
+  const double own = numberOf(row, scene);
+  // Two per cent of a temperature would be six kelvins.
+  const double allowed = column.key == "elastomer.temperature" ? 1.0 : kClose * std::abs(own);
+  return std::abs(measured - own) <= allowed;
+}
+
+/// The rows of a table that stand on an axis over another key than velocity. Adds a note where some
+/// do not.
+FrictionData onAxis(FrictionData table, CurveSet& set) {
+  const Scene& scene = set.present.scene;
+  const Parameter& row = sweptParameter(scene);
+  const auto column = std::ranges::find(kMeasuredColumns, scene.sweep.key, &MeasuredColumn::key);
+  const std::size_t all = table.points.size();
+  std::size_t known = 0;
+  if (column != kMeasuredColumns.end())
+    std::erase_if(table.points, [&](const MeasuredPoint& point) {
+      if (std::isnan(point.*column->value)) return true;
+      ++known;
+      return std::ranges::any_of(kMeasuredColumns, [&](const MeasuredColumn& other) {
+        return other.key != column->key && !agrees(other, point, scene);
+      });
+    });
+  const Message name(table.name);
+  if (known == 0) {
+    table.points.clear();
+    set.notes.push_back(
+        message("{} is not shown: it has no column of {}", name, Message(row.label)));
+  } else if (table.points.empty()) {
+    set.notes.push_back(
+        message("{} is not shown: it was measured at another velocity, load or temperature than "
+                "the scene's",
+                name));
+  } else if (table.points.size() < all) {
+    set.notes.push_back(message(
+        "{}: {} of {} points; the others were measured at another velocity, load or temperature",
+        name, table.points.size(), all));
+  }
+  return table;
+}
+
+double placeOf(const MeasuredPoint& point, const Scene& scene) {
+  if (scene.sweep.isOfVelocity()) return point.velocity * shiftToScene(point, scene);
+  return point.*std::ranges::find(kMeasuredColumns, scene.sweep.key, &MeasuredColumn::key)->value;
 }
 
 }  // namespace
@@ -51,17 +119,26 @@ std::vector<FrictionData> readComparisonData(const Scene& scene,
   return data;
 }
 
+bool hasComparisons(const CurveSet& set) {
+  const Comparisons& comparison = set.present.scene.comparison;
+  return !(comparison == Comparisons{}) || (!comparison.theory.empty() && !hasLawInPoints(set));
+}
+
 void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOptions& options) {
   const Scene& scene = set.present.scene;
-  set.theories = theoryCurves(scene);
-  for (const FrictionData& table : data)
-    for (const MeasuredPoint& point : table.points)
-      set.isReduced |= temperatureOf(point, scene) != scene.elastomer.temperature;
+  set.theories = theoryCurves(set, options.stop);
+  if (!set.isOfVelocity())
+    for (FrictionData& table : data) table = onAxis(std::move(table), set);
+  else
+    for (const FrictionData& table : data)
+      for (const MeasuredPoint& point : table.points)
+        set.isReduced |= temperatureOf(point, scene) != scene.elastomer.temperature;
   for (FrictionData& table : data) {
+    if (table.points.empty()) continue;
     MeasuredCurve curve;
     std::vector<Scene> states;
     for (const MeasuredPoint& point : table.points) {
-      curve.velocities.push_back(point.velocity * shiftToScene(point, scene));
+      curve.places.push_back(placeOf(point, scene));
       states.push_back(sceneOf(point, scene));
     }
     SteadyStates found = slideStates(states, options);

@@ -16,9 +16,15 @@ namespace asperity {
 std::vector<FrictionData> readComparisonData(const Scene& scene,
                                              const std::vector<FrictionData>& known = {});
 
-/// Adds the theories, except for Eq. (11), which is part of the curve, and the measured friction to
-/// a set whose present curve is that of its scene. The computed values are missing where
-/// `options.stop` was requested.
+/// Whether there is something to add: another theory than Eq. (11), a table, or an axis on which
+/// Eq. (11) does not stand in the points of the curve.
+bool hasComparisons(const CurveSet& set);
+
+/// Adds the theories and the measured friction to a set whose present curve is that of its scene;
+/// Eq. (11) is part of the curve where the axes are velocity and friction. Over another key than
+/// velocity, a table is shown where it has a column of that key (force, nominal pressure,
+/// temperature), with the rows whose other values are those of the scene; a note says what is not
+/// shown and why. The computed values are missing where `options.stop` was requested.
 void addComparisons(CurveSet& set, std::vector<FrictionData> data,
                     const StateOptions& options = {});
 

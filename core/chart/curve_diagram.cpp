@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
 #include "core/scene/effects.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -31,23 +35,34 @@ Message nameOfMean(const NamedCurve& curve) {
                 : message("mean of {} lines \u00B1 standard error", lines);
 }
 
+/// Returns the name of the present curve: beside others by the values in which it differs from
+/// them, as they are named.
+Message nameOfPresent(const CurveSet& set) {
+  std::vector<Message> words;
+  for (const NamedCurve& curve : set.pinned) {
+    Message difference = differencesInWords(set.present.scene, curve.scene);
+    if (!difference.empty() && std::ranges::find(words, difference) == words.end())
+      words.push_back(std::move(difference));
+  }
+  return words.empty() || words.size() > 3 ? nameOfMean(set.present) : listed(words);
+}
+
 /// Returns a point on the axes. It has its own factors: lines with different slopes have different
 /// factors at each velocity.
-DiagramPoint pointOf(const CurvePoint& point, CurveAxes axes, int row) {
-  if (axes == CurveAxes::Physical)
-    return {point.velocity, point.mu, point.mu - point.muStandardError,
-            point.mu + point.muStandardError, row};
-  const double error = point.muStandardError * point.normalizedMu / point.mu;
-  return {point.dimensionlessVelocity, point.normalizedMu, point.normalizedMu - error,
-          point.normalizedMu + error, row};
+DiagramPoint pointOf(const CurvePoint& point, const CurveSet& set, int row) {
+  const CurveQuantity quantity =
+      set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y;
+  const double value = valueOf(quantity, point);
+  const double error = point.muStandardError * perFriction(quantity, point);
+  return {placeOf(point, set), value, value - error, value + error, row};
 }
 
 /// Returns the known points with error bars.
-DiagramSeries meanSeries(const NamedCurve& curve, CurveAxes axes) {
+DiagramSeries meanSeries(const NamedCurve& curve, const CurveSet& set) {
   DiagramSeries series;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     if (curve.points[i].realizations > 0)
-      series.points.push_back(pointOf(curve.points[i], axes, static_cast<int>(i)));
+      series.points.push_back(pointOf(curve.points[i], set, static_cast<int>(i)));
   return series;
 }
 
@@ -85,17 +100,51 @@ DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
   return law;
 }
 
+/// Returns how many of the pinned curves are of the family; they come first.
+std::size_t sizeOfFamily(const CurveSet& set) {
+  if (set.familyKey.empty()) return 0;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.ofFamily); }));
+}
+
+/// Whether a curve is one of a large family, whose colours are those of a ramp.
+bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
+  constexpr std::size_t kFewCurves = 5;
+  return std::isfinite(curve.ofFamily) && sizeOfFamily(set) > kFewCurves;
+}
+
+/// Says what the colours of a large family mean.
+std::optional<DiagramRamp> rampOf(const CurveSet& set) {
+  if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
+  const Parameter& row = *findParameter(set.familyKey);
+  const auto text = [&](const NamedCurve& curve) {
+    return Message::name(printedQuantity(curve.ofFamily, row.unit));
+  };
+  return DiagramRamp{Message(row.label), text(set.pinned.front()),
+                     text(set.pinned[sizeOfFamily(set) - 1])};
+}
+
 /// Returns a pinned curve. It keeps its colour and mark when others leave; where colours repeat,
 /// mark and stroke differ.
-DiagramSeries pinnedSeries(const NamedCurve& curve, CurveAxes axes) {
-  constexpr std::array marks{SeriesMark::Square, SeriesMark::Triangle, SeriesMark::Diamond};
-  DiagramSeries series = meanSeries(curve, axes);
+DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
+  constexpr std::array marks{SeriesMark::Circle, SeriesMark::Square, SeriesMark::Triangle,
+                             SeriesMark::Diamond};
+  constexpr std::array strokes{SeriesStroke::Solid, SeriesStroke::Dashed, SeriesStroke::Dotted};
+  DiagramSeries series = meanSeries(curve, set);
   series.name = curve.name;
   series.id = curve.id;
+  if (isOnRamp(curve, set)) {
+    series.ramp = static_cast<double>(curve.place) / static_cast<double>(sizeOfFamily(set) - 1);
+    // Error bars of many curves cover each other.
+    for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
+    return series;
+  }
   series.colour = colourOfPin(curve.place);
-  const int turn = curve.place / kPinColours;
-  series.mark = marks[static_cast<std::size_t>(curve.place + 2 * turn) % marks.size()];
-  if (turn % 2 == 1) series.stroke = SeriesStroke::Dashed;
+  // The present curve is the first of them all: twelve pairs of marks and strokes, so that curves
+  // are told apart without their colours.
+  const auto number = static_cast<std::size_t>(curve.place) + 1;
+  series.mark = marks[number % marks.size()];
+  series.stroke = strokes[number / marks.size() % strokes.size()];
   return series;
 }
 
@@ -115,44 +164,82 @@ void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
   addFewSummits(diagram, few, factor);
 }
 
-/// Tints the velocities at which friction rests on frequencies that were not measured.
-void addExtrapolated(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
-  const double factor = factorsOf(curve.points, axes).velocity;
-  if (!std::isfinite(factor)) return;
-  const std::vector<CurvePoint>& points = curve.points;
+/// Tints the part of the axis in which friction rests on frequencies that were not measured.
+void addExtrapolated(Diagram& diagram, const CurveSet& set) {
+  const std::vector<CurvePoint>& points = set.present.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].extrapolated != 1) continue;
     std::size_t last = i;
     while (last + 1 < points.size() && points[last + 1].extrapolated == 1) ++last;
     // Up to the middle between the points at which it begins and ends.
     const auto border = [&](std::size_t inside, std::size_t outside) {
-      return std::sqrt(points[inside].velocity * points[outside].velocity);
+      const double a = placeOf(points[inside], set), b = placeOf(points[outside], set);
+      return set.scaleOfX() == AxisScale::Linear ? (a + b) / 2 : std::sqrt(a * b);
     };
-    const double from = i > 0 ? border(i, i - 1) : points[i].velocity;
-    const double to = last + 1 < points.size() ? border(last, last + 1) : points[last].velocity;
-    diagram.shades.push_back(
-        {from * factor, to * factor, "beyond the measured frequencies", {}, {}});
+    const double from = i > 0 ? border(i, i - 1) : placeOf(points[i], set);
+    const double to =
+        last + 1 < points.size() ? border(last, last + 1) : placeOf(points[last], set);
+    if (std::isfinite(from) && std::isfinite(to))
+      diagram.shades.push_back(
+          {std::min(from, to), std::max(from, to), "beyond the measured frequencies", {}, {}});
     i = last;
   }
 }
 
-bool isOnLogarithmicAxes(const DiagramPoint& point) {
-  return std::isfinite(point.x) && std::isfinite(point.y) && point.x > 0 && point.y > 0;
+/// Whether a value has a place on an axis of this scale.
+bool hasPlace(double value, AxisScale scale) {
+  return std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
+}
+
+bool isOnAxes(const DiagramPoint& point, const CurveSet& set) {
+  return hasPlace(point.x, set.scaleOfX()) && hasPlace(point.y, set.scaleOfY());
 }
 
 /// Returns why none of the present curve's points is on the axes; empty where one is.
-Message blankOf(const NamedCurve& curve, CurveAxes axes) {
-  const auto isShown = [&](CurveAxes on) {
-    return std::ranges::any_of(meanSeries(curve, on).points, isOnLogarithmicAxes);
+Message blankOf(const CurveSet& set) {
+  const std::vector<CurvePoint>& points = set.present.points;
+  const auto isShown = [&](const CurveSet& on) {
+    return std::ranges::any_of(meanSeries(set.present, on).points,
+                               [&](const DiagramPoint& point) { return isOnAxes(point, on); });
   };
-  if (curve.points.empty() || isShown(axes)) return {};
-  if (std::ranges::all_of(curve.points, [](const CurvePoint& point) {
-        return point.realizations < 1 || point.mu == 0;
-      }))
+  if (points.empty() || isShown(set)) return {};
+  CurveSet physical;
+  physical.present.scene.sweep = set.present.scene.sweep;
+  if (set.axes == CurveAxes::Physical && !entryOf(set.y).isFriction)
+    return "nothing to show on these axes";
+  if (std::ranges::all_of(
+          points, [](const CurvePoint& point) { return point.realizations < 1 || point.mu == 0; }))
     return "no friction: nothing positive to show on a logarithmic axis";
-  if (axes == CurveAxes::Dimensionless && isShown(CurveAxes::Physical))
+  if (set.axes == CurveAxes::Dimensionless && isShown(physical))
     return "no dimensionless axes: they need a line with roughness and one relaxation time";
   return "no positive coefficient of friction to show on a logarithmic axis";
+}
+
+/// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
+/// of a half-space, which is another model, has a colour.
+void addTheories(Diagram& diagram, const CurveSet& set) {
+  constexpr int kColourOfHalfSpace = kPinColours - 2;
+  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  for (std::size_t k = 0; k < set.theories.size(); ++k) {
+    const TheoryCurve& theory = set.theories[k];
+    DiagramSeries series;
+    series.name = entryOf(theory.theory).name;
+    series.isTheory = theory.theory != Theory::PerssonHalfSpace;
+    series.stroke = theory.theory == Theory::Eq11              ? SeriesStroke::Solid
+                    : theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted
+                                                               : SeriesStroke::Dashed;
+    if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
+    series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
+    bool isSeen = false;
+    for (const TheoryPoint& point : theory.points) {
+      const double y = !point.isInRange                       ? kNotApplicable
+                       : set.axes == CurveAxes::Dimensionless ? point.mu * friction
+                                                              : point.value(set.y);
+      series.points.push_back({set.isOfVelocity() ? point.velocity * velocity : point.swept, y});
+      isSeen |= std::isfinite(y);
+    }
+    if (isSeen) diagram.series.push_back(std::move(series));
+  }
 }
 
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
@@ -168,15 +255,24 @@ DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
 }
 
 /// Points with error bars.
+/// Returns the factor from measured friction to the vertical axis; NaN where the axis shows no
+/// friction. Forces and powers follow from what was computed at the point.
+double factorOfMeasured(const MeasuredCurve& measured, std::size_t i, const CurveSet& set) {
+  if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu)
+    return factorsOf(set.present.points, set.axes).friction;
+  return i < measured.computed.size() ? perFriction(set.y, measured.computed[i]) : kNotApplicable;
+}
+
 void addMeasured(Diagram& diagram, const CurveSet& set) {
-  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  const double along = factorsOf(set.present.points, set.axes).velocity;
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
     const MeasuredCurve& measured = set.measured[k];
     DiagramSeries series = measuredSeries(set, k);
     series.id = kMeasuredCurves - static_cast<int>(k);
-    for (std::size_t i = 0; i < measured.velocities.size(); ++i) {
+    for (std::size_t i = 0; i < measured.places.size(); ++i) {
       const MeasuredPoint& point = measured.data.points[i];
-      series.points.push_back({measured.velocities[i] * velocity, point.mu * friction,
+      const double friction = factorOfMeasured(measured, i, set);
+      series.points.push_back({measured.places[i] * along, point.mu * friction,
                                (point.mu - point.muError) * friction,
                                (point.mu + point.muError) * friction, static_cast<int>(i)});
     }
@@ -202,7 +298,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
     for (std::size_t i = 0; i < measured.computed.size(); ++i) {
       const double whole = totalMu(measured.computed[i]);
       const MeasuredPoint& point = measured.data.points[i];
-      series.points.push_back({measured.velocities[i] * factor, point.mu / whole,
+      series.points.push_back({measured.places[i] * factor, point.mu / whole,
                                (point.mu - point.muError) / whole,
                                (point.mu + point.muError) / whole, static_cast<int>(i)});
     }
@@ -211,30 +307,49 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   return diagram;
 }
 
-Diagram curvesDiagram(const CurveSet& set) {
-  Diagram diagram;
+/// Returns the axes without what is drawn on them.
+void setAxes(Diagram& diagram, const CurveSet& set) {
   const bool isPhysical = set.axes == CurveAxes::Physical;
-  diagram.x = xAxisOf(set);
-  diagram.y = {isPhysical ? "coefficient of friction \u03BC"
-                          : "normalized friction \u03BC / \u2207z"};
+  const Parameter& row = sweptParameter(set.present.scene);
+  diagram.x = isPhysical
+                  ? DiagramAxis{titleOfKey(row.key), std::string(row.unit)}
+                  : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
+  const QuantityEntry& entry = entryOf(isPhysical ? set.y : CurveQuantity::NormalizedMu);
+  diagram.y = {Message(entry.title), std::string(entry.unit)};
+  diagram.y.scale = set.scaleOfY();
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
-  DiagramSeries law = lawSeries(set.present, set.axes);
-  if (!law.points.empty() && showsLaw(set.present.scene)) diagram.series.push_back(std::move(law));
-  std::ranges::move(theorySeries(set, &TheoryPoint::mu, factorsOf(set.present.points, set.axes)),
-                    std::back_inserter(diagram.series));
-  for (const NamedCurve& curve : set.pinned)
-    diagram.series.push_back(pinnedSeries(curve, set.axes));
-  DiagramSeries mean = meanSeries(set.present, set.axes);
-  mean.name = nameOfMean(set.present);
+}
+
+/// Whether Eq. (11) is drawn from the points of the curve; else it is one of the theories, finely
+/// sampled.
+bool drawsLawOfPoints(const CurveSet& set) {
+  const bool isAmongTheories = std::ranges::any_of(
+      set.theories, [](const TheoryCurve& theory) { return theory.theory == Theory::Eq11; });
+  return showsLaw(set.present.scene) && !isAmongTheories && set.isOfVelocity() &&
+         (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
+}
+
+Diagram curvesDiagram(const CurveSet& set) {
+  Diagram diagram;
+  setAxes(diagram, set);
+  if (drawsLawOfPoints(set))
+    if (DiagramSeries law = lawSeries(set.present, set.axes); !law.points.empty())
+      diagram.series.push_back(std::move(law));
+  addTheories(diagram, set);
+  for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
+  diagram.ramp = rampOf(set);
+  DiagramSeries mean = meanSeries(set.present, set);
+  mean.name = nameOfPresent(set);
   mean.mark = SeriesMark::Circle;
   mean.colour = 0;
   mean.id = kPresentCurve;
   diagram.series.push_back(std::move(mean));
   addMeasured(diagram, set);
-  addRegions(diagram, set.present, set.axes);
-  addExtrapolated(diagram, set.present, set.axes);
-  diagram.blank = blankOf(set.present, set.axes);
+  // The regions are those of friction over velocity.
+  if (set.isOfVelocity()) addRegions(diagram, set.present, set.axes);
+  addExtrapolated(diagram, set);
+  diagram.blank = blankOf(set);
   return diagram;
 }
 
@@ -242,16 +357,18 @@ Diagram curvesDiagram(const CurveSet& set) {
 /// margin.
 void fixAlong(Diagram& diagram) {
   if (diagram.x.from < diagram.x.to) return;
-  double low = 0, high = 0;
+  constexpr double kMargin = 0.04;  // of a linear axis
+  const bool isLinear = diagram.x.scale == AxisScale::Linear;
+  double low = kNotApplicable, high = kNotApplicable;
   for (const DiagramSeries& series : diagram.series)
     for (const DiagramPoint& point : series.points) {
-      if (!isOnLogarithmicAxes(point)) continue;
-      low = high > 0 ? std::min(low, point.x) : point.x;
-      high = std::max(high, point.x);
+      if (!hasPlace(point.x, diagram.x.scale) || !hasPlace(point.y, diagram.y.scale)) continue;
+      low = std::isnan(low) ? point.x : std::min(low, point.x);
+      high = std::isnan(high) ? point.x : std::max(high, point.x);
     }
-  if (!(high > low)) return;
-  diagram.x.from = low / kAir;
-  diagram.x.to = high * kAir;
+  if (std::isnan(low) || !(high > low)) return;
+  diagram.x.from = isLinear ? low - kMargin * (high - low) : low / kAir;
+  diagram.x.to = isLinear ? high + kMargin * (high - low) : high * kAir;
 }
 
 /// Sets ends around all values and 0, limited to a readable range.
@@ -307,48 +424,18 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
 
 }  // namespace
 
-DiagramAxis xAxisOf(const CurveSet& set) {
-  const bool isPhysical = set.axes == CurveAxes::Physical;
-  DiagramAxis axis =
-      isPhysical ? DiagramAxis{"sliding velocity v", "m/s"}
-                 : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
-  axis.from = set.xFrom;
-  axis.to = set.xTo;
-  if (set.isReduced && isPhysical)
-    axis.title = message("reduced sliding velocity a_T v at {:.4g} K",
-                         set.present.scene.elastomer.temperature);
-  return axis;
+namespace {
+
+/// Returns the title of a chart whose scene has none.
+Message titleOf(const CurveSet& set) {
+  const Message label(sweptParameter(set.present.scene).label);
+  if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu)
+    return set.isOfVelocity() ? Message("Friction over velocity")
+                              : message("Friction over {}", label);
+  return message("{} over {}", Message(entryOf(set.y).title), label);
 }
 
-std::vector<DiagramSeries> theorySeries(const CurveSet& set, double TheoryPoint::*value,
-                                        const AxesFactors& factors) {
-  constexpr int kColourOfHalfSpace = kPinColours - 2;
-  std::vector<DiagramSeries> all;
-  for (std::size_t k = 0; k < set.theories.size(); ++k) {
-    const TheoryCurve& theory = set.theories[k];
-    DiagramSeries series;
-    series.name = entryOf(theory.theory).name;
-    series.isTheory = theory.theory != Theory::PerssonHalfSpace;
-    series.stroke =
-        theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted : SeriesStroke::Dashed;
-    if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
-    series.id = kTheoryCurves - static_cast<int>(k);
-    bool isSeen = false;
-    for (const TheoryPoint& point : theory.points) {
-      const double y = point.isInRange ? point.*value * factors.friction : kNotApplicable;
-      series.points.push_back({point.velocity * factors.velocity, y});
-      isSeen |= std::isfinite(y);
-    }
-    if (isSeen) all.push_back(std::move(series));
-  }
-  return all;
-}
-
-std::vector<Message> rangesOfTheories(const CurveSet& set) {
-  std::vector<Message> ranges;
-  for (const TheoryCurve& theory : set.theories) ranges.push_back(entryOf(theory.theory).range);
-  return ranges;
-}
+}  // namespace
 
 DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) {
   CurveSet set;
@@ -359,7 +446,7 @@ DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) 
 DiagramSheet curveSheet(const CurveSet& set) {
   const Scene& scene = set.present.scene;
   DiagramSheet sheet;
-  sheet.title = scene.title.empty() ? Message("Friction over velocity") : Message(scene.title);
+  sheet.title = scene.title.empty() ? titleOf(set) : Message(scene.title);
   sheet.subtitle = parametersInWords(scene);
   sheet.diagrams = {curvesDiagram(set)};
   std::vector<Message> notes;
@@ -367,14 +454,17 @@ DiagramSheet curveSheet(const CurveSet& set) {
     notes.emplace_back(
         "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
         "maximum.");
-  if (!sheet.diagrams.front().shades.empty() && fewSummitsOf(set.present.scene, set.present.points))
+  if (set.isOfVelocity() && !sheet.diagrams.front().shades.empty() &&
+      fewSummitsOf(set.present.scene, set.present.points))
     notes.emplace_back(kFewSummitsSentence);
   if (std::ranges::any_of(set.present.points,
                           [](const CurvePoint& point) { return point.extrapolated == 1; }))
     notes.emplace_back(
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
-  for (Message& range : rangesOfTheories(set)) notes.push_back(std::move(range));
+  for (const TheoryCurve& theory : set.theories)
+    if (theory.theory != Theory::Eq11) notes.emplace_back(entryOf(theory.theory).range);
+  for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
   const bool hasResiduals = std::ranges::any_of(
       set.measured, [](const MeasuredCurve& measured) { return !measured.computed.empty(); });

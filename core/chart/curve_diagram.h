@@ -18,19 +18,6 @@ inline constexpr int kPresentCurve = 0, kLawCurve = -2, kDifferenceCurve = -3;
 /// The first of the theories and of the measured tables; the others count down from it.
 inline constexpr int kTheoryCurves = -100, kMeasuredCurves = -200;
 
-/// Returns the x-axis of the set's curves, with its ends where the set states them.
-DiagramAxis xAxisOf(const CurveSet& set);
-
-/// Returns the lines of the set's theories where they hold: of their friction or contact fraction,
-/// `factors.friction` being the factor of either. Those of this model are thin, each with a stroke
-/// of its own; that of a half-space, which is another model, has a colour. Theories that say
-/// nothing are left out.
-std::vector<DiagramSeries> theorySeries(const CurveSet& set, double TheoryPoint::*value,
-                                        const AxesFactors& factors);
-
-/// Returns one sentence for each theory of the set: what it holds for, and its source.
-std::vector<Message> rangesOfTheories(const CurveSet& set);
-
 /// Returns the diagram of one scene's curve.
 DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points);
 

@@ -8,19 +8,10 @@
 
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
-namespace {
-
-/// Returns a text as one cell of CSV.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-}  // namespace
 
 AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
   if (axes == CurveAxes::Physical) return {1, 1};
@@ -44,18 +35,58 @@ int colourOfPin(int place) {
   return order[static_cast<std::size_t>(place % kPinColours)];
 }
 
+AxisScale CurveSet::scaleOfX() const {
+  const bool isLinear =
+      axes == CurveAxes::Physical && present.scene.sweep.scale == SweepScale::Linear;
+  return xScale.value_or(isLinear ? AxisScale::Linear : AxisScale::Logarithmic);
+}
+
+double placeOf(const CurvePoint& point, const CurveSet& set) {
+  if (set.axes == CurveAxes::Dimensionless) return point.dimensionlessVelocity;
+  return set.isOfVelocity() ? point.velocity : point.swept;
+}
+
+double valueOf(const CurvePoint& point, const CurveSet& set) {
+  return valueOf(set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y, point);
+}
+
+bool showsForces(const CurveSet& set) {
+  return set.y == CurveQuantity::TangentialForce || set.y == CurveQuantity::Power ||
+         set.y == CurveQuantity::MeanPressure;
+}
+
+namespace {
+
+/// Returns the family's column: the last word of its key, or the key where the table has a column
+/// of that name already.
+std::string familyColumn(const CurveSet& set, const std::string& header) {
+  if (set.familyKey.empty()) return {};
+  const std::string word = set.familyKey.substr(set.familyKey.rfind('.') + 1);
+  return ("," + header + ",").find("," + word + ",") == std::string::npos ? word : set.familyKey;
+}
+
+}  // namespace
+
 std::string curveSetCsv(const CurveSet& set) {
   std::vector<const std::vector<CurvePoint>*> curves{&set.present.points};
   for (const NamedCurve& curve : set.pinned) curves.push_back(&curve.points);
-  const CurveTable table(curves);
-  std::string text = joinedColumns({"series"}) + "," + table.header();
+  const CurveTable table(curves, columnsFor(set.present.scene, showsForces(set)));
+  std::string text = joinedColumns({"series"}) + ",";
+  const std::string family = familyColumn(set, table.header());
+  if (!family.empty()) text += family + ",";
+  text += table.header();
   if (set.difference)
     text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
   text += "\n";
+  const double ownOfFamily =
+      family.empty() ? kNotApplicable : numberOf(*findParameter(set.familyKey), set.present.scene);
+  double ofFamily = ownOfFamily;  // of the curve whose rows are added
   const auto addRow = [&](const std::string& series, const CurvePoint& point,
                           const DifferencePoint* difference = nullptr) {
     if (!std::isfinite(point.mu)) return;
-    text += cell(series) + "," + table.row(point);
+    text += csvCell(series) + ",";
+    if (!family.empty()) text += csvNumber(ofFamily) + ",";
+    text += table.row(point);
     if (set.difference)
       text += difference ? fmt::format(",{},{}", csvNumber(difference->relative),
                                        csvNumber(difference->standardError))
@@ -69,8 +100,11 @@ std::string curveSetCsv(const CurveSet& set) {
   const std::string& title = set.present.scene.title;
   addCurve(title.empty() ? "this scene" : title, set.present);
   const AxesFactors factors = factorsOf(set.present.points, CurveAxes::Dimensionless);
-  const auto pointAt = [&](double velocity, double mu) {
+  // place: on the axis.
+  const auto pointAt = [&](double place, double mu) {
     CurvePoint point;
+    const double velocity = set.isOfVelocity() ? place : set.present.scene.sliding.velocity;
+    if (!set.isOfVelocity()) point.swept = place;
     point.velocity = velocity;
     point.mu = mu;
     point.contactFraction = point.indentation = kNotApplicable;
@@ -78,23 +112,34 @@ std::string curveSetCsv(const CurveSet& set) {
     point.normalizedMu = mu * factors.friction;
     return point;
   };
+  const auto placeAt = [&](const auto& point) {
+    return set.isOfVelocity() ? point.velocity : point.swept;
+  };
   if (showsLaw(set.present.scene))
     for (const CurvePoint& point : set.present.points)
-      addRow("Eq. (11)", pointAt(point.velocity, point.muLaw));
+      addRow("Eq. (11)", pointAt(placeAt(point), point.muLaw));
   for (const TheoryCurve& theory : set.theories)
-    for (const TheoryPoint& point : theory.points)
-      if (point.isInRange) {
-        CurvePoint row = pointAt(point.velocity, point.mu);
-        row.contactFraction = point.contactFraction;
-        addRow(entryOf(theory.theory).name, row);
+    for (const TheoryPoint& point : theory.points) {
+      if (!point.isInRange || theory.theory == Theory::Eq11) continue;
+      CurvePoint row = pointAt(placeAt(point), point.mu);
+      row.contactFraction = point.contactFraction;
+      if (!set.isOfVelocity()) {
+        row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
+        row.dimensionlessVelocity = kNotApplicable;
       }
+      addRow(entryOf(theory.theory).name, row);
+    }
   for (const MeasuredCurve& measured : set.measured)
-    for (std::size_t i = 0; i < measured.velocities.size(); ++i) {
-      CurvePoint point = pointAt(measured.velocities[i], measured.data.points[i].mu);
+    for (std::size_t i = 0; i < measured.places.size(); ++i) {
+      CurvePoint point = pointAt(measured.places[i], measured.data.points[i].mu);
       point.muStandardError = measured.data.points[i].muError;
       addRow(measured.data.name, point);
     }
-  for (const NamedCurve& curve : set.pinned) addCurve(curve.name.english(), curve);
+  for (const NamedCurve& curve : set.pinned) {
+    ofFamily = std::isnan(curve.ofFamily) ? ownOfFamily : curve.ofFamily;
+    addCurve(curve.name.english(), curve);
+  }
+  ofFamily = ownOfFamily;
   if (!set.difference) return text;
   for (const DifferencePoint& difference : set.difference->points) {
     CurvePoint point = pointAt(difference.velocity, difference.mu);

@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "core/chart/diagram.h"
 #include "core/fit/friction_data.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/curve_point.h"
+#include "core/friction/curve_quantity.h"
 #include "core/friction/theories/theory.h"
 #include "core/scene/scene.h"
 
@@ -36,9 +38,10 @@ struct NamedCurve {
   std::vector<CurvePoint> points;
   int place = 0;  // among the pinned curves; it determines colour and mark
   int id = 1;     // of its series in a diagram; above 0 for pinned curves
+  double ofFamily = std::numeric_limits<double>::quiet_NaN();  // its value of the family's key
 };
 
-/// A theory beside the present curve, sampled finely over its range of velocities.
+/// A theory beside the present curve, sampled finely over the axis.
 struct TheoryCurve {
   Theory theory = Theory::Eq11;
   std::vector<TheoryPoint> points;
@@ -49,22 +52,40 @@ struct TheoryCurve {
 struct MeasuredCurve {
   FrictionData data;
   std::vector<CurvePoint> computed;
-  /// Velocities on the axis, m/s: where temperatures differ, all are shifted to that of the scene,
-  /// v a_T(T) / a_T(T_scene) (Grosch, Proc. R. Soc. A 274, 21 (1963)).
-  std::vector<double> velocities;
+  /// Places on the axis. Velocities, m/s: where temperatures differ, all are shifted to that of the
+  /// scene, v a_T(T) / a_T(T_scene) (Grosch, Proc. R. Soc. A 274, 21 (1963)). Over another key: the
+  /// table's own values of it.
+  std::vector<double> places;
 };
 
 struct CurveSet {
   NamedCurve present;
   std::vector<NamedCurve> pinned;
-  std::vector<TheoryCurve> theories;    // those that the scene names, but for Eq. (11)
+  /// Those that the scene names. Eq. (11) is among them over another key than velocity and for
+  /// other quantities than friction; else the points of the curve have it.
+  std::vector<TheoryCurve> theories;
   std::vector<MeasuredCurve> measured;  // the tables that the scene names
   bool isReduced = false;               // whether measured velocities are shifted
+  std::vector<Message> notes;           // what a reader has to know of the measured friction
   CurveAxes axes = CurveAxes::Physical;
+  CurveQuantity y = CurveQuantity::Mu;      // of physical axes
+  std::optional<AxisScale> xScale, yScale;  // none: as the sweep's values are spaced; logarithmic
+  std::string familyKey;                    // the key that tells the pinned curves apart; or empty
   std::optional<CurveDifference> difference;  // of the present curve
   // Ranges of the present axes, in their units; equal ends: automatic.
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;
+
+  bool isOfVelocity() const { return present.scene.sweep.isOfVelocity(); }
+  AxisScale scaleOfX() const;
+  AxisScale scaleOfY() const { return yScale.value_or(AxisScale::Logarithmic); }
 };
+
+/// Returns the place of a point on the horizontal axis, and the value on the vertical one.
+double placeOf(const CurvePoint& point, const CurveSet& set);
+double valueOf(const CurvePoint& point, const CurveSet& set);
+
+/// Returns whether the chart shows forces, which its table then has, too.
+bool showsForces(const CurveSet& set);
 
 /// Returns the palette's colour of a pinned curve; colours of different places differ up to
 /// kPinColours.

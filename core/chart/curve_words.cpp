@@ -63,15 +63,18 @@ Message inPlainWords(const Parameter& row, const Scene& scene) {
   return word;
 }
 
-/// Returns whether a friction curve is independent of the row.
-bool isOfNoCurve(const Parameter& row) {
+/// Returns whether the friction curve of a scene is independent of the row: of texts, of what it
+/// goes over, and of the motion; over another key than velocity it slides at a velocity.
+bool isOfNoCurve(const Parameter& row, const Scene& scene) {
+  if (row.key == scene.sweep.key) return true;
+  if (row.key == kVelocityKey) return false;
   return row.key == "title" || row.key == "description" || row.key == "chapter" ||
          row.key.starts_with("sliding.");
 }
 
 /// Returns whether two scenes have different texts for a row.
 bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
-  if (isOfNoCurve(row) || !isApplicable(row, scene)) return false;
+  if (isOfNoCurve(row, scene) || !isApplicable(row, scene)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
   return !isApplicable(row, from) || valueInCurve(row, scene) != valueInCurve(row, from);
 }
@@ -79,6 +82,7 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 }  // namespace
 
 Message titleOfKey(std::string_view key) {
+  if (key == kVelocityKey) return "sliding velocity v";
   const Parameter& row = knownParameter(key);
   // "shift C1" names its symbol C_1 already.
   std::string plainSymbol(row.symbol);
@@ -97,7 +101,7 @@ Message parameterInWords(std::string_view key, const Scene& scene) {
 Message parametersInWords(const Scene& scene) {
   std::vector<Message> parts;
   for (const Parameter& row : parameters()) {
-    if (row.key.starts_with("sliding.") || isShiftIdle(row, scene)) continue;
+    if (isOfNoCurve(row, scene) || isShiftIdle(row, scene)) continue;
     if (Message words = inWords(row, scene); !words.empty()) parts.push_back(std::move(words));
   }
   return listed(parts);

@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// Returns "normal force F\u2099" as the title of an axis; without a symbol "seed".
+/// Returns the title of an axis over a parameter: "normal force F\u2099", "sliding velocity v";
+/// without a symbol "seed".
 Message titleOfKey(std::string_view key);
 
 /// Returns one parameter: "H = 0.3", "F\u2099 = 10 mN"; without a symbol, "seed 3", "linear". Empty

@@ -6,6 +6,7 @@
 // translates.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -51,6 +52,7 @@ struct DiagramSeries {
   std::vector<DiagramPoint> points{};
   int id = -1;           // identifies the series under the pointer; -1: none
   bool isFaded = false;  // belongs to an earlier state
+  std::optional<std::uint32_t> paint{};  // 0xRRGGBB, instead of a palette's colour
 };
 
 /// A named range in x ("I transition", "zone 1").

@@ -43,7 +43,7 @@ std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   std::vector<RelativeError> errors;
   std::size_t i = 0;
   for (const MeasuredCurve& measured : set.measured)
-    for (const double velocity : measured.velocities) {
+    for (const double velocity : measured.places) {
       errors.push_back({velocity, fit.bandErrors[i] / totalMu(fit.computed[i])});
       ++i;
     }

@@ -39,6 +39,7 @@ constexpr std::array kTitles{
     QuantityTitle{"mu_mean_of_ratios", "mean of the ratios of forces"},
     QuantityTitle{"mu_ratio_of_means", "ratio of the mean forces"},
     QuantityTitle{"marginal_share", "share of the marginal element"},
+    QuantityTitle{"contact_spots", "contacts in a period"},
     QuantityTitle{"extrapolated", "beyond the measured frequencies"},
     QuantityTitle{"normal_force", "normal force F\u2099"},
     QuantityTitle{"nominal_pressure", "nominal pressure p\u2080"},

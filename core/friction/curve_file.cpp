@@ -37,8 +37,10 @@ constexpr ColumnName kRealizations = "realizations";
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
+  /// Where forces are asked for, a column may apply to more rows.
+  double (*withForces)(const CurvePoint& point) = nullptr;
 };
-constexpr std::array<ExtraColumn, 12> kExtraColumns{{
+constexpr std::array<ExtraColumn, 14> kExtraColumns{{
     {"mu_interface", [](const CurvePoint& point) { return point.muInterface; }},
     {"mu_total", [](const CurvePoint& point) { return point.mu + point.muInterface; }},
     {"mu_mean_of_ratios",
@@ -50,13 +52,20 @@ constexpr std::array<ExtraColumn, 12> kExtraColumns{{
     {"mu_high", [](const CurvePoint& point) { return point.muHigh; }},
     {"marginal_share", [](const CurvePoint& point) { return point.marginalShare; }},
     {"extrapolated", [](const CurvePoint& point) { return point.extrapolated; }},
-    {"normal_force", [](const CurvePoint& point) { return point.normalForce; }},
+    {"normal_force", [](const CurvePoint& point) { return point.normalForce; },
+     [](const CurvePoint& point) { return point.forceOnPeriod; }},
     {"nominal_pressure", [](const CurvePoint& point) { return point.nominalPressure; }},
-    {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; }},
+    {"mean_pressure", [](const CurvePoint& point) { return point.meanPressure; },
+     [](const CurvePoint& point) { return point.contactPressure; }},
+    {"tangential_force", [](const CurvePoint&) { return kNotApplicable; },
+     [](const CurvePoint& point) { return point.tangentialForce; }},
+    {"power", [](const CurvePoint&) { return kNotApplicable; },
+     [](const CurvePoint& point) { return point.power; }},
     {"contact_spots",
      [](const CurvePoint& point) {
        return point.listsContacts ? point.contactSpots : kNotApplicable;
-     }},
+     },
+     [](const CurvePoint& point) { return point.contactSpots; }},
 }};
 
 constexpr ColumnName kNotesColumn = "notes";
@@ -127,26 +136,38 @@ double curveValue(const CurvePoint& point, std::string_view column) {
   for (const CurveColumn& one : kCurveColumns)
     if (one.name == column) return point.*one.member;
   for (const ExtraColumn& one : kExtraColumns)
-    if (one.name == column) return one.value(point);
+    if (one.name == column) return one.withForces ? one.withForces(point) : one.value(point);
   return column == kRealizations ? static_cast<double>(point.realizations) : kNotApplicable;
 }
 
-CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves) {
-  for (std::size_t i = 0; i < kExtraColumns.size(); ++i)
+std::string_view CurveColumns::sweptColumn() const {
+  return std::string_view(sweptKey).substr(sweptKey.rfind('.') + 1);
+}
+
+CurveColumns columnsFor(const Scene& scene, bool hasForces) {
+  return {scene.sweep.key, hasForces || !scene.sweep.isOfVelocity()};
+}
+
+CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves, CurveColumns columns)
+    : columns_(std::move(columns)) {
+  for (std::size_t i = 0; i < kExtraColumns.size(); ++i) {
+    // The axis may be what a further column says.
+    if (!isOfVelocity() && columns_.sweptColumn() == std::string_view(kExtraColumns[i].name))
+      continue;
     if (std::ranges::any_of(curves, [&](const std::vector<CurvePoint>* points) {
-          return !points->empty() && std::isfinite(kExtraColumns[i].value(points->front()));
+          return !points->empty() && std::isfinite(extraValue(i, points->front()));
         }))
       extra_.push_back(i);
+  }
   for (const std::vector<CurvePoint>* points : curves) hasNotes_ = hasNotes_ || hasNotes(*points);
 }
 
 CurveTable::CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without)
-    : without_(std::move(without)), hasNotes_(hasNotes(rows)) {
+    : columns_{.hasForces = true}, without_(std::move(without)), hasNotes_(hasNotes(rows)) {
   for (std::size_t i = 0; i < kExtraColumns.size(); ++i)
     if (!isLeftOut(kExtraColumns[i].name) &&
-        std::ranges::any_of(rows, [&](const CurvePoint& point) {
-          return std::isfinite(kExtraColumns[i].value(point));
-        }))
+        std::ranges::any_of(
+            rows, [&](const CurvePoint& point) { return std::isfinite(extraValue(i, point)); }))
       extra_.push_back(i);
 }
 
@@ -154,8 +175,14 @@ bool CurveTable::isLeftOut(std::string_view column) const {
   return std::ranges::find(without_, column) != without_.end();
 }
 
+double CurveTable::extraValue(std::size_t i, const CurvePoint& point) const {
+  const ExtraColumn& column = kExtraColumns[i];
+  return columns_.hasForces && column.withForces ? column.withForces(point) : column.value(point);
+}
+
 std::string CurveTable::header() const {
   std::string text;
+  if (!isOfVelocity()) text = std::string(columns_.sweptColumn()) + ",";
   for (const CurveColumn& column : kCurveColumns)
     if (!isLeftOut(column.name)) text += column.name.text() + ",";
   text += kRealizations.text();
@@ -165,10 +192,11 @@ std::string CurveTable::header() const {
 
 std::string CurveTable::row(const CurvePoint& point) const {
   std::string text;
+  if (!isOfVelocity()) text = csvNumber(point.swept) + ",";
   for (const CurveColumn& column : kCurveColumns)
     if (!isLeftOut(column.name)) text += csvNumber(point.*column.member) + ",";
   text += point.realizations > 0 ? fmt::format("{}", point.realizations) : std::string();
-  for (const std::size_t i : extra_) text += "," + csvNumber(kExtraColumns[i].value(point));
+  for (const std::size_t i : extra_) text += "," + csvNumber(extraValue(i, point));
   return hasNotes_ ? text + "," + notesOf(point) : text;
 }
 
@@ -176,26 +204,26 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   using Json = nlohmann::ordered_json;
   const auto cell = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json row;
+  if (!isOfVelocity()) row[std::string(columns_.sweptColumn())] = cell(point.swept);
   for (const CurveColumn& column : kCurveColumns)
     if (!isLeftOut(column.name)) row[column.name.text()] = cell(point.*column.member);
   row[kRealizations.text()] = point.realizations;
-  for (const std::size_t i : extra_)
-    row[kExtraColumns[i].name.text()] = cell(kExtraColumns[i].value(point));
+  for (const std::size_t i : extra_) row[kExtraColumns[i].name.text()] = cell(extraValue(i, point));
   if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);
   return row;
 }
 
-std::string curveCsv(const std::vector<CurvePoint>& points) {
+std::string curveCsv(const std::vector<CurvePoint>& points, const CurveColumns& columns) {
   const std::vector<CurvePoint>* const curves[] = {&points};
-  const CurveTable table(curves);
+  const CurveTable table(curves, columns);
   std::string text = table.header() + "\n";
   for (const CurvePoint& point : points) text += table.row(point) + "\n";
   return text;
 }
 
-std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene) {
+std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene, bool hasForces) {
   const std::vector<CurvePoint>* const curves[] = {&points};
-  const CurveTable table(curves);
+  const CurveTable table(curves, columnsFor(scene, hasForces));
   nlohmann::ordered_json root = provenance("curve", scene);
   root["points"] = nlohmann::ordered_json::array();
   for (const CurvePoint& point : points) root["points"].push_back(table.json(point));

@@ -35,14 +35,28 @@ NoteSet noteSetOf(const CurvePoint& point);
 std::vector<std::string_view> curveColumns();
 /// Returns the number in a column; NaN where it does not apply.
 double curveValue(const CurvePoint& point, std::string_view column);
+/// What the columns of a table depend on besides its points.
+struct CurveColumns {
+  /// The key over which the curves go. Another one than velocity gives the first column, named by
+  /// its last word, and the columns of forces.
+  std::string sweptKey{kVelocityKey};
+  bool hasForces = false;  // normal and tangential force, power and pressure in contact
+
+  /// Returns the name of the first column.
+  std::string_view sweptColumn() const;
+};
+
+/// Returns what a table of the scene's curve needs.
+CurveColumns columnsFor(const Scene& scene, bool hasForces = false);
 
 /// The columns of a table that may contain several curves: the columns of every curve, and further
 /// ones (local friction, an interval, notes, ...) where one of the curves needs them.
 class CurveTable {
  public:
-  explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves);
-  /// Of rows that are no curve, because they differ in more than velocity: a further column is
-  /// there where any of them has it. Columns of these names are left out.
+  explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves,
+                      CurveColumns columns = {});
+  /// Of rows that are no curve, because they differ in more than one key: a further column is there
+  /// where any of them has it, forces included. Columns of these names are left out.
   CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without);
 
   /// Return names and cells of one row, separated by commas, without a line end.
@@ -52,14 +66,18 @@ class CurveTable {
 
  private:
   bool isLeftOut(std::string_view column) const;
+  bool isOfVelocity() const { return columns_.sweptKey == kVelocityKey; }
+  double extraValue(std::size_t i, const CurvePoint& point) const;
 
+  CurveColumns columns_;
   std::vector<std::size_t> extra_;  // indices in the list of further columns
   std::vector<std::string> without_;
   bool hasNotes_ = false;
 };
 
 /// Returns the table, with a column of notes where a point has one.
-std::string curveCsv(const std::vector<CurvePoint>& points);
-std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene);
+std::string curveCsv(const std::vector<CurvePoint>& points, const CurveColumns& columns = {});
+std::string curveJson(const std::vector<CurvePoint>& points, const Scene& scene,
+                      bool hasForces = false);
 
 }  // namespace asperity

@@ -103,6 +103,19 @@ double LawColumns::normalized(double mu, const CurveAverages& averages) const {
   return mu * (averages.normalizedMu.mean() / sampled);
 }
 
+/// Adds normal and tangential force, power and pressure in contact.
+void LawColumns::addForces(CurvePoint& point, const CurveAverages& averages) const {
+  const bool isHeld = scene_.load.kind == LoadKind::Indentation;
+  point.forceOnPeriod =
+      isHeld ? averages.normalForce.mean() : loadOn(scene_.load, length_).normalForce;
+  point.tangentialForce = isHeld ? averages.tangentialForce.mean() : point.mu * point.forceOnPeriod;
+  point.power = point.tangentialForce * point.velocity;
+  const double width =
+      scene_.load.kind == LoadKind::Pressure && scene_.load.width > 0 ? scene_.load.width : length_;
+  if (std::isgreater(point.contactFraction, 0))
+    point.contactPressure = point.forceOnPeriod / (point.contactFraction * length_ * width);
+}
+
 void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   if (!hasInterface_) point.muInterface = kNotApplicable;
   if (scene_.load.kind != LoadKind::Indentation) point.muRatioOfMeans = kNotApplicable;
@@ -118,6 +131,7 @@ void LawColumns::addTo(CurvePoint& point, const CurveAverages& averages) const {
   point.listsContacts = listsContacts(scene_);
   point.notes.add(Note::FewContacts,
                   isRough_ && areContactsFew(point.contactSpots, point.contactFraction));
+  addForces(point, averages);
   if (scene_.load.kind == LoadKind::Pressure) {
     point.normalForce = loadOn(scene_.load, length_).normalForce;
     point.nominalPressure = scene_.load.nominalPressure;

@@ -60,6 +60,13 @@ struct CurvePoint {
   /// tables of scenes without any key that came with measured surfaces and materials stay as they
   /// are.
   bool listsContacts = false;
+  /// The value of the swept key in its unit; not applicable to a curve over velocity.
+  double swept = kNotApplicable;
+  /// Means over the lines: normal and tangential force on one period (N, of the deformation), the
+  /// power that it takes (W), and the normal force over the area in contact (Pa), whose width is
+  /// that of the load, or the period where the load has none.
+  double forceOnPeriod = kNotApplicable, tangentialForce = kNotApplicable, power = kNotApplicable,
+         contactPressure = kNotApplicable;
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
@@ -149,6 +156,7 @@ class LawColumns {
 
  private:
   double normalized(double mu, const CurveAverages& averages) const;
+  void addForces(CurvePoint& point, const CurveAverages& averages) const;
 
   Scene scene_;
   std::shared_ptr<const Excitation> excitation_;  // null where nothing is known to be measured

@@ -40,6 +40,8 @@ class Averaging {
 
  private:
   void add(std::span<const SteadyResult> row) {
+    if (options_.eachLine) options_.eachLine(added_, row);
+    ++added_;
     for (std::size_t i = 0; i < row.size(); ++i) {
       averages_[i].add(row[i]);
       curve_.largestResidual = std::max(curve_.largestResidual, row[i].residual);
@@ -70,7 +72,7 @@ class Averaging {
   LawColumns columns_;
   std::vector<CurveAverages> averages_;
   Curve curve_;
-  std::int64_t solves_ = 0, passes_ = 0, marginal_ = 0;
+  std::int64_t added_ = 0, solves_ = 0, passes_ = 0, marginal_ = 0;
 };
 
 constexpr std::int64_t kLongLine = std::int64_t{1} << 15;  // points

@@ -33,12 +33,6 @@ void setNumber(const Parameter& row, Scene& scene, double value) {
     setValue(row, scene, value);
 }
 
-double numberOf(const Parameter& row, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::get<double>(value);
-}
-
 /// At most kCoarse values of a side, with both ends.
 MapAxis coarse(const MapAxis& axis) {
   const std::size_t count = axis.values.size();
@@ -205,7 +199,9 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
     throw InputError("", "accuracy.target_relative_error",
                      "a map has the same lines in every cell; give accuracy.scheme and "
                      "ensemble.realizations instead of a target");
-  StateOptions work{options.threads, options.stop, {}, false};
+  StateOptions work;
+  work.threads = options.threads;
+  work.stop = options.stop;
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
   const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
     if (!options.preview || options.stop.stop_requested()) return;

@@ -186,6 +186,9 @@ class States {
     SteadyStates found;
     found.points.resize(states_.size());
     if (options_.keepsLines) found.muOfLines.resize(states_.size());
+    if (options_.partial)
+      for (const Lines& lines : lines_)
+        totalLines_ += LineSource(lines.groups.front().scene, 1).lines();
     double done = 0;
     for (Lines& lines : lines_) {
       const double part = static_cast<double>(lines.members) / static_cast<double>(states_.size());
@@ -196,6 +199,8 @@ class States {
       done += part;
     }
     found.isComplete = !options_.stop.stop_requested();
+    if (balances_ > 0)
+      found.marginalFraction = static_cast<double>(marginal_) / static_cast<double>(balances_);
     return found;
   }
 
@@ -281,6 +286,11 @@ class States {
     const RealizationParts work{source, lines.groups.front().scene.accuracy.scheme, pieces.parts(),
                                 0};
     const auto take = [&](std::span<const SteadyResult> all) {
+      for (const SteadyResult& result : all) {
+        found.largestResidual = std::max(found.largestResidual, result.residual);
+        marginal_ += result.marginalShare < 1 ? 1 : 0;
+        ++balances_;
+      }
       for (const Group& group : lines.groups)
         for (const Member& member : group.members) {
           const SteadyResult result =
@@ -294,20 +304,27 @@ class States {
       if (options_.progress)
         options_.progress(done +
                           part * static_cast<double>(lineCount) / static_cast<double>(total));
+      if (!options_.partial) return;
+      setPoints(lines, source, averages, found);
+      options_.partial(slidLines_ + lineCount, totalLines_, found.points);
     };
-    if (!slideRealizations(work, total, options_.threads, options_.stop, take, report))
+    if (!slideRealizations(work, total, options_.threads, options_.stop, take, report)) {
+      if (options_.partial) setPoints(lines, source, averages, found);
       return false;
-    return addColumns(lines, source, averages, found);
+    }
+    slidLines_ += total;
+    return setPoints(lines, source, averages, found);
   }
 
-  /// Makes the rows of the states from the averages over the lines.
-  bool addColumns(const Lines& lines, const LineSource& source,
-                  const std::vector<CurveAverages>& averages, SteadyStates& found) const {
+  /// Makes the rows of the states from the averages over the lines so far. Returns false where it
+  /// was stopped before and nobody wants a part.
+  bool setPoints(const Lines& lines, const LineSource& source,
+                 const std::vector<CurveAverages>& averages, SteadyStates& found) const {
     LawLines shared;
     const Scene* last = nullptr;
     for (const Group& group : lines.groups)
       for (const Member& member : group.members) {
-        if (options_.stop.stop_requested()) return false;
+        if (!options_.partial && options_.stop.stop_requested()) return false;
         const Scene& scene = states_[member.state];
         const bool needsWaves = !shared.waves && measuredFrequencies(scene.elastomer);
         if (!last || needsWaves) shared = lawLines(source, scene.elastomer);
@@ -322,6 +339,8 @@ class States {
   std::span<const Scene> states_;
   const StateOptions& options_;
   std::deque<Lines> lines_;
+  std::int64_t slidLines_ = 0, totalLines_ = 0;  // done, and of all kinds of line together
+  std::int64_t balances_ = 0, marginal_ = 0;
 };
 
 }  // namespace

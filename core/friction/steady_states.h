@@ -31,6 +31,10 @@ struct StateOptions {
   /// Called with the part of the work that is done, from one thread at a time; may be empty.
   std::function<void(double part)> progress;
   bool keepsLines = false;  // whether `muOfLines` is wanted
+  /// Called like `progress` with the lines slid of all and the states so far, averaged over the
+  /// lines slid; a state without realizations is not yet known. May be empty.
+  std::function<void(std::int64_t done, std::int64_t total, const std::vector<CurvePoint>& points)>
+      partial{};
 };
 
 struct SteadyStates {
@@ -38,8 +42,10 @@ struct SteadyStates {
   /// Friction of each line with what the interface adds, [state][realization]; states whose lines
   /// do not differ have one.
   std::vector<std::vector<double>> muOfLines;
-  bool isComplete = true;    // false: stopped, and nothing else is meant
-  std::size_t computed = 0;  // states that had to be slid; the others are equal to one of them
+  bool isComplete = true;       // false: stopped, and nothing else is meant
+  std::size_t computed = 0;     // states that had to be slid; the others are equal to one of them
+  double largestResidual = 0;   // of all force balances
+  double marginalFraction = 0;  // nodal: part of the balances with a partly loaded element
 };
 
 SteadyStates slideStates(std::span<const Scene> states, const StateOptions& options = {});

@@ -2,22 +2,11 @@
 
 #include <utility>
 
+#include "core/scene/sweep.h"
+
 namespace asperity {
-namespace {
-
-/// Returns the part of a scene on which its friction curve depends.
-Scene curveKey(Scene scene) {
-  scene.title.clear();
-  scene.description.clear();
-  scene.chapter.clear();
-  scene.sliding = {};
-  return scene;
-}
-
-}  // namespace
-
 void CurveOrders::post(const PostedScene& scene) {
-  const bool isSame = ordered_.scene && curveKey(*scene.scene) == curveKey(*ordered_.scene);
+  const bool isSame = ordered_.scene && sceneOfCurve(*scene.scene) == sceneOfCurve(*ordered_.scene);
   present_ = scene;
   updates_.clear();
   if (!isSame) {

@@ -299,7 +299,11 @@ Json motionProvenance(const std::string& verb, const Scene& scene, const MotionT
     return std::isfinite(value) ? Json(value) : Json(nullptr);
   };
   Json root = provenance(verb, scene);
-  root["options"] = {{"every", table.every}, {"lines", table.lines.size()}};
+  // At the end, so that their place does not depend on how they were given.
+  for (const char* own : {"every", "lines"})
+    if (root.contains("options")) root["options"].erase(own);
+  root["options"]["every"] = table.every;
+  root["options"]["lines"] = table.lines.size();
   root["discretization_error"] = {{"mu", number(table.muError)},
                                   {"relative", number(table.relativeError)}};
   return root;

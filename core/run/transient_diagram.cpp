@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "core/base/number_text.h"
+#include "core/chart/curve_words.h"
 #include "core/friction/law.h"
 #include "core/material/element_law.h"
 #include "core/scene/effects.h"
 #include "core/scene/motion.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -139,10 +141,56 @@ AxesFactors factorsOf(const Frame& frame, CurveAxes axes) {
   return factors;
 }
 
-DiagramMarker markerOf(const Frame& frame, CurveAxes axes) {
+namespace {
+
+/// Returns the rms slope of the line where it is in contact; NaN where the frame has no slopes.
+double rmsSlopeInContact(const Frame& frame) {
+  double squares = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < std::min(frame.lineSlope.size(), frame.pressure.size()); ++i) {
+    if (!(frame.pressure[i] > 0)) continue;
+    squares += frame.lineSlope[i] * frame.lineSlope[i];
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : kNotApplicable;
+}
+
+/// Returns a quantity of the frame, whose friction at the moment is `mu`.
+double quantityOf(const Frame& frame, CurveQuantity quantity, double mu) {
+  switch (quantity) {
+    case CurveQuantity::Mu:
+      return mu;
+    case CurveQuantity::NormalizedMu:
+      return mu / frame.rmsSlope;
+    case CurveQuantity::ContactFraction:
+      return frame.contactFraction;
+    case CurveQuantity::RmsSlopeContact:
+      return rmsSlopeInContact(frame);
+    case CurveQuantity::Indentation:
+      return frame.indentation;
+    case CurveQuantity::TangentialForce:
+      return mu * frame.normalForce;
+    case CurveQuantity::Power:
+      return mu * frame.normalForce * std::abs(frame.scene->sliding.velocity);
+    default:
+      break;
+  }
+  const Load& load = frame.scene->load;
+  const double width =
+      load.kind == LoadKind::Pressure && load.width > 0 ? load.width : frame.length;
+  return frame.contactFraction > 0
+             ? frame.normalForce / (frame.contactFraction * frame.length * width)
+             : kNotApplicable;
+}
+
+}  // namespace
+
+DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   const AxesFactors factors = factorsOf(frame, axes);
+  const Scene& scene = *frame.scene;
+  const bool isOfVelocity = axes == CurveAxes::Dimensionless || scene.sweep.isOfVelocity();
   DiagramMarker marker;
-  double velocity = frame.scene->sliding.velocity, mu = frame.muSteady;
+  double velocity = scene.sliding.velocity, mu = frame.muSteady;
   Message label = message("v = {} m/s", PrintedNumber{printedNumber(velocity, 3)});
   if (frame.transient) {
     const std::vector<TransientSample>& samples = *frame.transient;
@@ -151,16 +199,18 @@ DiagramMarker markerOf(const Frame& frame, CurveAxes axes) {
     label = message("|v| = {} m/s", PrintedNumber{printedNumber(std::abs(frame.velocity), 3)});
     marker.isFixed = true;
     const std::size_t first = samples.size() > kLongestTrace ? samples.size() - kLongestTrace : 0;
-    for (std::size_t i = first; i < samples.size(); ++i)
+    for (std::size_t i = first; isOfVelocity && y == CurveQuantity::Mu && i < samples.size(); ++i)
       marker.trace.push_back(
           {std::abs(samples[i].velocity) * factors.velocity, samples[i].mu * factors.friction});
   }
   marker.name = marker.isFixed ? "this motion, now" : "this line, now";
-  marker.x = velocity * factors.velocity;
-  marker.y = mu * factors.friction;
-  marker.label = axes == CurveAxes::Physical
-                     ? label
-                     : message("v\u0304 = {}", PrintedNumber{printedNumber(marker.x, 3)});
+  marker.x = isOfVelocity ? velocity * factors.velocity : ownSweptValue(scene);
+  marker.y = axes == CurveAxes::Dimensionless ? mu * factors.friction : quantityOf(frame, y, mu);
+  if (axes == CurveAxes::Dimensionless)
+    label = message("v\u0304 = {}", PrintedNumber{printedNumber(marker.x, 3)});
+  else if (!isOfVelocity)
+    label = parameterInWords(scene.sweep.key, scene);
+  marker.label = std::move(label);
   return marker;
 }
 

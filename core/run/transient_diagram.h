@@ -25,8 +25,9 @@ Diagram contactStrip(const Scene& scene, std::span<const TransientSample> sample
 
 /// Returns a marker at the velocity of a frame and the steady friction of its line; in a motion at
 /// the magnitude of its present velocity and the present friction, with a trace of both since its
-/// beginning.
-DiagramMarker markerOf(const Frame& frame, CurveAxes axes);
+/// beginning. Over another key than velocity it stands at the scene's own value of that key. y:
+/// what physical axes show.
+DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y = CurveQuantity::Mu);
 
 /// Returns the factors to dimensionless axes, for the line in a frame.
 AxesFactors factorsOf(const Frame& frame, CurveAxes axes);

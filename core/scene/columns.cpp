@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "core/scene/parameters.h"
@@ -12,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kBatch = "batch", kMap = "map";
+constexpr std::string_view kBatch = "batch", kMap = "map", kOverIt = "curve over it, map";
 
 /// Splits a list that is separated by ", ".
 std::vector<std::string> itemsOf(std::string_view list) {
@@ -31,10 +32,18 @@ void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);
   for (const Parameter& row : parameters())
     use(Column{row.key, row.unit, row.sentence, row.symbol, kBatch});
-  // A side of a map is named by the last word of its key.
-  for (const Parameter& row : parameters())
-    if (allowedRange(row))
-      use(Column{row.key.substr(row.key.rfind('.') + 1), row.unit, row.sentence, row.symbol, kMap});
+  // The axis of a curve or of a map is named by the last word of its key. Some of these words are
+  // columns of the table itself, with the same meaning, and several keys may end with the same
+  // word.
+  std::set<std::string_view> known;
+  for (const Column& column : kColumns)
+    for (const std::string& table : itemsOf(column.tables))
+      if (table == kMap) known.insert(column.name);
+  for (const Parameter& row : parameters()) {
+    const std::string_view word = row.key.substr(row.key.rfind('.') + 1);
+    if (allowedRange(row) && known.insert(word).second)
+      use(Column{word, row.unit, row.sentence, row.symbol, kOverIt});
+  }
 }
 
 }  // namespace

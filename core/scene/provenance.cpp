@@ -122,7 +122,21 @@ void checkInputs(const Json& inputs, const Scene& scene) {
   });
 }
 
+/// Null where no object of ProvenanceOptions lives.
+Json& presentOptions() {
+  static Json options;
+  return options;
+}
+
 }  // namespace
+
+ProvenanceOptions::ProvenanceOptions(Json options) {
+  presentOptions() = std::move(options);
+}
+
+ProvenanceOptions::~ProvenanceOptions() {
+  presentOptions() = nullptr;
+}
 
 void addCurveOversampling(Json& provenance, const Scene& scene) {
   const std::int64_t ofCurve = pointsPerElementOfCurve(scene);
@@ -138,6 +152,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
   if (Json inputs = inputsOf(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
+  if (!presentOptions().is_null()) root["options"] = presentOptions();
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }
@@ -160,6 +175,10 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
     const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
     if (scene.is_object()) {
       FoundScene found{readScene(scene.dump(), name, folder), true};
+      if (others.contains("verb"))
+        if (const Json verb = memberOf(json, "verb", kDeepest); verb.is_string())
+          found.verb = verb.get<std::string>();
+      if (others.contains("options")) found.options = memberOf(json, "options", kDeepest);
       if (others.contains("inputs")) checkInputs(memberOf(json, "inputs", kDeepest), found.scene);
       return found;
     }

@@ -21,6 +21,18 @@ namespace asperity {
 /// velocity.
 nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
 
+/// The options of a run that shape its outputs, as words of the command line without their dashes:
+/// while an object lives, every provenance that is made has them as "options", from which the same
+/// file can be made again. Made on the main thread, one at a time, while no other thread makes a
+/// provenance.
+class ProvenanceOptions {
+ public:
+  explicit ProvenanceOptions(nlohmann::ordered_json options);
+  ~ProvenanceOptions();
+  ProvenanceOptions(const ProvenanceOptions&) = delete;
+  ProvenanceOptions& operator=(const ProvenanceOptions&) = delete;
+};
+
 /// Adds "curve_oversampling_used", if it is another number, to the provenance of a result with a
 /// curve and a single line, as a batch may have.
 void addCurveOversampling(nlohmann::ordered_json& provenance, const Scene& scene);
@@ -38,6 +50,9 @@ struct FoundScene {
   /// Whether the file is a result (picture, film, table, answer) that contains the scene, which may
   /// come from another user; otherwise the file is a scene file.
   bool isCarried = false;
+  // What a result says of its making, to make it again; empty and null where it does not say it.
+  std::string verb{};
+  nlohmann::ordered_json options{};
 };
 
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),

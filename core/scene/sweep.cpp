@@ -8,8 +8,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/base/text.h"
 #include "core/material/element_law.h"
+#include "core/scene/effects.h"
 
 namespace asperity {
 namespace {
@@ -20,12 +20,6 @@ bool isWhole(const Parameter& parameter) {
 
 bool isNumber(const Parameter& parameter) {
   return allowedRange(parameter).has_value();
-}
-
-double numberOf(const Parameter& parameter, const Scene& scene) {
-  const ParameterValue value = valueOf(parameter, scene);
-  const auto* whole = std::get_if<std::int64_t>(&value);
-  return whole ? static_cast<double>(*whole) : std::get<double>(value);
 }
 
 void setNumber(const Parameter& parameter, Scene& scene, double value) {
@@ -92,11 +86,6 @@ double partOf(std::int64_t i, std::int64_t points) {
   return points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
 }
 
-std::vector<double> spaced(double from, double to, const Sweep& sweep) {
-  return sweep.scale == SweepScale::Linear ? linearSpaced(from, to, sweep.points)
-                                           : logSpaced(from, to, sweep.points);
-}
-
 void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, double value) {
   const AllowedRange allowed = *allowedRange(parameter);
   if (value < allowed.minimum || value > allowed.maximum)
@@ -111,6 +100,12 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 }
 
 }  // namespace
+
+double numberOf(const Parameter& parameter, const Scene& scene) {
+  const ParameterValue value = valueOf(parameter, scene);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  return whole ? static_cast<double>(*whole) : std::get<double>(value);
+}
 
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {
   std::vector<double> values;
@@ -127,27 +122,39 @@ std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
 }
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {
-  return spaced(sweep.velocityFrom, sweep.velocityTo, sweep);
+  return valuesOf({findParameter(kVelocityKey), sweep.velocityFrom, sweep.velocityTo, sweep.points,
+                   sweep.scale == SweepScale::Logarithmic});
 }
 
 const Parameter& sweptParameter(const Scene& scene) {
-  if (const Parameter* row = findParameter(scene.sweep.key)) return *row;
-  const std::string_view nearest = nearestKey(scene.sweep.key);
-  throw InputError("", "sweep.key",
-                   nearest.empty() ? message("{} is no key; 'asperity help check' lists all",
-                                             shortened(scene.sweep.key))
-                                   : message("{} is no key; the nearest known one is {}",
-                                             shortened(scene.sweep.key), nearest));
+  try {
+    return knownParameter(scene.sweep.key);
+  } catch (const InputError& error) {
+    throw InputError("", "sweep.key", message("{}: {}", error.key(), error.message()));
+  }
+}
+
+ParameterRange sweepRange(const Scene& scene) {
+  const Sweep& sweep = scene.sweep;
+  const bool isOfVelocity = sweep.isOfVelocity();
+  return {&sweptParameter(scene), isOfVelocity ? sweep.velocityFrom : sweep.from,
+          isOfVelocity ? sweep.velocityTo : sweep.to, sweep.points,
+          sweep.scale == SweepScale::Logarithmic};
+}
+
+Scene sceneOver(const ParameterRange& range, Scene scene) {
+  Sweep& sweep = scene.sweep;
+  sweep = {};
+  sweep.key = range.key();
+  (sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from) = range.from;
+  (sweep.isOfVelocity() ? sweep.velocityTo : sweep.to) = range.to;
+  sweep.points = range.points;
+  sweep.scale = range.isLogarithmic ? SweepScale::Logarithmic : SweepScale::Linear;
+  return scene;
 }
 
 std::vector<double> sweepValues(const Scene& scene) {
-  const Sweep& sweep = scene.sweep;
-  if (sweep.isOfVelocity()) return sweepVelocities(sweep);
-  std::vector<double> values = spaced(sweep.from, sweep.to, sweep);
-  if (!isWhole(sweptParameter(scene))) return values;
-  for (double& value : values) value = std::round(value);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
+  return valuesOf(sweepRange(scene));
 }
 
 Scene sceneAt(const Scene& scene, double value) {
@@ -159,6 +166,80 @@ Scene sceneAt(const Scene& scene, double value) {
 
 double ownSweptValue(const Scene& scene) {
   return numberOf(sweptParameter(scene), scene);
+}
+
+Scene withSweptValue(Scene scene, double value) {
+  const Parameter& row = sweptParameter(scene);
+  const AllowedRange allowed = *allowedRange(row);
+  setNumber(row, scene, std::clamp(value, allowed.minimum, allowed.maximum));
+  return scene;
+}
+
+namespace {
+
+/// Whether the scene can be at this value of the parameter.
+bool canBe(const Parameter& parameter, const Scene& scene, double value) {
+  try {
+    Scene state = scene;
+    setNumber(parameter, state, value);
+    checkEffects(state);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
+  constexpr std::int64_t kPoints = 41;
+  constexpr double kAround = 100;
+  constexpr int kAttempts = 8;
+  const AllowedRange allowed = *allowedRange(parameter);
+  const double own = numberOf(parameter, scene);
+  ParameterRange range{&parameter, 0, 0, kPoints, hasLogarithmicSlider(parameter)};
+  const auto* real = std::get_if<RealField>(&parameter.field);
+  const auto* whole = std::get_if<IntegerField>(&parameter.field);
+  const double from = real ? real->sliderFrom : static_cast<double>(whole->sliderFrom);
+  const double to = real ? real->sliderTo : static_cast<double>(whole->sliderTo);
+  const bool isAround = range.isLogarithmic && own > 0;
+  range.from = std::clamp(isAround ? own / kAround : from, allowed.minimum, allowed.maximum);
+  range.to = std::clamp(isAround ? own * kAround : to, allowed.minimum, allowed.maximum);
+  // A logarithmic slider may begin at none, which has no logarithm.
+  if (range.isLogarithmic && !(range.from > 0)) range.from = from;
+  for (double* end : {&range.from, &range.to})
+    for (int i = 0; i < kAttempts && !canBe(parameter, scene, *end); ++i)
+      *end = isAround ? std::sqrt(*end * own) : (*end + own) / 2;
+  if (whole) {
+    range.from = std::round(range.from);
+    range.to = std::round(range.to);
+  }
+  return range;
+}
+
+Scene withMeaningfulAxis(Scene scene) {
+  if (scene.sweep.isOfVelocity()) return scene;
+  const Parameter* row = findParameter(scene.sweep.key);
+  if (row && whyNotSwept(*row, scene).empty()) return scene;
+  const std::int64_t points = scene.sweep.points;
+  scene.sweep = {};
+  scene.sweep.points = points;
+  return scene;
+}
+
+Scene sceneOfCurve(Scene scene) {
+  scene.title.clear();
+  scene.description.clear();
+  scene.chapter.clear();
+  const double velocity = scene.sliding.velocity;
+  scene.sliding = {};
+  if (scene.sweep.isOfVelocity()) return scene;
+  scene.sliding.velocity = velocity;
+  const Parameter* row = findParameter(scene.sweep.key);
+  if (!row || !isNumber(*row) || !isApplicable(*row, scene)) return scene;
+  const AllowedRange allowed = *allowedRange(*row);
+  setNumber(*row, scene, std::clamp(scene.sweep.from, allowed.minimum, allowed.maximum));
+  return scene;
 }
 
 Message whyNotSwept(const Parameter& parameter, const Scene& scene) {
@@ -173,6 +254,12 @@ Message whyNotSwept(const Parameter& parameter, const Scene& scene) {
   return {};
 }
 
+void needVelocityAxis(const Scene& scene, const Message& what) {
+  if (!scene.sweep.isOfVelocity())
+    throw InputError("", "sweep.key",
+                     message("{} goes over velocities, not over {}", what, scene.sweep.key));
+}
+
 void checkSweep(const Scene& scene) {
   const Sweep& sweep = scene.sweep;
   if (sweep.isOfVelocity()) {
@@ -185,6 +272,9 @@ void checkSweep(const Scene& scene) {
   const Parameter& row = sweptParameter(scene);
   if (Message reason = whyNotSwept(row, scene); !reason.empty())
     throw InputError("", "sweep.key", std::move(reason));
+  if (scene.sliding.velocity == 0)
+    throw InputError("", std::string(kVelocityKey),
+                     message("is 0: a curve over {} slides at it, so it needs more", row.key));
   checkEnd(row, scene, "sweep.from", sweep.from);
   checkEnd(row, scene, "sweep.to", sweep.to);
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/scene/parameters.h"
+#include "core/scene/range.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -24,6 +24,12 @@ std::vector<double> sweepVelocities(const Sweep& sweep);
 /// where there is none.
 const Parameter& sweptParameter(const Scene& scene);
 
+/// Returns the range of the scene's sweep, over whichever key.
+ParameterRange sweepRange(const Scene& scene);
+
+/// Returns the scene with its curve over this range.
+Scene sceneOver(const ParameterRange& range, Scene scene);
+
 /// Returns the values of the scene's sweep in the key's unit, velocities included. Those of a whole
 /// number are rounded, and repeats are left out.
 std::vector<double> sweepValues(const Scene& scene);
@@ -32,12 +38,34 @@ std::vector<double> sweepValues(const Scene& scene);
 /// the plain sweep over velocity. Throws InputError where the key does not allow the value.
 Scene sceneAt(const Scene& scene, double value);
 
+/// Returns the number that a real or whole parameter has in a scene.
+double numberOf(const Parameter& parameter, const Scene& scene);
+
 /// Returns the number that the swept key has in the scene itself.
 double ownSweptValue(const Scene& scene);
+
+/// Returns the scene itself with the swept key at a value, within what the key allows.
+Scene withSweptValue(Scene scene, double value);
+
+/// Returns a range for a curve over a parameter around the scene's own value: two decades to each
+/// side, or the range of a linear slider; shorter where the ends cannot be.
+ParameterRange usualRange(const Parameter& parameter, const Scene& scene);
+
+/// Returns the scene with a curve over velocity where its own axis has no meaning any more.
+Scene withMeaningfulAxis(Scene scene);
+
+/// Returns the scene with defaults in place of all on which its friction curve does not depend:
+/// texts, the motion (but the velocity at which a curve over another key slides), the scene's own
+/// value of the swept key. Scenes that are equal then have the same curve.
+Scene sceneOfCurve(Scene scene);
 
 /// Returns why a friction curve cannot go over this parameter in the scene: no number, a rule of
 /// the curve itself, no meaning, or no influence on friction. Empty where it can.
 Message whyNotSwept(const Parameter& parameter, const Scene& scene);
+
+/// Throws InputError (sweep.key) where the scene's curve does not go over velocity, which `what`
+/// needs.
+void needVelocityAxis(const Scene& scene, const Message& what);
 
 /// Throws InputError that names the key of the sweep where it cannot be: the reason above, ends
 /// that the key does not allow, a logarithm of what is not above 0.

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/scene/data_table.h"
 #include "core/scene/scene.h"
 #include "core/surface/line.h"
 #include "core/surface/line_source.h"
@@ -12,6 +13,13 @@ namespace asperity {
 
 /// "position,height" in metres.
 std::string lineCsv(const Line& line);
+
+/// "wave_number", "power_spectral_density": the waves of a line; no rows for a line without modes.
+DataTable spectrumTable(const LineSource& source);
+
+/// "quantity", "unit", "value", "raw": the statistics of the line, then the values of ISO 21920-2
+/// of a measured surface before and after processing.
+DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line);
 
 /// Statistics (ISO names in the keys' documentation: Rq is rms_height, Rdq is rms_slope) and the
 /// power spectral density C(q) (m^3) over q (1/m) for lines that have modes.

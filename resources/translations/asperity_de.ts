@@ -432,6 +432,14 @@
         <translation>die Reibung hängt in dieser Szene nicht von %1 ab</translation>
     </message>
     <message>
+        <source>one value of %1</source>
+        <translation>ein Wert von %1</translation>
+    </message>
+    <message>
+        <source>%1 values of %2</source>
+        <translation>%1 Werte von %2</translation>
+    </message>
+    <message>
         <source>%1 simulations of %2 states on %3 lines each, in chunks of %4</source>
         <translation>%1 Simulationen zu %2 Zuständen auf je %3 Linien, in Blöcken von %4</translation>
     </message>
@@ -812,6 +820,30 @@
     <message>
         <source>Pictures (*.png *.svg *.pdf);;Table (*.csv)</source>
         <translation>Bilder (*.png *.svg *.pdf);;Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Horizontal axis</source>
+        <translation>Waagrechte Achse</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Family of curves</source>
+        <translation>Kurvenschar</translation>
+    </message>
+    <message>
+        <source>Pins five curves, at five values of another parameter</source>
+        <translation>Heftet fünf Kurven an, bei fünf Werten eines anderen Parameters</translation>
+    </message>
+    <message>
+        <source>Linear horizontal axis</source>
+        <translation>Waagrechte Achse linear</translation>
+    </message>
+    <message>
+        <source>Linear vertical axis</source>
+        <translation>Senkrechte Achse linear</translation>
     </message>
 </context>
 <context>
@@ -2046,6 +2078,10 @@
         <source>Fit</source>
         <translation>Anpassung</translation>
     </message>
+    <message>
+        <source>Axis of the curve</source>
+        <translation>Achse der Kurve</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SceneTabs</name>
@@ -2973,6 +3009,10 @@
     <message>
         <source>states</source>
         <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
     </message>
     <message>
         <source>simulations</source>

@@ -4035,6 +4035,10 @@
         <translation>Verlustmodul G''</translation>
     </message>
     <message>
+        <source>log</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
         <source>evaluation</source>
         <translation>Auswertung</translation>
     </message>
@@ -4675,14 +4679,6 @@
         <translation>%1 hat auf einer logarithmischen Achse keinen Platz; bei sweep.scale linear hat es einen</translation>
     </message>
     <message>
-        <source>%1 is no key; &apos;asperity help check&apos; lists all</source>
-        <translation>%1 ist kein Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
-    </message>
-    <message>
-        <source>%1 is no key; the nearest known one is %2</source>
-        <translation>%1 ist kein Schlüssel; der nächste bekannte ist %2</translation>
-    </message>
-    <message>
         <source>%1 is not a number</source>
         <translation>%1 ist keine Zahl</translation>
     </message>
@@ -4701,6 +4697,78 @@
     <message>
         <source>only one value of %1 is asked for</source>
         <translation>nur ein Wert von %1 ist gefragt</translation>
+    </message>
+    <message>
+        <source>%1 goes over velocities, not over %2</source>
+        <translation>%1 geht über Geschwindigkeiten, nicht über %2</translation>
+    </message>
+    <message>
+        <source>is 0: a curve over %1 slides at it, so it needs more</source>
+        <translation>ist 0: eine Kurve über %1 gleitet mit ihr, also braucht sie mehr</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>tangential force</source>
+        <translation>Tangentialkraft</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Friction over %1</source>
+        <translation>Reibung über: %1</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 über: %2</translation>
+    </message>
+    <message>
+        <source>nothing to show on these axes</source>
+        <translation>auf diesen Achsen ist nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>%1 is not shown: it has no column of %2</source>
+        <translation>%1 ist nicht gezeigt: Es hat keine Spalte für %2</translation>
+    </message>
+    <message>
+        <source>%1 is not shown: it was measured at another velocity, load or temperature than the scene&apos;s</source>
+        <translation>%1 ist nicht gezeigt: Gemessen wurde bei anderer Geschwindigkeit, Last oder Temperatur als der der Szene</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 points; the others were measured at another velocity, load or temperature</source>
+        <translation>%1: %2 von %3 Punkten; die anderen wurden bei anderer Geschwindigkeit, Last oder Temperatur gemessen</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>all curves of a chart go over the same key</source>
+        <translation>alle Kurven eines Diagramms gehen über denselben Schlüssel</translation>
+    </message>
+    <message>
+        <source>%1 is the axis of the curves already</source>
+        <translation>%1 ist schon die Achse der Kurven</translation>
+    </message>
+    <message>
+        <source>%1 curves are more than %2</source>
+        <translation>%1 Kurven sind mehr als %2</translation>
+    </message>
+    <message>
+        <source>dimensionless goes over velocities, not over %1</source>
+        <translation>dimensionless geht über Geschwindigkeiten, nicht über %1</translation>
+    </message>
+    <message>
+        <source>belongs to physical axes; dimensionless ones show mu over the slope</source>
+        <translation>gehört zu physikalischen Achsen; dimensionslose zeigen mu über der Steigung</translation>
+    </message>
+    <message>
+        <source>contacts in a period</source>
+        <translation>Kontakte in einer Periode</translation>
     </message>
     <message>
         <source>%1 of %2 chunks are missing (simulations %3)%4</source>

@@ -25,10 +25,10 @@ class AccuracyCommandTest : public ProgramTest {
 TEST_F(AccuracyCommandTest, WritesTablesAndDiagrams) {
   const Said said = program.run("accuracy s.json -o out --json");
   EXPECT_EQ(said.status, 0) << said.err;
-  EXPECT_THAT(
-      program.folder.names("out"),
-      UnorderedElementsAre("accuracy.csv", "accuracy.json", "work_precision.png",
-                           "work_precision.svg", "standard_error.png", "standard_error.svg"));
+  EXPECT_THAT(program.folder.names("out"),
+              UnorderedElementsAre("accuracy.csv", "accuracy.json", "work_precision.png",
+                                   "work_precision.svg", "work_precision.pdf", "standard_error.png",
+                                   "standard_error.svg", "standard_error.pdf"));
   EXPECT_EQ(said.out, read("out/accuracy.json"));
   const Json json = Json::parse(said.out);
   EXPECT_EQ(json["present_choice"], "cubic x2");

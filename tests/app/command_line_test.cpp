@@ -19,12 +19,12 @@ using testing::UnorderedElementsAre;
 using CommandLineTest = ProgramTest;
 
 TEST_F(CommandLineTest, VersionAndHelp) {
-  EXPECT_EQ(program.run("--version").out, "asperity " ASPERITY_VERSION "\n");
+  EXPECT_THAT(program.run("--version").out, StartsWith("asperity " ASPERITY_VERSION "\n"));
   EXPECT_THAT(program.run("--help").out, HasSubstr("render"));
   for (const char* verb : {"check", "curve", "render", "surface"}) {
     const Said said = program.run(std::string(verb) + " --help");
     EXPECT_EQ(said.status, 0);
-    EXPECT_THAT(said.out, HasSubstr("load.normal_force"));
+    EXPECT_THAT(said.out, HasSubstr("--help keys"));
   }
 }
 
@@ -90,7 +90,7 @@ TEST_F(CommandLineTest, BadUsageIsExitTwo) {
 TEST_F(CommandLineTest, OutputsThatCannotBeAreRefusedBeforeAnyWork) {
   expectRefused("curve s.json -o .", 2, "is a folder");
   expectRefused("curve s.json -o nowhere/a.csv", 2, "does not exist");
-  expectRefused("curve s.json -o -", 2, "without --output the table goes to standard output");
+  expectRefused("curve s.json -o - -o -", 2, "- is given more than once");
   expectRefused("curve s.json -o a.txt", 2, "is not one of .csv, .json, .png, .svg, .pdf");
   expectRefused("curve s.json -o a.csv -o b", 2, "is not one of");
   expectRefused("curve s.json -o /dev/full", 2, "not a plain file");
@@ -119,10 +119,12 @@ TEST_F(CommandLineTest, CurveIsATableOnStandardOutput) {
   const Said said = program.run("curve s.json");
   EXPECT_EQ(said.status, 0);
   EXPECT_EQ(said.err, "");
-  EXPECT_THAT(said.out, StartsWith("velocity,mu,mu_standard_error,mu_law,contact_fraction,"
-                                   "rms_slope_contact,indentation,normalized_mu,"
-                                   "dimensionless_velocity,dimensionless_force,realizations\n"));
-  EXPECT_EQ(std::count(said.out.begin(), said.out.end(), '\n'), 6);
+  EXPECT_THAT(said.out, StartsWith("# asperity: {"));
+  EXPECT_THAT(said.out.substr(said.out.find('\n') + 1),
+              StartsWith("velocity,mu,mu_standard_error,mu_law,contact_fraction,"
+                         "rms_slope_contact,indentation,normalized_mu,"
+                         "dimensionless_velocity,dimensionless_force,realizations\n"));
+  EXPECT_EQ(std::count(said.out.begin(), said.out.end(), '\n'), 7);
 }
 
 TEST_F(CommandLineTest, CurveFilesAreTheSameForAnyNumberOfThreads) {
@@ -133,7 +135,7 @@ TEST_F(CommandLineTest, CurveFilesAreTheSameForAnyNumberOfThreads) {
               TemporaryFolder::read(program.folder / ("b" + std::string(extension))));
   EXPECT_THAT(TemporaryFolder::read(program.folder / "a.csv"),
               AllOf(StartsWith("# asperity: {\"schema\":\"asperity-curve/1\""),
-                    EndsWith("}\n" + program.run("curve s.json").out)));
+                    EndsWith(program.run("curve s.json").out)));
   EXPECT_EQ(TemporaryFolder::read(program.folder / "a.json"),
             program.run("curve s.json --json").out);
   EXPECT_THAT(program.folder.names(),

@@ -230,10 +230,8 @@ TEST_F(ExportTest, StripsWithoutRoomAreRefused) {
 TEST_F(ExportTest, ADashIsNoFolder) {
   program.folder.write("b.json",
                        R"({"schema": "asperity-batch/1", "entries": [{"scene": "s.json"}]})");
-  for (const char* call : {"render s.json", "accuracy s.json", "figure 1", "batch b.json"})
+  for (const char* call : {"accuracy s.json", "figure 1", "batch b.json"})
     expectRefused(std::string(call) + " -o -", 2, "--output: '-' is no folder");
-  for (const char* call : {"curve s.json", "motion s.json"})
-    expectRefused(std::string(call) + " -o -", 2, "without --output the table goes to standard");
 }
 
 TEST_F(ExportTest, AKilledSequenceLeavesWholeFramesAndIsResumed) {

@@ -26,8 +26,9 @@ TEST_F(FigureCommandTest, WritesDataPicturesAndClaims) {
   const Said said = program.run(std::string("figure 1 5 -o out") + kQuick);
   EXPECT_EQ(said.status, 0) << said.err;
   EXPECT_THAT(program.folder.names("out"),
-              UnorderedElementsAre("figure_1.csv", "figure_1.png", "figure_1.svg", "figure_5.csv",
-                                   "figure_5.png", "figure_5.svg", "claims.json"));
+              UnorderedElementsAre("figure_1.csv", "figure_1.png", "figure_1.svg", "figure_1.pdf",
+                                   "figure_5.csv", "figure_5.png", "figure_5.svg", "figure_5.pdf",
+                                   "claims.json"));
   EXPECT_THAT(read("out/figure_5.csv"), HasSubstr("\nhurst,alpha,"));
   EXPECT_THAT(read("out/figure_5.png"), StartsWith("\x89PNG"));
   EXPECT_THAT(read("out/figure_5.svg"), HasSubstr("<svg"));

@@ -358,11 +358,15 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
     if (event->modifiers() & Qt::ControlModifier) return chooseNextPoint(isRight);
     if (!hasMarker()) return;
     const DiagramMarker& marker = *sheet_.diagrams[0].marker;
-    if (marker.isFixed || !(marker.x > 0)) return;
+    const bool isLinear = sheet_.diagrams[0].x.scale == AxisScale::Linear;
+    if (marker.isFixed || (!isLinear && !(marker.x > 0))) return;
     const bool finely = event->modifiers() & Qt::ShiftModifier;
     const double step = finely ? kFinely * kKeyStep : kKeyStep;
     const double from = std::isfinite(wantedX_) ? wantedX_ : marker.x;
-    return moveMarker(from * std::pow(10, isRight ? step : -step), finely);
+    const double way = isRight ? step : -step;
+    // On a linear axis, the part of a decade is a part of what is seen.
+    return moveMarker(isLinear ? from + way * visibleRange().x.size() : from * std::pow(10, way),
+                      finely);
   }
   if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoom(1 / kKeyZoom);
   if (event->key() == Qt::Key_Minus) return zoom(kKeyZoom);

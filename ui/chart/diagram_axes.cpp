@@ -154,18 +154,21 @@ float widestLabel(const TickedAxis& axis, float size) {
   return widest;
 }
 
+/// Adds marks on all four sides of the frame, or with a negative length outside of it, where only
+/// the lower and the left side have them.
 void addTickMarks(DrawLayer& layer, const DiagramAxes& axes, const Rgba& colour, float width,
                   float length) {
   const Box& box = axes.box;
+  const bool isInside = length > 0;
   const auto addX = [&](double value, float reach) {
     const float x = axes.px(value);
     addLine(layer, {{x, box.bottom()}, {x, box.bottom() - reach}}, width, colour);
-    addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
+    if (isInside) addLine(layer, {{x, box.y}, {x, box.y + reach}}, width, colour);
   };
   const auto addY = [&](double value, float reach) {
     const float y = axes.py(value);
     addLine(layer, {{box.x, y}, {box.x + reach, y}}, width, colour);
-    addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
+    if (isInside) addLine(layer, {{box.right(), y}, {box.right() - reach, y}}, width, colour);
   };
   for (const AxisTick& tick : axes.xAxis.ticks) addX(tick.value, length);
   for (const double value : axes.xAxis.minor) addX(value, length / 2);
@@ -344,7 +347,9 @@ void addDiagramFrame(DrawList& list, const DiagramAxes& axes, const DiagramSizes
   const float width = std::max(1.0F, std::round(1.1F * sizes.unit));
   const Rgba colour = mix(theme.text, theme.axis, 0.35F);
   DrawLayer layer;
-  addTickMarks(layer, axes, colour, width, std::round(6 * sizes.unit));
+  const float reach = std::round(6 * sizes.unit);
+  if (sizes.ticks != TickSide::None)
+    addTickMarks(layer, axes, colour, width, sizes.ticks == TickSide::Inside ? reach : -reach);
   addFrame(layer, box, colour, width);
   list.layers.push_back(std::move(layer));
   DiagramAxes labelled = axes;

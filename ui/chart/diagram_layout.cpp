@@ -99,7 +99,19 @@ bool hasCommonAxis(const DiagramSheet& sheet) {
   return sheet.sharesAxis && gridFor(sheet).columns == 1;
 }
 
-DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
+namespace {
+
+/// Returns the sizes around letters of a given size.
+DiagramSizes sizesAround(const FigureLook& look) {
+  const float letters = look.letters;
+  const auto font = [&](float size) { return fontSize(std::max(look.least, size * letters)); };
+  DiagramSizes sizes{letters / 12.5F, font(1.25F), font(1), font(1.1F),
+                     font(1.1F),      font(1),     font(1), font(0.92F)};
+  sizes.least = std::max(sizes.least, std::floor(look.least));
+  return sizes;
+}
+
+DiagramSizes automaticSizes(const DiagramSheet& sheet, const DiagramOptions& options) {
   if (options.above && options.above->unit > 0) {
     const float unit = options.above->unit, letters = fontSize(12 * unit);
     return {unit,
@@ -126,6 +138,17 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
           fontSize(12.5F * unit),
           fontSize(12.5F * unit),
           fontSize(11.5F * unit)};
+}
+
+}  // namespace
+
+DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
+  DiagramSizes sizes =
+      options.look.letters > 0 ? sizesAround(options.look) : automaticSizes(sheet, options);
+  sizes.curve = options.look.curve;
+  sizes.legendMode = options.look.legend;
+  sizes.ticks = options.look.ticks;
+  return sizes;
 }
 
 float sheetMargin(const DiagramSizes& sizes) {
@@ -170,14 +193,15 @@ float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& 
   if (sheet.title.empty() && sheet.subtitle.empty()) return std::round(2 * sizes.unit);
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   float room = 0.3F * static_cast<float>(list.height) - side, top = std::round(0.8F * side);
-  const Paragraph title = paragraph(sheet.title.text, sizes.title, std::round(0.75F * sizes.title),
-                                    true, width, linesIn(room, sizes.title, 2));
+  const auto least = [&](float size) { return std::max(sizes.least, std::round(size)); };
+  const Paragraph title = paragraph(sheet.title.text, sizes.title, least(0.75F * sizes.title), true,
+                                    width, linesIn(room, sizes.title, 2));
   addParagraph(list, title, {side, top}, true, theme.text);
   top += title.height();
   room -= title.height();
   const Paragraph subtitle =
-      paragraph(sheet.subtitle.text, sizes.subtitle, std::round(0.85F * sizes.subtitle), false,
-                width, linesIn(room, sizes.subtitle, 3));
+      paragraph(sheet.subtitle.text, sizes.subtitle, least(0.85F * sizes.subtitle), false, width,
+                linesIn(room, sizes.subtitle, 3));
   addParagraph(list, subtitle, {side, top}, false, theme.faintText);
   return std::round(top + subtitle.height() + 2 * sizes.unit);
 }
@@ -186,8 +210,9 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
               const Theme& theme) {
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   const auto bottom = static_cast<float>(list.height);
-  const Paragraph note = paragraph(sheet.note.text, sizes.note, std::round(0.85F * sizes.note),
-                                   false, width, linesIn(0.2F * bottom, sizes.note, 5));
+  const Paragraph note =
+      paragraph(sheet.note.text, sizes.note, std::max(sizes.least, std::round(0.85F * sizes.note)),
+                false, width, linesIn(0.2F * bottom, sizes.note, 5));
   if (note.lines.empty()) return bottom - std::round(8 * sizes.unit);
   const float top = std::round(bottom - 10 * sizes.unit - note.height());
   addParagraph(list, note, {side, top}, false, theme.faintText);

@@ -12,6 +12,10 @@ namespace asperity {
 struct DiagramSizes {
   float unit = 1;  // of line widths and distances
   float title = 19, subtitle = 13, panel = 14, axis = 14, tick = 12, legend = 12, note = 11;
+  float least = 7;  // of any text
+  float curve = 0;  // width of curves; 0: by the unit
+  LegendMode legendMode = LegendMode::Automatic;
+  TickSide ticks = TickSide::Inside;
 };
 
 /// Rows and columns of the diagrams on a sheet.

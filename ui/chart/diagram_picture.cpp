@@ -104,9 +104,9 @@ class Panel {
       addLegend(list, legend_, legendBox_, isOver(legendBox_, box), sizes_, theme_);
     const float baseline =
         std::round(top_ - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
-    const float size =
-        fittingSize(diagram_.title.text, sizes_.panel,
-                    std::max(7.0F, std::round(0.8F * sizes_.panel)), true, cell_.right() - box.x);
+    const float size = fittingSize(diagram_.title.text, sizes_.panel,
+                                   std::max(sizes_.least, std::round(0.8F * sizes_.panel)), true,
+                                   cell_.right() - box.x);
     const std::string title = elided(diagram_.title.text, size, true, cell_.right() - box.x);
     if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
   }
@@ -165,6 +165,8 @@ class Panel {
                     kLeastHeight = 0.6F;  // minimum part of the frame that stays beside a legend
     constexpr float kMuch = 0.25F;        // part of a legend's box
     place(0, 0);
+    if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
+    if (sizes_.legendMode != LegendMode::Automatic) return;
     if (legend_.empty() || (hidden_ <= 0 && legend_.isWhole)) return;
     const Box frame = axes_.box;
     const float gap = std::round(10 * sizes_.unit);
@@ -189,11 +191,26 @@ class Panel {
     }
   }
 
+  /// Places the legend under the axis, in rows over the width of the panel.
+  void arrangeBelow() {
+    if (legend_.empty()) return;
+    Legend below = legendOver(diagram_, styles_, sizes_.legend, cell_.width);
+    if (!below.isWhole)
+      below = legendFor(diagram_, styles_, sizes_.legend, cell_.width, 0.5F * cell_.height);
+    below_ = below.height;
+    place(0, 0);
+    legend_ = std::move(below);
+    const float left = std::min(axes_.box.x, cell_.right() - legend_.width);
+    legendBox_ = {std::max(cell_.x, left), std::floor(cell_.bottom() - legend_.height),
+                  legend_.width, legend_.height};
+    hidden_ = 0;
+  }
+
   /// Places everything, with this many pixels kept free at the right and above the frame.
   void place(float right, float above) {
     Box& box = axes_.box;
     box.y = top_ + above;
-    box.height = std::max(1.0F, bottom_ - box.y);
+    box.height = std::max(1.0F, bottom_ - below_ - box.y);
     axes_.yAxis = diagram_.bars.empty()
                       ? tickedYAxis(diagram_.y, yRange(diagram_, xRange_), box.height, sizes_)
                       : barAxis(diagram_, 0.45F * cell_.width, sizes_);
@@ -211,7 +228,12 @@ class Panel {
     fit(sizes_.tick);
     fit(overhang());
     styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
-    legend_ = legendFor(diagram_, styles_, sizes_.legend, 0.7F * box.width, 0.7F * box.height);
+    // Letters that must not get smaller need more of a narrow frame.
+    const float widest = sizes_.least > 7 ? 0.95F : 0.7F;
+    legend_ =
+        sizes_.legendMode == LegendMode::None || below_ > 0
+            ? Legend{}
+            : legendFor(diagram_, styles_, sizes_.legend, widest * box.width, 0.7F * box.height);
     OccupancyGrid series(box, 4 * sizes_.unit);
     coverSeries(series, diagram_, styles_, axes_);
     if (diagram_.marker) series.addLine(markerLine(), 1);
@@ -262,6 +284,7 @@ class Panel {
   float top_ = 0, bottom_ = 1;  // of the frame if no legend is above it
   float left_ = 0;              // minimum left edge of the frame
   float right_ = 0;             // right edge of the frame; 0: automatic
+  float below_ = 0;             // pixels of a legend below the axis
   Box legendBox_;               // width 0: not shown
   float hidden_ = 0;            // part of the legend's box that hides something
 };
@@ -321,8 +344,15 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
 
 /// Returns the sheet in the current language, with markers as series: the trace of a marker, and a
 /// ring around its dot, which may lie in the middle of the trace.
-DiagramSheet prepared(const DiagramSheet& english) {
+DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options) {
   DiagramSheet sheet = translated(english);
+  // Letters of a given size need panels of a width that holds their legends.
+  constexpr float kNarrowest = 26;  // letters
+  const float letters = options.look.letters;
+  if (letters > 0) {
+    const int most = static_cast<int>(static_cast<float>(options.width) / (kNarrowest * letters));
+    if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
+  }
   for (Diagram& diagram : sheet.diagrams) {
     if (!diagram.marker) continue;
     const DiagramMarker& marker = *diagram.marker;
@@ -370,7 +400,7 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme) {
 
 int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
   constexpr int kHighest = 20000;
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   for (; options.height <= kHighest; options.height += 10) {
     DrawList list = emptyList(options);
@@ -381,7 +411,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   float lowest = std::numeric_limits<float>::infinity();
   for (const Panel& panel : panelsOf(sheet, options, list))
@@ -421,7 +451,7 @@ float DiagramFrame::downOf(double y) const {
 
 std::vector<DiagramFrame> diagramFrames(const DiagramSheet& english,
                                         const DiagramOptions& options) {
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, options);
   DrawList list = emptyList(options);
   std::vector<DiagramFrame> frames;
   for (const Panel& panel : panelsOf(sheet, options, list)) frames.push_back(panel.place());
@@ -436,7 +466,7 @@ DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options) 
 }
 
 DrawList composeDiagrams(const DiagramSheet& english, const DiagramOptions& asked) {
-  const DiagramSheet sheet = prepared(english);
+  const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   options.width = std::max(options.width, 1);
   options.height = std::max(options.height, 1);

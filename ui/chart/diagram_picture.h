@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
+#include "core/chart/figure_style.h"
 #include "ui/draw/draw_list.h"
 #include "ui/draw/theme.h"
 
@@ -19,6 +20,15 @@ struct FrameAbove {
   float unit = 0;
 };
 
+/// Sizes and places that a user asks for, in pixels; 0: automatic.
+struct FigureLook {
+  float letters = 0;  // of the numbers at the axes; other texts follow
+  float curve = 0;    // width of curves
+  float least = 0;    // no text is smaller
+  LegendMode legend = LegendMode::Automatic;
+  TickSide ticks = TickSide::Inside;
+};
+
 struct DiagramOptions {
   int width = 1200, height = 800;  // pixels
   float scale = 1;                 // of fonts and line widths; 2 for twice the pixels
@@ -26,6 +36,7 @@ struct DiagramOptions {
   // minimum size of texts in a low picture, relative to the usual size; 1: usual
   float leastText = 0;
   std::optional<FrameAbove> above{};
+  FigureLook look{};
 };
 
 /// Returns a size for print: 2400 x 1600 pixels at scale 2 for one diagram, wider for several.

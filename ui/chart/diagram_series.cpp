@@ -176,14 +176,20 @@ std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& si
   for (const DiagramSeries& series : diagram.series) {
     SeriesStyle style;
     const bool onRamp = std::isfinite(series.ramp);
+    const int before = next;
     if (series.isTheory)
       style.colour = theme.text;
     else if (onRamp)
       style.colour = rampColour(series.ramp, theme);
     else
       style.colour = seriesColour(series.colour >= 0 ? series.colour : next++, theme);
+    if (series.paint) {
+      style.colour = colourFrom(*series.paint);
+      next = before;
+    }
     if (series.isFaded) style.colour = mix(theme.background, style.colour, kFaded);
-    style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * sizes.unit;
+    const float usual = sizes.curve > 0 ? sizes.curve / kCurve : sizes.unit;
+    style.width = (series.isTheory ? kTheory : onRamp ? kRampCurve : kCurve) * usual;
     style.stroke = series.stroke;
     // Series that share a colour have different strokes.
     if (next > kDistinctColours && series.colour < 0 && style.stroke == SeriesStroke::Solid)

@@ -36,6 +36,9 @@ DrawList composeFigure(const Figure& figure, const Frame* contact, const Diagram
   picture.height = options.height;
   picture.scale = options.scale;
   picture.theme = options.theme;
+  picture.letters = options.look.letters;
+  picture.curve = options.look.curve;
+  picture.title = !figure.sheet.title.empty();
   return composeContact(inPresentLanguage(*contact, figure), picture);
 }
 

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/fit/derivatives.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/motion.h"
+#include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 
@@ -34,43 +36,45 @@ bool isOneLine(const CurveUpdate& curve) {
   return curve.realizationsTotal <= 1;
 }
 
-Scene withoutPresent(Scene scene) {
-  scene.title.clear();
-  scene.description.clear();
-  scene.chapter.clear();
-  scene.sliding = {};
-  return scene;
-}
-
-/// The smallest and largest positive finite number added to it.
+/// The smallest and largest number with a place on an axis of this scale.
 struct Extent {
-  double low = 0, high = 0;
+  AxisScale scale = AxisScale::Logarithmic;
+  double low = kNotApplicable, high = kNotApplicable;
 
+  bool isEmpty() const { return std::isnan(high); }
   void add(double value) {
-    if (!std::isfinite(value) || value <= 0) return;
-    low = high > 0 ? std::min(low, value) : value;
-    high = std::max(high, value);
+    if (!std::isfinite(value) || (scale == AxisScale::Logarithmic && value <= 0)) return;
+    low = isEmpty() ? value : std::min(low, value);
+    high = isEmpty() ? value : std::max(high, value);
   }
-  /// Returns whole decades around the numbers; `air` is a factor kept between them and the ends.
-  AxisRange decades(double air = 1) const {
-    return high > 0 ? decadesAround(low / air, high * air) : AxisRange{};
+  /// Returns whole decades around the numbers, or the numbers with a margin; `air` is a factor
+  /// kept between them and the ends of a logarithmic axis.
+  AxisRange range(double air = 1) const {
+    if (isEmpty()) return {};
+    if (scale == AxisScale::Logarithmic) return decadesAround(low / air, high * air);
+    constexpr double kMargin = 0.04;
+    const double margin = high > low ? kMargin * (high - low) : std::max(std::abs(high), 1e-12) / 2;
+    return {low >= 0 && low < (high - low) / 2 ? 0 : low - margin, high + margin};
   }
 };
 
-void addCurve(const CurveUpdate& curve, CurveAxes axes, Extent& velocities, Extent& coefficients) {
-  const auto [velocity, friction] = factorsOf(curve.points, axes);
+void addCurve(const CurveUpdate& curve, const CurveSet& view, Extent& along, Extent& up) {
   for (const CurvePoint& point : curve.points) {
-    velocities.add(point.velocity * velocity);
+    along.add(placeOf(point, view));
     if (!isKnown(point)) continue;
-    coefficients.add(point.mu * friction);
-    if (point.mu > 0) coefficients.add((point.mu + point.muStandardError) * friction);
+    const double value = valueOf(point, view);
+    up.add(value);
+    const double error = point.muStandardError * value / point.mu;
+    if (view.y == CurveQuantity::Mu && point.mu > 0) up.add(value + error);
   }
 }
 
-void setRange(DiagramAxis& axis, const AxisRange& decades, const AxisRange& otherwise) {
-  const AxisRange& range = decades.isEmpty() ? otherwise : decades;
-  axis.from = std::pow(10, range.from);
-  axis.to = std::pow(10, range.to);
+/// Sets the range; an axis for which none is known finds its own.
+void setRange(DiagramAxis& axis, const AxisRange& range) {
+  if (range.isEmpty()) return;
+  const bool isLinear = axis.scale == AxisScale::Linear;
+  axis.from = isLinear ? range.from : std::pow(10, range.from);
+  axis.to = isLinear ? range.to : std::pow(10, range.to);
 }
 
 /// Returns a text for the finished part of a curve while it is averaged.
@@ -92,7 +96,7 @@ QString signedPercent(double part) {
 }  // namespace
 
 bool haveSameCurve(const Scene& a, const Scene& b) {
-  return withoutPresent(a) == withoutPresent(b);
+  return sceneOfCurve(a) == sceneOfCurve(b);
 }
 
 AxisRange decadesAround(double low, double high) {
@@ -117,7 +121,13 @@ QString readingLabel(double value, int digits) {
 
 void FrictionChartModel::expect(const Scene& scene) {
   expected_ = scene;
-  fitRanges(!curve_);
+  const bool isOtherAxis = scene.sweep.key != sweptKey_;
+  if (isOtherAxis) {
+    sweptKey_ = scene.sweep.key;
+    if (!scene.sweep.isOfVelocity()) axes_ = CurveAxes::Physical;
+    velocities_ = coefficients_ = {};
+  }
+  fitRanges(!curve_ || isOtherAxis);
 }
 
 bool FrictionChartModel::isStale() const {
@@ -135,7 +145,8 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
 
 bool FrictionChartModel::mark(const Frame& frame) {
   const std::pair before{velocities_, coefficients_};
-  marker_ = markerOf(frame, CurveAxes::Physical);
+  marker_ = markerOf(frame, CurveAxes::Physical, quantity_);
+  markedKey_ = frame.scene->sweep.key;
   dimensionlessMarker_ = markerOf(frame, CurveAxes::Dimensionless);
   markerFactor_ = factorsOf(frame, CurveAxes::Dimensionless).velocity;
   if (frame.transient) {
@@ -153,19 +164,51 @@ void FrictionChartModel::setAxes(CurveAxes axes) {
   fitRanges(true);
 }
 
+void FrictionChartModel::setQuantity(CurveQuantity quantity) {
+  if (quantity == quantity_) return;
+  quantity_ = quantity;
+  comparisons_ = {};  // those of the new quantity follow
+  coefficients_ = {};
+  fitRanges(true);
+}
+
+void FrictionChartModel::setLinearY(bool isLinear) {
+  if (isLinear == isLinearY_) return;
+  isLinearY_ = isLinear;
+  coefficients_ = {};
+  fitRanges(true);
+}
+
+bool FrictionChartModel::isOnThisAxis(const Scene& scene) const {
+  return scene.sweep.key == sweptKey_;
+}
+
+CurveSet FrictionChartModel::view() const {
+  CurveSet set;
+  set.axes = axes_;
+  set.y = axes_ == CurveAxes::Physical ? quantity_ : CurveQuantity::Mu;
+  if (isLinearY_) set.yScale = AxisScale::Linear;
+  if (expected_ || curve_) set.present.scene = present();
+  return set;
+}
+
 int FrictionChartModel::pin() {
-  if (!curve_) return 0;
+  return curve_ ? pin(curve_) : 0;
+}
+
+int FrictionChartModel::pin(std::shared_ptr<const CurveUpdate> curve) {
   for (const PinnedCurve& pinned : pinned_)
-    if (haveSameCurve(*pinned.curve->scene, *curve_->scene) &&
-        pinned.curve->realizationsDone == curve_->realizationsDone &&
-        pinned.curve->isComplete == curve_->isComplete)
+    if (haveSameCurve(*pinned.curve->scene, *curve->scene) &&
+        pinned.curve->realizationsDone == curve->realizationsDone &&
+        pinned.curve->isComplete == curve->isComplete)
       return 0;
   const auto isTaken = [this](int place) {
     return std::ranges::any_of(pinned_, [&](const PinnedCurve& p) { return p.place == place; });
   };
   int place = 0;
   while (isTaken(place)) ++place;
-  pinned_.push_back({++lastId_, place, curve_});
+  pinned_.push_back({++lastId_, place, std::move(curve)});
+  fitRanges(false);
   return lastId_;
 }
 
@@ -203,28 +246,34 @@ bool FrictionChartModel::isDifferenceStale() const {
 
 /// Returns the present curve and the pinned ones, named by their differences from a scene.
 CurveSet FrictionChartModel::curves(const Scene& present) const {
-  CurveSet set;
-  set.axes = axes_;
+  CurveSet set = view();
   if (!curve_) return set;
-  set.present = {{}, *curve_->scene, curve_->points};
+  // A curve over the key before has no place on the new axis.
+  if (isOnThisAxis(*curve_->scene)) set.present = {{}, *curve_->scene, curve_->points};
   for (const PinnedCurve& pinned : pinned_)
-    set.pinned.push_back({englishNameOf(pinned, present), *pinned.curve->scene,
-                          pinned.curve->points, pinned.place, pinned.id});
+    if (isOnThisAxis(*pinned.curve->scene))
+      set.pinned.push_back({englishNameOf(pinned, present), *pinned.curve->scene,
+                            pinned.curve->points, pinned.place, pinned.id});
   if (compared_ && haveSameCurve(*compared_, *curve_->scene)) {
     set.theories = comparisons_.theories;
     set.measured = comparisons_.measured;
     set.isReduced = comparisons_.isReduced;
+    set.notes = comparisons_.notes;
   }
   return set;
 }
 
 DiagramSheet FrictionChartModel::sheet() const {
   CurveSet set = curves(curve_ ? present() : Scene{});
-  if (curve_) set.difference = difference_;
+  if (curve_ && set.isOfVelocity() && set.y == CurveQuantity::Mu) set.difference = difference_;
   DiagramSheet sheet = curveSheet(set);
   Diagram& diagram = sheet.diagrams.front();
-  setRange(diagram.x, velocities_, kEmptyVelocities);
-  setRange(diagram.y, coefficients_, kEmptyCoefficients);
+  const bool isUsual = set.isOfVelocity() && diagram.x.scale == AxisScale::Logarithmic &&
+                       diagram.y.scale == AxisScale::Logarithmic;
+  setRange(diagram.x, velocities_.isEmpty() && isUsual ? kEmptyVelocities : velocities_);
+  setRange(diagram.y, coefficients_.isEmpty() && isUsual && set.y == CurveQuantity::Mu
+                          ? kEmptyCoefficients
+                          : coefficients_);
   if (!curve_) diagram.series.clear();
   if (isStale()) {
     diagram.blank = {};
@@ -256,7 +305,7 @@ double FrictionChartModel::progress() const {
 std::optional<DiagramMarker> FrictionChartModel::marker() const {
   std::optional<DiagramMarker> marker =
       axes_ == CurveAxes::Physical ? marker_ : dimensionlessMarker_;
-  if (!marker) return marker;
+  if (!marker || markedKey_ != sweptKey_) return std::nullopt;
   marker->isFaded = isMarkFaded_;
   if (isMarkFaded_)
     marker->name = "before the change";
@@ -282,7 +331,7 @@ QString FrictionChartModel::describe(int id, int row) const {
     return describeMeasured(comparisons_.measured[table], place);
   const CurveUpdate* curve = find(id);
   if (!curve || place >= curve->points.size()) return {};
-  const QString text = reading(curve->points[place]);
+  const QString text = reading(curve->points[place], *curve->scene);
   if (id == kPresentCurve) return text;
   const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
   return nameOf(*pinned) + '\n' + text;
@@ -301,9 +350,16 @@ QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
   return lines.join('\n');
 }
 
-QString FrictionChartModel::reading(const CurvePoint& point) const {
+QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene) const {
   QStringList lines;
+  if (!scene.sweep.isOfVelocity())
+    lines += translatedText(parameterInWords(scene.sweep.key, withSweptValue(scene, point.swept)));
   lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
+  if (axes_ == CurveAxes::Physical && quantity_ != CurveQuantity::Mu) {
+    const QuantityEntry& entry = entryOf(quantity_);
+    lines += translatedText(entry.title) + " = " +
+             QString::fromStdString(printedQuantity(valueOf(quantity_, point), entry.unit));
+  }
   lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
   if (axes_ == CurveAxes::Dimensionless) {
     lines.prepend(QStringLiteral("v̄ = ") + readingLabel(point.dimensionlessVelocity));
@@ -324,27 +380,31 @@ QString FrictionChartModel::reading(const DifferencePoint& point) const {
          tr("with %1").arg(translatedText(asperity::nameOf(difference_->setting)));
 }
 
-std::optional<double> FrictionChartModel::velocityOf(int id, int row) const {
+std::optional<double> FrictionChartModel::sweptOf(int id, int row) const {
   const CurveUpdate* curve = find(id);
   if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
-  return curve->points[static_cast<std::size_t>(row)].velocity;
+  const CurvePoint& point = curve->points[static_cast<std::size_t>(row)];
+  return curve->scene->sweep.isOfVelocity() ? point.velocity : point.swept;
 }
 
-std::optional<double> FrictionChartModel::velocityAt(double x) const {
-  const double velocity = x / (axes_ == CurveAxes::Physical ? 1 : markerFactor_);
-  return std::isfinite(velocity) ? std::optional(velocity) : std::nullopt;
+std::optional<double> FrictionChartModel::sweptAt(double x) const {
+  const double value = x / (axes_ == CurveAxes::Physical ? 1 : markerFactor_);
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<CurveSet> FrictionChartModel::shown(const std::optional<VisibleRange>& zoom) const {
-  if (!curve_) return std::nullopt;
+  if (!curve_ || !isOnThisAxis(*curve_->scene)) return std::nullopt;
   CurveSet set = curves(*curve_->scene);
   if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
     set.difference = difference_;
   if (zoom) {
-    set.xFrom = std::pow(10, zoom->x.from);
-    set.xTo = std::pow(10, zoom->x.to);
-    set.yFrom = std::pow(10, zoom->y.from);
-    set.yTo = std::pow(10, zoom->y.to);
+    const auto valueOn = [](AxisScale scale, double place) {
+      return scale == AxisScale::Linear ? place : std::pow(10, place);
+    };
+    set.xFrom = valueOn(set.scaleOfX(), zoom->x.from);
+    set.xTo = valueOn(set.scaleOfX(), zoom->x.to);
+    set.yFrom = valueOn(set.scaleOfY(), zoom->y.from);
+    set.yTo = valueOn(set.scaleOfY(), zoom->y.to);
   }
   return set;
 }
@@ -357,34 +417,48 @@ Message FrictionChartModel::status() const {
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {
-  Extent velocities, coefficients;
+  const CurveSet set = view();
+  Extent along{set.scaleOfX()}, up{set.scaleOfY()};
   if (expected_ && axes_ == CurveAxes::Physical) {
-    velocities.add(expected_->sweep.velocityFrom);
-    velocities.add(expected_->sweep.velocityTo);
+    const Sweep& sweep = expected_->sweep;
+    along.add(sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from);
+    along.add(sweep.isOfVelocity() ? sweep.velocityTo : sweep.to);
   }
-  if (curve_) {
-    addCurve(*curve_, axes_, velocities, coefficients);
+  if (curve_ && isOnThisAxis(*curve_->scene)) {
+    addCurve(*curve_, set, along, up);
     const double friction = asperity::factorsOf(curve_->points, axes_).friction;
-    for (const CurvePoint& point : curve_->points) coefficients.add(point.muLaw * friction);
+    if (set.y == CurveQuantity::Mu)
+      for (const CurvePoint& point : curve_->points) up.add(point.muLaw * friction);
   }
   for (const PinnedCurve& pinned : pinned_)
-    addCurve(*pinned.curve, axes_, velocities, coefficients);
+    if (isOnThisAxis(*pinned.curve->scene)) addCurve(*pinned.curve, set, along, up);
+  const bool isMarked = marker_ && (expected_ || curve_);
   if (const std::optional<DiagramMarker> shown = marker(); shown && shown->isFixed) {
     // A motion often comes to rest: the axes then grow with it, but do not shrink.
-    velocities.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
-    if (shown->y > coefficients.high) coefficients.add(shown->y);
-  } else if (shown) {
-    velocities.add(shown->x);
-    coefficients.add(shown->y);
+    if (set.isOfVelocity())
+      along.add(fastest_ * (axes_ == CurveAxes::Physical ? 1 : markerFactor_));
+    if (up.isEmpty() || std::isgreater(shown->y, up.high)) up.add(shown->y);
+  } else if (shown && isMarked) {
+    along.add(shown->x);
+    up.add(shown->y);
   }
-  if (const AxisRange needed = velocities.decades(); !needed.isEmpty()) velocities_ = needed;
-  coefficients_ =
-      steadyRange(coefficients_, neededCoefficients(coefficients.decades(kAir)), newCurve);
+  if (const AxisRange needed = along.range(); !needed.isEmpty()) velocities_ = needed;
+  if (up.scale == AxisScale::Linear) {
+    const AxisRange needed = up.range();
+    const bool isUnion = !newCurve && !coefficients_.isEmpty() && !needed.isEmpty();
+    if (isUnion)
+      coefficients_ = {std::min(coefficients_.from, needed.from),
+                       std::max(coefficients_.to, needed.to)};
+    else if (!needed.isEmpty())
+      coefficients_ = needed;
+    return;
+  }
+  coefficients_ = steadyRange(coefficients_, neededCoefficients(up.range(kAir)), newCurve);
 }
 
 /// Before there is a curve, the axis shows some decades of friction around the marker.
 AxisRange FrictionChartModel::neededCoefficients(const AxisRange& data) const {
-  if (curve_ || axes_ == CurveAxes::Dimensionless) return data;
+  if (curve_ || axes_ == CurveAxes::Dimensionless || quantity_ != CurveQuantity::Mu) return data;
   return steadyRange(kEmptyCoefficients, data, false);
 }
 

@@ -59,9 +59,16 @@ class FrictionChartModel {
 
   void setAxes(CurveAxes axes);
   CurveAxes axes() const { return axes_; }
+  /// Sets what the vertical axis shows, and whether it is linear.
+  void setQuantity(CurveQuantity quantity);
+  CurveQuantity quantity() const { return quantity_; }
+  void setLinearY(bool isLinear);
+  bool isLinearY() const { return isLinearY_; }
 
   /// Pins the present curve. Returns its number, or 0 where there is none or it is pinned already.
   int pin();
+  /// Pins another curve over the same key.
+  int pin(std::shared_ptr<const CurveUpdate> curve);
   void unpin(int id);
   void unpinAll();
   const std::vector<PinnedCurve>& pinned() const { return pinned_; }
@@ -87,11 +94,12 @@ class FrictionChartModel {
   DiagramSheet sheet() const;
   std::optional<DiagramMarker> marker() const;
 
-  /// Return the reading of a point of the sheet, and its velocity (m/s); empty where there is none.
+  /// Return the reading of a point of the sheet, and its value of the swept key (velocity: m/s);
+  /// empty where there is none.
   QString describe(int id, int row) const;
-  std::optional<double> velocityOf(int id, int row) const;
-  /// Returns the velocity (m/s) at a place on the axis; empty where it has none.
-  std::optional<double> velocityAt(double x) const;
+  std::optional<double> sweptOf(int id, int row) const;
+  /// Returns the value of the swept key at a place on the axis; empty where it has none.
+  std::optional<double> sweptAt(double x) const;
 
   /// Returns the curves in the visible range, for writing them; nothing before the first curve.
   std::optional<CurveSet> shown(const std::optional<VisibleRange>& zoom) const;
@@ -99,11 +107,14 @@ class FrictionChartModel {
  private:
   const CurveUpdate* find(int id) const;
   QString describeMeasured(const MeasuredCurve& measured, std::size_t place) const;
-  QString reading(const CurvePoint& point) const;
+  QString reading(const CurvePoint& point, const Scene& scene) const;
   QString reading(const DifferencePoint& point) const;
   Message englishNameOf(const PinnedCurve& pinned, const Scene& present) const;
   const Scene& present() const { return expected_ ? *expected_ : *curve_->scene; }
   CurveSet curves(const Scene& present) const;
+  /// The axes alone.
+  CurveSet view() const;
+  bool isOnThisAxis(const Scene& scene) const;
   Message status() const;
   void fitRanges(bool newCurve);
   AxisRange neededCoefficients(const AxisRange& data) const;
@@ -116,11 +127,15 @@ class FrictionChartModel {
   std::optional<Scene> compared_;  // the scene of the comparisons
   CurveSet comparisons_;           // its theories and measured curves
   CurveAxes axes_ = CurveAxes::Physical;
+  CurveQuantity quantity_ = CurveQuantity::Mu;
+  bool isLinearY_ = false;
+  std::string sweptKey_{kVelocityKey};   // of the ranges below
+  std::string markedKey_{kVelocityKey};  // of the marker
   std::optional<DiagramMarker> marker_, dimensionlessMarker_;
   double markerFactor_ = 1;  // for the frame's line, from m/s to the dimensionless axis
   double fastest_ = 0;       // m/s, of the marked motion
   bool isMarkFaded_ = false;
-  AxisRange velocities_, coefficients_;  // decades
+  AxisRange velocities_, coefficients_;  // decades, or values of a linear axis
 };
 
 }  // namespace asperity

@@ -103,8 +103,22 @@ void addLegendLabels(DrawList& list, DrawLayer& layer, const ContactLayout& layo
   }
 }
 
+/// Adds strokes that grow like the values, as under the contacts.
+void addStrokes(DrawLayer& layer, const ContactLayout& layout) {
+  const Box& bar = layout.legend.bar;
+  const float u = layout.sizes.unit, step = 3 * u;
+  for (float x = step; x <= bar.width; x += step)
+    addLine(layer, {{bar.x + x, bar.y}, {bar.x + x, bar.y + bar.height * x / bar.width}},
+            std::max(1.0F, 0.9F * u), layout.theme.text);
+}
+
 void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   const Box& bar = layout.legend.bar;
+  if (layout.theme.isPaper) {
+    addStrokes(layer, layout);
+    return layout.legend.inLine ? addNumbersBeside(list, layout)
+                                : addLegendLabels(list, layer, layout);
+  }
   constexpr int kSteps = 20;  // twice the number of control colours of the maps, or more
   const float step = bar.width / kSteps;
   for (int i = 0; i < kSteps; ++i) {

@@ -11,6 +11,8 @@ namespace {
 
 using Curve = std::vector<CurveVertex>;
 
+constexpr float kLongestStroke = 0.22F;  // of the plot's height, at the end of the scale
+
 std::vector<Place> pixelsOf(const Curve& curve, const ContactLayout& layout) {
   std::vector<Place> places;
   places.reserve(curve.size());
@@ -67,8 +69,9 @@ void addHatching(DrawLayer& layer, const Frame& frame, const ContactLayout& layo
   double offset = std::fmod((slid - layout.view.left) * layout.pixelsPerMetreX(), gap);
   if (!std::isfinite(offset)) offset = 0;
   // The lines have one colour, so vector pictures can keep them as lines.
-  const Rgba colour = withAlpha(layout.theme.rigidEdge, 0.15F);
-  const float width = std::max(1.0F, layout.sizes.unit);
+  const bool isPaper = layout.theme.isPaper;
+  const Rgba colour = isPaper ? layout.theme.axis : withAlpha(layout.theme.rigidEdge, 0.15F);
+  const float width = std::max(1.0F, (isPaper ? 0.7F : 1.0F) * layout.sizes.unit);
   for (double x = p.x + offset - gap; x < p.right() + p.height; x += gap) {
     const auto top = static_cast<float>(x), end = top - (bottom - p.y);
     addLine(layer, {{top, p.y}, {end, bottom}}, width, colour);
@@ -80,6 +83,11 @@ DrawLayer rigidLayer(const Frame& frame, const Curve& line, const ContactLayout&
   const Theme& t = layout.theme;
   const Box& p = layout.plot;
   const float bottom = lowestRow(pixelsOf(line, layout), layout);
+  if (t.isPaper) {
+    addRectangle(layer, {p.x, p.y, p.width, bottom - p.y}, t.rigid);
+    addHatching(layer, frame, layout, bottom);
+    return layer;
+  }
   const Rgba high = mix(t.rigid, {1, 1, 1, 1}, 0.12F), low = mix(t.rigid, {0, 0, 0, 1}, 0.16F);
   addRectangle(layer, {p.x, p.y, p.width, bottom - p.y}, high,
                mix(high, low, (bottom - p.y) / p.height));
@@ -94,6 +102,10 @@ DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactL
   const std::vector<Place> places = pixelsOf(surface, layout);
   fillBelow(layer, pixelsOf(line, layout), lowestRow(places, layout),
             [&](float) { return t.panel; });
+  if (t.isPaper) {
+    fillBelow(layer, places, bottom, [&](float) { return t.elastomer; });
+    return layer;
+  }
   const Rgba light = mix(t.elastomer, {1, 1, 1, 1}, 0.14F);
   const Rgba dark = mix(t.elastomer, {0, 0, 0, 1}, 0.34F);
   const auto shade = [&](float y) {
@@ -145,6 +157,33 @@ void addStretch(DrawLayer& layer, const Curve& stretch, const ContactLayout& lay
   }
   layer.lines.push_back(std::move(halo));
   layer.lines.push_back(std::move(core));
+}
+
+/// Adds strokes under a stretch as long as its values, at equal distances on the picture; a stretch
+/// between two of them has one at its largest value.
+void addStrokesBelow(DrawLayer& layer, const Curve& stretch, const ContactLayout& layout) {
+  const float u = layout.sizes.unit, longest = kLongestStroke * layout.plot.height;
+  const float step = 3 * u, width = std::max(1.0F, 0.9F * u);
+  const auto stroke = [&](float x, float y, double value) {
+    const float length = longest * layout.scale.position(value);
+    if (length > 0.5F) addLine(layer, {{x, y}, {x, y + length}}, width, layout.theme.text);
+  };
+  const CurveVertex* largest = nullptr;
+  bool hasAny = false;
+  for (std::size_t i = 0; i < stretch.size(); ++i) {
+    const CurveVertex& b = stretch[i];
+    if (!largest || b.value > largest->value) largest = &b;
+    if (i == 0) continue;
+    const CurveVertex& a = stretch[i - 1];
+    const float from = layout.px(a.x), to = layout.px(b.x);
+    if (!(to > from)) continue;
+    for (float x = std::ceil(from / step) * step; x < to; x += step) {
+      const double part = (x - from) / (to - from);
+      stroke(x, layout.py(std::lerp(a.height, b.height, part)), std::lerp(a.value, b.value, part));
+      hasAny = true;
+    }
+  }
+  if (!hasAny && largest) stroke(layout.px(largest->x), layout.py(largest->height), largest->value);
 }
 
 /// Draws the free surface in the colours of its age, with a band of them below. Nothing is drawn in
@@ -208,16 +247,19 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
 
   DrawLayer rigid = rigidLayer(frame, line, layout);
   DrawLayer elastomer = elastomerLayer(line, surface, layout);
-  addGlow(elastomer, surface, stretches, layout);
+  const bool isPaper = layout.theme.isPaper;
+  if (!isPaper) addGlow(elastomer, surface, stretches, layout);
   DrawLayer curves;
-  const float u = layout.sizes.unit;
   addGrid(curves, layout);
   addUndeformedLevel(curves, layout);
-  addCurve(curves, surface, layout, 1.7F * u, layout.theme.elastomerEdge);
-  addCurve(curves, line, layout, 1.7F * u, layout.theme.rigidEdge);
-  if (coloursAge && layout.scale.isShown()) addAge(elastomer, curves, surface, layout);
-  for (const Curve& stretch : stretches) addStretch(curves, stretch, layout);
-  if (layout.marked) addMark(curves, frame, layout);
+  const float width = layout.sizes.curve;
+  addCurve(curves, surface, layout, width, layout.theme.elastomerEdge);
+  addCurve(curves, line, layout, width, layout.theme.rigidEdge);
+  if (coloursAge && layout.scale.isShown() && !isPaper) addAge(elastomer, curves, surface, layout);
+  if (coloursAge && layout.scale.isShown() && isPaper) addStrokesBelow(curves, surface, layout);
+  for (const Curve& stretch : stretches)
+    isPaper ? addStrokesBelow(curves, stretch, layout) : addStretch(curves, stretch, layout);
+  if (layout.marked && !isPaper) addMark(curves, frame, layout);
   for (DrawLayer* layer : {&rigid, &elastomer, &curves}) {
     layer->clip = clip;
     list.layers.push_back(std::move(*layer));

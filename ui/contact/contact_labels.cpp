@@ -184,12 +184,12 @@ std::string powerText(const Frame& frame) {
 Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   Notes notes{exaggerationText(layout)};
   const bool pressed = greatestPressure(frame) > 0;
-  if (layout.marked)
+  if (layout.marked && !layout.theme.isPaper)
     notes.push_back(pressed ? Words::tr("dot: the deepest contact")
                             : Words::tr("dot: contact between two points"));
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
     notes.push_back(powerText(frame));
-  if (pressed && layout.scale.overlay == ContactOverlay::Pressure)
+  if (pressed && layout.scale.overlay == ContactOverlay::Pressure && !layout.theme.isPaper)
     notes.push_back(Words::tr("glow: pressure, not depth"));
   return notes;
 }
@@ -214,7 +214,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
                    Notes& notes) {
   const float margin = std::round(9 * layout.sizes.unit);
   const std::vector<Tag> tags = elastomerTags(frame);
-  const Rgba plate = mix(layout.theme.elastomer, {0, 0, 0, 1}, 0.2F);
+  const Theme& t = layout.theme;
+  const Rgba plate = t.isPaper ? t.elastomer : mix(t.elastomer, {0, 0, 0, 1}, 0.2F);
   const float top = layout.plot.bottom() - margin - painter.height();
   const auto fits = [&](const Tag& tag) {
     return painter.width(tag) + 2 * margin <= layout.plot.width;

@@ -114,9 +114,11 @@ Sizes sizesFor(const ContactPictureOptions& options) {
   const float room = std::min(static_cast<float>(options.width) / (1280 * scale),
                               static_cast<float>(options.height) / (720 * scale));
   // Small pictures shrink their texts a little; large ones enlarge them less than the picture.
-  const float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
+  const float usual = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
+  const float unit = options.letters > 0 ? options.letters / 12 : usual;
   const auto font = [&](float size) { return std::max(7.0F, std::round(size * unit)); };
-  return {unit, font(19), font(14), font(12)};
+  const float curve = options.curve > 0 ? options.curve : 1.7F * unit;
+  return {unit, font(19), font(14), font(12), curve};
 }
 
 double ContactLayout::pixelsPerMetreX() const {

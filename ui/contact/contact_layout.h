@@ -13,6 +13,7 @@ namespace asperity {
 struct Sizes {
   float unit = 1;  // of line widths and distances
   float title = 18, body = 13, small = 11;
+  float curve = 1.7F;  // width of line and surface, pixels
 };
 Sizes sizesFor(const ContactPictureOptions& options);
 

@@ -50,6 +50,8 @@ struct ContactPictureOptions {
   ContactOverlay overlay = ContactOverlay::Pressure;
   std::optional<double> probe;  // m: position of a crosshair with readings of that element
   std::optional<Magnifier> magnifier;
+  float letters = 0;  // pixels, of the numbers at the axes; 0: automatic
+  float curve = 0;    // pixels, width of line and surface; 0: automatic
 };
 
 /// Returns a view that fits the frame and changes only when it must (pass the last view to avoid

@@ -106,8 +106,16 @@ class SvgWriter {
     addTexts();
     const std::string width = std::to_string(list_.width), height = std::to_string(list_.height);
     std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    svg += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
-           "\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+    const auto side = [&](int pixels) {
+      if (!(options_.millimetres > 0)) return std::to_string(pixels);
+      char text[32];
+      const auto end = std::to_chars(text, text + sizeof text, pixels * options_.millimetres,
+                                     std::chars_format::general, 6);
+      return std::string(text, end.ptr) + "mm";
+    };
+    svg += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + side(list_.width) +
+           "\" height=\"" + side(list_.height) + "\" viewBox=\"0 0 " + width + " " + height +
+           "\">\n";
     if (!options_.title.empty()) svg += "<title>" + xmlText(options_.title) + "</title>\n";
     if (!options_.metadata.empty())
       svg += "<metadata>" + xmlText(options_.metadata) + "</metadata>\n";

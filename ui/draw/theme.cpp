@@ -55,6 +55,40 @@ const Theme& printTheme() {
   return theme;
 }
 
+const Theme& paperTheme() {
+  static const Theme theme = [] {
+    Theme paper = printTheme();
+    paper.panel = colour(0xFFFFFF);
+    paper.rigid = colour(0xF7F7F7);
+    paper.rigidEdge = colour(0x000000);
+    paper.elastomer = colour(0xDDE4EA);
+    paper.elastomerEdge = colour(0x000000);
+    paper.faintText = colour(0x000000);
+    paper.axis = colour(0x000000);
+    paper.highlight = colour(0x000000);
+    paper.isPaper = true;
+    return paper;
+  }();
+  return theme;
+}
+
+Rgba colourFrom(std::uint32_t rgb) {
+  return colour(rgb);
+}
+
+void removeColours(DrawList& list) {
+  const auto toGrey = [](Rgba& c) {
+    c.r = c.g = c.b = 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b;
+  };
+  toGrey(list.background);
+  for (DrawLayer& layer : list.layers) {
+    for (DrawVertex& vertex : layer.triangles) toGrey(vertex.colour);
+    for (DrawLine& line : layer.lines)
+      for (DrawVertex& vertex : line.vertices) toGrey(vertex.colour);
+  }
+  for (DrawText& text : list.texts) toGrey(text.colour);
+}
+
 namespace {
 
 constexpr Rgba bytes(int r, int g, int b) {

@@ -2,6 +2,8 @@
 // series. Pure; any thread.
 #pragma once
 
+#include <cstdint>
+
 #include "ui/draw/draw_list.h"
 
 namespace asperity {
@@ -9,10 +11,20 @@ namespace asperity {
 struct Theme {
   Rgba background, panel, text, faintText, grid, axis;
   Rgba rigid, rigidEdge, elastomer, elastomerEdge, highlight;
+  /// The contact is drawn for print: flat light tints, hatching, and pressures as strokes, which
+  /// are legible without colours.
+  bool isPaper = false;
 };
 const Theme& lightTheme();
 const Theme& darkTheme();
 const Theme& printTheme();  // black on white, for paper
+const Theme& paperTheme();  // the same, with a contact in light tints instead of ink
+
+/// Returns 0xRRGGBB as a colour.
+Rgba colourFrom(std::uint32_t rgb);
+
+/// Replaces every colour by the grey of its luminance (Rec. 709, of the coded values).
+void removeColours(DrawList& list);
 
 /// Returns a at t = 0 and b at t = 1, interpolated channel by channel.
 Rgba mix(const Rgba& a, const Rgba& b, float t);

@@ -58,7 +58,9 @@ std::vector<ParameterGroup> sections() {
     ParameterGroup group;
     if (!name.isEmpty()) group.title = [name] { return sectionTitle(name); };
     for (const Parameter& parameter : parameters())
-      if (sectionOf(parameter) == name) group.keys.push_back(parameter.key);
+      // The axis of the curve is chosen at the chart.
+      if (sectionOf(parameter) == name && parameter.key != "sweep.key")
+        group.keys.push_back(parameter.key);
     groups.push_back(std::move(group));
   }
   return groups;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
 #include "core/friction/theories/complete_contact_friction.h"
 #include "core/friction/theories/gaussian_foundation.h"
 #include "core/friction/theories/persson_half_space.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -118,6 +120,64 @@ std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const Li
     default:
       return perssonCurve(in, velocities);
   }
+}
+
+double TheoryPoint::value(CurveQuantity quantity) const {
+  switch (quantity) {
+    case CurveQuantity::Mu:
+      return mu;
+    case CurveQuantity::NormalizedMu:
+      return mu / rmsSlope;
+    case CurveQuantity::ContactFraction:
+      return contactFraction;
+    case CurveQuantity::TangentialForce:
+      return mu * normalForce;
+    case CurveQuantity::Power:
+      return mu * normalForce * velocity;
+    case CurveQuantity::MeanPressure:
+      return std::isgreater(contactFraction, 0) ? normalForce / (contactFraction * area)
+                                                : kNotApplicable;
+    default:
+      return kNotApplicable;
+  }
+}
+
+std::vector<TheoryPoint> theoryOverAxis(Theory theory, const Scene& scene, std::int64_t points,
+                                        const std::stop_token& stop) {
+  ParameterRange range = sweepRange(scene);
+  range.points = std::max(range.points, points);
+  std::vector<TheoryPoint> curve;
+  std::optional<LineSource> source;
+  Surface made;
+  const auto add = [&](const Scene& state, std::span<const double> velocities, double swept) {
+    // Most keys leave the line as it is, which may be long.
+    if (!source || !(made == state.surface)) {
+      source.emplace(state, 1);
+      made = state.surface;
+    }
+    const double length = source->length();
+    const double width =
+        state.load.kind == LoadKind::Pressure && state.load.width > 0 ? state.load.width : length;
+    for (TheoryPoint point : theoryCurve(theory, state, *source, velocities)) {
+      point.swept = swept;
+      point.rmsSlope = source->statistics().rmsSlope;
+      point.area = length * width;
+      if (state.load.kind != LoadKind::Indentation)
+        point.normalForce = loadOn(state.load, length).normalForce;
+      curve.push_back(point);
+    }
+  };
+  const std::vector<double> values = valuesOf(range);
+  if (scene.sweep.isOfVelocity()) {
+    add(scene, values, kNotApplicable);
+    return curve;
+  }
+  for (const double value : values) {
+    if (stop.stop_requested()) break;
+    const Scene state = sceneAt(scene, value);
+    add(state, {&state.sliding.velocity, 1}, value);
+  }
+  return curve;
 }
 
 }  // namespace asperity

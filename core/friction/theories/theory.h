@@ -2,10 +2,13 @@
 // command line choose it. Pure; any thread.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/friction/curve_quantity.h"
 #include "core/scene/scene.h"
 #include "core/surface/line_source.h"
 
@@ -20,10 +23,16 @@ std::span<const TheoryEntry> theoryEntries();
 const TheoryEntry& entryOf(Theory theory);
 
 struct TheoryPoint {
-  double velocity = 0;         // m/s
-  double mu = 0;               // NaN: the theory says nothing
-  double contactFraction = 0;  // L_c / L; NaN likewise
-  bool isInRange = true;       // where the theory's own assumptions hold
+  double velocity = 0;            // m/s
+  double mu = 0;                  // NaN: the theory says nothing
+  double contactFraction = 0;     // L_c / L; NaN likewise
+  bool isInRange = true;          // where the theory's own assumptions hold
+  double swept = kNotApplicable;  // the value of the swept key where it is not the velocity
+  /// Of the lines and the load: rms slope, normal force (N) and the area of one period (m^2).
+  double rmsSlope = kNotApplicable, normalForce = kNotApplicable, area = kNotApplicable;
+
+  /// What the theory says of a quantity; NaN where it says nothing.
+  double value(CurveQuantity quantity) const;
 };
 
 /// What a theory says of a scene at these velocities. NaN where it does not apply: Eq. (11) without
@@ -33,5 +42,11 @@ struct TheoryPoint {
 /// one the half-space has the force over the period's square.
 std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const LineSource& source,
                                      std::span<const double> velocities);
+
+/// The same over the scene's axis, whichever it is, at `points` values or those of the sweep where
+/// they are more: over another key than velocity, each value is a state of its own, with its line's
+/// spectrum. Ends before `stop`.
+std::vector<TheoryPoint> theoryOverAxis(Theory theory, const Scene& scene, std::int64_t points,
+                                        const std::stop_token& stop = {});
 
 }  // namespace asperity

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/chart/comparison.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/steady_states.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 
@@ -19,6 +21,16 @@ Scene smallScene() {
 
 NamedCurve curveOf(const Scene& scene, std::string name = {}, int place = 0) {
   return {std::move(name), scene, frictionCurve(scene).points, place};
+}
+
+/// The points of a curve over another key than velocity.
+std::vector<CurvePoint> pointsOver(const Scene& scene) {
+  const std::vector<double> values = sweepValues(scene);
+  std::vector<Scene> states;
+  for (const double value : values) states.push_back(sceneAt(scene, value));
+  std::vector<CurvePoint> points = slideStates(states).points;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].swept = values[i];
+  return points;
 }
 
 TEST(CurveDiagram, ShadesAndNamesTheRegions) {
@@ -154,6 +166,112 @@ TEST(CurveDiagram, ADifferenceStandsBelowOverTheSameAxis) {
   EXPECT_NEAR(drawn.y, 100 * computed.relative, 1e-12);
   EXPECT_NEAR(drawn.high - drawn.y, 100 * computed.standardError, 1e-9);
   EXPECT_NEAR(drawn.y - drawn.low, 100 * computed.standardError, 1e-9);
+}
+
+/// A curve over another key: the axis is that of the key, and regions, which are of friction over
+/// velocity, are not named.
+TEST(CurveDiagram, AnyNumberMayBeTheAxis) {
+  Scene scene = smallScene();
+  scene.sweep.key = "load.normal_force";
+  scene.sweep.from = 1;
+  scene.sweep.to = 1e-3;
+  scene.sweep.points = 5;
+  CurveSet set;
+  set.present = {{}, scene, pointsOver(scene)};
+  addComparisons(set, {});
+  const Diagram diagram = curveSheet(set).diagrams.front();
+  EXPECT_EQ(diagram.x.unit, "N");
+  EXPECT_THAT(diagram.x.title.english(), testing::HasSubstr("normal force"));
+  EXPECT_EQ(diagram.x.scale, AxisScale::Logarithmic);
+  EXPECT_TRUE(diagram.spans.empty());
+  const DiagramSeries& mean = diagram.series.back();
+  ASSERT_EQ(mean.points.size(), 5U);
+  EXPECT_EQ(mean.points.front().x, 1);
+  EXPECT_EQ(mean.points.back().x, 1e-3);
+  // Eq. (11) is sampled finely, and is at each force that of the curve over velocity.
+  const DiagramSeries& law = diagram.series.front();
+  ASSERT_EQ(law.name, "Eq. (11)");
+  ASSERT_EQ(law.points.size(), 160U);
+  EXPECT_NEAR(law.points.front().y / set.present.points.front().muLaw, 1, 1e-12);
+  EXPECT_NEAR(law.points.back().y / set.present.points.back().muLaw, 1, 1e-12);
+  EXPECT_EQ(curveSheet(set).title.english(), "Friction over normal force");
+}
+
+TEST(CurveDiagram, EachQuantityStandsOnTheVerticalAxis) {
+  Scene scene = smallScene();
+  CurveSet set;
+  set.present = curveOf(scene);
+  for (const QuantityEntry& entry : quantityEntries()) {
+    set.y = entry.quantity;
+    const Diagram diagram = curveSheet(set).diagrams.front();
+    EXPECT_EQ(diagram.y.unit, entry.unit);
+    const DiagramSeries& mean = diagram.series.back();
+    for (std::size_t i = 0; i < mean.points.size(); ++i) {
+      const CurvePoint& point = set.present.points[i];
+      EXPECT_EQ(mean.points[i].y, point.*entry.value);
+      // Error bars are those of friction, in the quantity's unit.
+      EXPECT_EQ(std::isfinite(mean.points[i].low), entry.isFriction) << entry.word.text();
+    }
+    EXPECT_EQ(quantityNamed(entry.word), entry.quantity);
+  }
+  EXPECT_EQ(quantityNamed("velocity"), std::nullopt);
+}
+
+/// The foundation's contact fraction at low velocity stands beside the computed one.
+TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
+  Scene scene = smallScene();
+  scene.comparison.theory = {Theory::GaussianFoundation, Theory::PerssonHalfSpace};
+  CurveSet set;
+  set.present = curveOf(scene);
+  set.y = CurveQuantity::ContactFraction;
+  addComparisons(set, {});
+  EXPECT_EQ(curveSheet(set).diagrams.front().series.size(), 3U);
+  set.y = CurveQuantity::Indentation;
+  EXPECT_EQ(curveSheet(set).diagrams.front().series.size(), 1U);
+}
+
+/// Measured friction over force: rows of the scene's own velocity, and a note about the others.
+TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
+  Scene scene = smallScene();
+  scene.sliding.velocity = 0.1;
+  scene.sweep.key = "load.normal_force";
+  scene.sweep.from = 1e-3;
+  scene.sweep.to = 1;
+  scene.sweep.points = 3;
+  CurveSet set;
+  set.present = {{}, scene, pointsOver(scene)};
+  FrictionData table{"a table", {{0.1, 0.01}, {0.1, 0.02}, {5, 0.03}}};
+  table.points[0].normalForce = 0.01;
+  table.points[1].normalForce = 0.1;
+  table.points[2].normalForce = 0.1;
+  FrictionData forceless{"without forces", {{0.1, 0.01}, {0.2, 0.02}}};
+  addComparisons(set, {table, forceless});
+  ASSERT_EQ(set.measured.size(), 1U);
+  EXPECT_EQ(set.measured[0].places, (std::vector<double>{0.01, 0.1}));
+  ASSERT_EQ(set.notes.size(), 2U);
+  EXPECT_THAT(set.notes[0].english(), testing::HasSubstr("a table: 2 of 3 points"));
+  EXPECT_THAT(set.notes[1].english(),
+              testing::HasSubstr("without forces is not shown: it has no column of normal force"));
+}
+
+TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
+  const Scene scene = smallScene();
+  CurveSet set;
+  set.present = curveOf(scene);
+  set.familyKey = "load.normal_force";
+  for (int i = 0; i < 5; ++i) {
+    set.pinned.push_back(curveOf(scene, "F = " + std::to_string(i), i));
+    set.pinned.back().ofFamily = i;
+  }
+  EXPECT_FALSE(curveSheet(set).diagrams.front().ramp);
+  EXPECT_THAT(curveSetCsv(set), testing::StartsWith("series,normal_force,velocity,mu,"));
+  set.pinned.push_back(curveOf(scene, "F = 5", 5));
+  set.pinned.back().ofFamily = 5;
+  const Diagram many = curveSheet(set).diagrams.front();
+  ASSERT_TRUE(many.ramp);
+  EXPECT_EQ(many.ramp->to.english(), "5 N");
+  EXPECT_EQ(many.series[1].ramp, 0);
+  EXPECT_EQ(many.series[6].ramp, 1);
 }
 
 }  // namespace

@@ -150,11 +150,12 @@ TEST(PerssonHalfSpace, DirectionIntegralsAreThoseOfTheComplexModulus) {
 
 /// Values of the theory by plain quadrature from tests/reference/persson_half_space.py, which
 /// shares nothing with the program: a continuous spectrum, sums over the direction. The waves here
-/// are those of a line of 31 mm, which resolve it to a few parts in a thousand.
+/// are those of a line of 0.3 m: at light loads contact falls off within the first few waves, and
+/// those of a line of 31 mm give 1.6 % less friction at 10 m/s.
 TEST(PerssonHalfSpace, AgreesWithTheTableOfReferenceValues) {
   ElementLaw law = kelvinLaw(1e6, 0);
   law.arms = {{4e6, 1e-2}, {2e7, 1e-4}};
-  const double hurst = 0.8, height = 5e-6, low = 2e3, rollOff = 1.5e4, high = 6e5, step = 200;
+  const double hurst = 0.8, height = 5e-6, low = 2e3, rollOff = 1.5e4, high = 6e5, step = 20;
   WaveSpectrum spectrum;
   double sum = 0;
   for (double q = low + step / 2; q < high; q += step) {

@@ -110,9 +110,10 @@ TEST(Sweep, AStateHasTheValueAndNoSweepOfItsOwn) {
 }
 
 TEST(Sweep, EachMisuseHasOneClearLine) {
-  EXPECT_THAT(errorOver("load.normal_forc", "1", "2"),
-              HasSubstr("s.json: sweep.key: load.normal_forc is no key; the nearest known one is "
-                        "load.normal_force"));
+  EXPECT_THAT(
+      errorOver("load.normal_forc", "1", "2"),
+      HasSubstr("s.json: sweep.key: load.normal_forc: unknown key; the nearest known one is "
+                "load.normal_force"));
   EXPECT_THAT(errorOver("surface.kind", "1", "2"),
               HasSubstr("sweep.key: surface.kind is not a number"));
   EXPECT_THAT(errorOver("title", "1", "2"), HasSubstr("sweep.key: title is not a number"));

@@ -150,9 +150,9 @@ TEST_F(PinnedCurves, APointHasExactlyItsVelocity) {
   const std::vector<double> velocities = sweepVelocities(smallScene().sweep);
   const DiagramSeries series = *seriesOf(diagram_.sheet(), kPresentCurve);
   for (const DiagramPoint& point : series.points)
-    EXPECT_EQ(diagram_.velocityOf(kPresentCurve, point.row),
+    EXPECT_EQ(diagram_.sweptOf(kPresentCurve, point.row),
               velocities[static_cast<std::size_t>(point.row)]);
-  EXPECT_EQ(diagram_.velocityOf(kPresentCurve, 99), std::nullopt);
+  EXPECT_EQ(diagram_.sweptOf(kPresentCurve, 99), std::nullopt);
 }
 
 TEST_F(PinnedCurves, DimensionlessAxesScaleEveryCurveByItsOwn) {
@@ -190,7 +190,7 @@ TEST_F(PinnedCurves, TheMarkerFollowsTheAxesAndBack) {
   const double vbar = 1e-3 * 0.02 * 1e-3 / (std::sqrt(2) * 5e-7);
   EXPECT_NEAR(diagram_.marker()->x / vbar, 1, 1e-12);
   EXPECT_NEAR(diagram_.marker()->y, 0.2, 1e-12);
-  EXPECT_NEAR(*diagram_.velocityAt(vbar), 0.02, 1e-15);
+  EXPECT_NEAR(*diagram_.sweptAt(vbar), 0.02, 1e-15);
 }
 
 TEST_F(PinnedCurves, WithoutARelaxationTimeAxesSayWhyTheyAreEmpty) {

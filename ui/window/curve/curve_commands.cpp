@@ -7,8 +7,13 @@
 #include <memory>
 #include <utility>
 
+#include "core/accuracy/compute_curve.h"
+#include "core/chart/curve_words.h"
+#include "core/friction/study.h"
+#include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/window/curve/curve_files.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/session.h"
@@ -18,6 +23,10 @@ namespace asperity {
 namespace {
 
 constexpr double kZoom = 1.5;
+
+QString capitalized(const QString& text) {
+  return text.left(1).toUpper() + text.mid(1);
+}
 
 }  // namespace
 
@@ -34,6 +43,14 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
   dimensionless_->setCheckable(true);
   dimensionless_->setShortcut(Qt::Key_D);
   connect(dimensionless_, &QAction::toggled, this, &CurveCommands::setAxes);
+  linearX_ = add("linearAxis", [this] { spaceEvenly(linearX_->isChecked()); });
+  linearX_->setCheckable(true);
+  linearY_ = add("linearQuantity", [this] {
+    view_.fit();
+    session_.editCurve(
+        [this](FrictionChartModel& plot) { plot.setLinearY(linearY_->isChecked()); });
+  });
+  linearY_->setCheckable(true);
   nearer_ = add("curveNearer", [this] { view_.zoom(1 / kZoom); });
   farther_ = add("curveFarther", [this] { view_.zoom(kZoom); });
   fit_ = add("curveFit", [this] { view_.fit(); });
@@ -58,6 +75,12 @@ void CurveCommands::showTexts() {
   unpinAll_->setText(tr("Unpin all"));
   dimensionless_->setText(tr("Dimensionless axes"));
   dimensionless_->setToolTip(tr("v̄ of Eq. (13) and μ over the rms slope of the line"));
+  keys_->setTitle(tr("Horizontal axis"));
+  quantities_->setTitle(tr("Vertical axis"));
+  family_->setTitle(tr("Family of curves"));
+  family_->setToolTip(tr("Pins five curves, at five values of another parameter"));
+  linearX_->setText(tr("Linear horizontal axis"));
+  linearY_->setText(tr("Linear vertical axis"));
   nearer_->setText(tr("Zoom in"));
   farther_->setText(tr("Zoom out"));
   fit_->setText(tr("Fit axes"));
@@ -73,12 +96,30 @@ void CurveCommands::fill(QMenu& menu) {
   unpin_->setObjectName("unpinMenu");
   connect(unpin_, &QMenu::aboutToShow, this, &CurveCommands::fillUnpin);
   menu.addAction(unpinAll_);
+  family_ = menu.addMenu(QString());
+  family_->setObjectName("familyMenu");
+  connect(family_, &QMenu::aboutToShow, this, [this] {
+    fillKeys(
+        *family_, [this](const Parameter& row) { pinFamily(row); },
+        !session_.scene().sweep.isOfVelocity());
+  });
   menu.addSeparator();
-  menu.addActions({dimensionless_, nearer_, farther_, fit_});
+  keys_ = menu.addMenu(QString());
+  keys_->setObjectName("axisMenu");
+  connect(keys_, &QMenu::aboutToShow, this, [this] {
+    fillKeys(
+        *keys_, [this](const Parameter& row) { chooseKey(row); }, true);
+  });
+  quantities_ = menu.addMenu(QString());
+  quantities_->setObjectName("quantityMenu");
+  connect(quantities_, &QMenu::aboutToShow, this, &CurveCommands::fillQuantities);
+  menu.addActions({linearX_, linearY_, dimensionless_, nearer_, farther_, fit_});
   menu.addSeparator();
   menu.addActions({save_, copy_});
   view_.setContextMenuPolicy(Qt::ActionsContextMenu);
-  view_.addActions({pin_, unpinAll_, dimensionless_, fit_, save_, copy_});
+  view_.addActions({pin_, unpinAll_, family_->menuAction(), keys_->menuAction(),
+                    quantities_->menuAction(), linearX_, linearY_, dimensionless_, fit_, save_,
+                    copy_});
   keepTranslated(menu, [this] { showTexts(); });
   showState();
 }
@@ -100,6 +141,11 @@ void CurveCommands::showState() {
   pin_->setEnabled(hasCurve);
   unpinAll_->setEnabled(hasPins);
   unpin_->setEnabled(hasPins);
+  const Sweep& sweep = session_.scene().sweep;
+  dimensionless_->setEnabled(sweep.isOfVelocity());
+  if (!sweep.isOfVelocity() && dimensionless_->isChecked()) dimensionless_->setChecked(false);
+  linearX_->setChecked(sweep.scale == SweepScale::Linear);
+  linearX_->setEnabled(sweep.isOfVelocity() || (sweep.from > 0 && sweep.to > 0));
   fit_->setEnabled(view_.isZoomed());
   save_->setEnabled(hasCurve);
   copy_->setEnabled(hasCurve);
@@ -111,6 +157,100 @@ void CurveCommands::setAxes(bool dimensionless) {
   session_.editCurve([dimensionless](FrictionChartModel& plot) {
     plot.setAxes(dimensionless ? CurveAxes::Dimensionless : CurveAxes::Physical);
   });
+}
+
+/// Adds one entry for each number that changes friction, velocity first, in groups as in the panel.
+void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> choose,
+                             bool withVelocity) {
+  menu.clear();
+  const Scene& scene = session_.scene();
+  const auto addKey = [&](const Parameter& row) {
+    QAction* action = menu.addAction(capitalized(translatedText(titleOfKey(row.key))), this,
+                                     [choose, &row] { choose(row); });
+    action->setObjectName("key:" + QString::fromStdString(std::string(row.key)));
+    action->setCheckable(&menu == keys_);
+    action->setChecked(row.key == scene.sweep.key);
+  };
+  if (withVelocity) addKey(*findParameter(kVelocityKey));
+  for (const std::string_view section :
+       {"load.", "elastomer.", "surface.", "interface.", "accuracy."}) {
+    menu.addSeparator();
+    for (const Parameter& row : parameters())
+      if (row.key.starts_with(section) && whyNotSwept(row, scene).empty() &&
+          (&menu == keys_ || row.key != scene.sweep.key))
+        addKey(row);
+  }
+}
+
+void CurveCommands::fillQuantities() {
+  quantities_->clear();
+  for (const QuantityEntry& entry : quantityEntries()) {
+    QAction* action = quantities_->addAction(
+        capitalized(translatedText(entry.title)), this, [this, quantity = entry.quantity] {
+          view_.fit();
+          dimensionless_->setChecked(false);
+          session_.editCurve([&](FrictionChartModel& plot) { plot.setQuantity(quantity); });
+        });
+    action->setObjectName("quantity:" + QString::fromStdString(entry.word.text()));
+    action->setCheckable(true);
+    action->setChecked(session_.friction().quantity() == entry.quantity);
+  }
+}
+
+/// Makes the key the axis, over a range around its own value.
+void CurveCommands::chooseKey(const Parameter& parameter) {
+  const Scene& scene = session_.scene();
+  if (parameter.key == scene.sweep.key) return;
+  Scene next = scene;
+  if (parameter.key == kVelocityKey)
+    next.sweep = {};
+  else
+    next = sceneOver(usualRange(parameter, scene), scene);
+  next.sweep.points = scene.sweep.points;
+  view_.fit();
+  emit axisChosen(next);
+}
+
+void CurveCommands::spaceEvenly(bool isLinear) {
+  Scene next = session_.scene();
+  next.sweep.scale = isLinear ? SweepScale::Linear : SweepScale::Logarithmic;
+  view_.fit();
+  emit axisChosen(next);
+}
+
+/// Pins five curves that differ in a second parameter.
+void CurveCommands::pinFamily(const Parameter& parameter) {
+  constexpr std::int64_t kCurves = 5;
+  const Scene scene = session_.scene();
+  ParameterRange range = usualRange(parameter, scene);
+  range.points = kCurves;
+  work_.request(
+      [scene, range](const BackgroundWork::Run& run) {
+        std::vector<std::shared_ptr<const CurveUpdate>> family;
+        for (const double value : valuesOf(range)) {
+          auto member = std::make_shared<Scene>(scene);
+          member->sweep.key = std::string(range.key());
+          *member = withSweptValue(*member, value);
+          member->sweep.key = scene.sweep.key;
+          CurveOptions options;
+          options.stop = run.stop();
+          Curve curve = computeCurve(*member, options);
+          if (!curve.isComplete) throw StudyStopped{};
+          auto update = std::make_shared<CurveUpdate>();
+          update->scene = std::move(member);
+          update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;
+          update->points = std::move(curve.points);
+          update->isComplete = true;
+          family.push_back(std::move(update));
+        }
+        return family;
+      },
+      [this](const std::vector<std::shared_ptr<const CurveUpdate>>& family) {
+        session_.editCurve([&](FrictionChartModel& plot) {
+          for (const auto& curve : family) plot.pin(curve);
+        });
+      },
+      [this](const QString& reason) { emit failed(reason); });
 }
 
 std::optional<CurveSet> CurveCommands::shown() const {

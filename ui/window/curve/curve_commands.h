@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/chart/curve_set.h"
+#include "core/scene/parameters.h"
+#include "ui/window/tasks/background_work.h"
 
 class QAction;
 class QMenu;
@@ -37,6 +39,10 @@ class CurveCommands : public QObject {
  signals:
   /// Emitted with the file, or an empty text for the clipboard.
   void exported(const QString& file);
+  /// Emitted where another axis was chosen.
+  void axisChosen(const asperity::Scene& scene);
+  /// A family could not be computed.
+  void failed(const QString& reason);
 
  private:
   QAction* add(const char* name, std::function<void()> run);
@@ -46,12 +52,20 @@ class CurveCommands : public QObject {
   void askSave();
   void copyPicture();
   void setAxes(bool dimensionless);
+  void fillKeys(QMenu& menu, std::function<void(const Parameter&)> choose, bool withVelocity);
+  void fillQuantities();
+  void chooseKey(const Parameter& parameter);
+  void spaceEvenly(bool isLinear);
+  void pinFamily(const Parameter& parameter);
 
   Session& session_;
   ChartView& view_;
   Export run_;
   QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_;
+  QAction *linearX_, *linearY_;
   QMenu* unpin_ = nullptr;
+  QMenu *keys_ = nullptr, *quantities_ = nullptr, *family_ = nullptr;
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

@@ -24,7 +24,7 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
 void CurveComparison::follow() {
   const CurveUpdate* curve = session_.curve();
   if (!setting_ || !curve || !curve->isComplete) return;
-  if (choosesAccuracy(*curve->scene)) return;
+  if (choosesAccuracy(*curve->scene) || !curve->scene->sweep.isOfVelocity()) return;
   if (compared_ && haveSameCurve(*compared_, *curve->scene)) return;
   compared_ = *curve->scene;
   compared_->sliding.kind =

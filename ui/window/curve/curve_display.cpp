@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/main/session.h"
@@ -13,7 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPause = 80;  // ms; painting a diagram takes as long as several pictures
-constexpr int kDigits = 3, kFineDigits = 5;  // digits of a velocity that the user sets
+constexpr int kDigits = 3, kFineDigits = 5;  // digits of a value that the user sets
 constexpr int kFade = 30;  // ms to wait for a new curve before the old one is drawn faded
 
 }  // namespace
@@ -28,11 +28,11 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
   view_.setDescribe([this](int id, int row) { return session_.friction().describe(id, row); });
   connect(&view_, &ChartView::markerMoved, this, [this](double x, bool finely) {
-    const auto velocity = session_.friction().velocityAt(x);
-    if (velocity) setVelocity(roundedToDigits(*velocity, finely ? kFineDigits : kDigits));
+    const auto value = session_.friction().sweptAt(x);
+    if (value) setSwept(roundedToDigits(*value, finely ? kFineDigits : kDigits));
   });
   connect(&view_, &ChartView::pointChosen, this, [this](int id, int row) {
-    if (const auto velocity = session_.friction().velocityOf(id, row)) setVelocity(*velocity);
+    if (const auto value = session_.friction().sweptOf(id, row)) setSwept(*value);
   });
   connect(&view_, &ChartView::unpinWanted, this, [this](int id) {
     session_.editCurve([id](FrictionChartModel& plot) { plot.unpin(id); });
@@ -59,12 +59,10 @@ void CurveDisplay::showMarker() {
   view_.setMarker(session_.friction().marker());
 }
 
-/// Sets exactly this velocity, within the limits of the table of parameters.
-void CurveDisplay::setVelocity(double velocity) {
-  const auto& field = std::get<RealField>(findParameter("sliding.velocity")->field);
-  Scene scene = session_.scene();
-  scene.sliding.velocity = std::clamp(velocity, field.minimum, field.maximum);
-  if (scene.sliding.velocity != session_.scene().sliding.velocity) emit sceneEdited(scene);
+/// Sets the key of the axis to exactly this value, within the limits of the table of parameters.
+void CurveDisplay::setSwept(double value) {
+  const Scene scene = withSweptValue(session_.scene(), value);
+  if (!(scene == session_.scene())) emit sceneEdited(scene);
 }
 
 }  // namespace asperity

@@ -21,14 +21,14 @@ class CurveDisplay : public QObject {
   CurveDisplay(Session& session, ChartView& view, QObject* parent);
 
  signals:
-  /// Emitted with the scene that has another velocity, from the marker or from a point.
+  /// Emitted with the scene that has another value of the swept key, from the marker or a point.
   void sceneEdited(const asperity::Scene& scene);
 
  private:
   void showSoon();
   void show();
   void showMarker();
-  void setVelocity(double velocity);
+  void setSwept(double value);
 
   Session& session_;
   ChartView& view_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/chart/curve_regions.h"
+#include "core/scene/sweep.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
@@ -22,33 +23,48 @@ bool isKnown(const CurvePoint& point) {
   return point.realizations > 0 && point.mu > 0;
 }
 
-/// Interpolates along a straight line between two points of the diagram.
-void interpolate(const CurvePoint& a, const CurvePoint& b, double velocity, CurveReading& reading) {
-  const double share = std::log(velocity / a.velocity) / std::log(b.velocity / a.velocity);
-  reading.mu = a.mu * std::pow(b.mu / a.mu, share);
-  reading.error = std::lerp(a.muStandardError, b.muStandardError, share);
+/// Returns the place of a point on the axis of its curve.
+double placeOf(const CurvePoint& point, const Scene& scene) {
+  return scene.sweep.isOfVelocity() ? point.velocity : point.swept;
 }
 
-void readMean(const CurveUpdate& curve, double velocity, CurveReading& reading) {
-  const auto& points = curve.points;
-  const auto above = std::ranges::lower_bound(points, velocity, {}, &CurvePoint::velocity);
-  if (above == points.end() || !isKnown(*above)) return;
-  if (above->velocity == velocity) {
-    reading.mu = above->mu;
-    reading.error = above->muStandardError;
-  } else if (above != points.begin() && isKnown(*(above - 1))) {
-    interpolate(*(above - 1), *above, velocity, reading);
-  }
-}
-
-/// What holds at both neighbours of the velocity, or at the nearest end of the curve.
-NoteSet notesAt(const CurveUpdate& curve, double velocity) {
+/// The points of the curve next to a place, which are the same where one lies on it; null where
+/// there is none on that side.
+struct Neighbours {
   const CurvePoint *below = nullptr, *above = nullptr;
+};
+
+Neighbours neighboursOf(const CurveUpdate& curve, double place) {
+  Neighbours found;
+  const auto at = [&](const CurvePoint* point) { return placeOf(*point, *curve.scene); };
   for (const CurvePoint& point : curve.points) {
     if (!isKnown(point)) continue;
-    if (point.velocity <= velocity && (!below || point.velocity > below->velocity)) below = &point;
-    if (point.velocity >= velocity && (!above || point.velocity < above->velocity)) above = &point;
+    const double here = at(&point);
+    if (here <= place && (!found.below || here > at(found.below))) found.below = &point;
+    if (here >= place && (!found.above || here < at(found.above))) found.above = &point;
   }
+  return found;
+}
+
+/// Interpolates along a straight line between two points of the diagram.
+void readMean(const CurveUpdate& curve, double place, CurveReading& reading) {
+  const auto [below, above] = neighboursOf(curve, place);
+  if (!below || !above) return;
+  const double from = placeOf(*below, *curve.scene), to = placeOf(*above, *curve.scene);
+  if (from == to) {
+    reading.mu = above->mu;
+    reading.error = above->muStandardError;
+    return;
+  }
+  const double share =
+      from > 0 ? std::log(place / from) / std::log(to / from) : (place - from) / (to - from);
+  reading.mu = below->mu * std::pow(above->mu / below->mu, share);
+  reading.error = std::lerp(below->muStandardError, above->muStandardError, share);
+}
+
+/// What holds at both neighbours of the place, or at the nearest end of the curve.
+NoteSet notesAt(const CurveUpdate& curve, double place) {
+  const auto [below, above] = neighboursOf(curve, place);
   NoteSet notes;
   for (const CurvePoint* point : {below, above})
     if (point) notes.add(point->notes);
@@ -73,10 +89,14 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   else if (velocity == 0 && !frame.transient)
     reading.regime = CurveReadingText::tr("at rest");
   const bool isOfThisScene = curve && haveSameCurve(*frame.scene, *curve->scene);
-  if (isOfThisScene) reading.notes = notesAt(*curve, std::abs(frame.velocity));
+  const bool isOfVelocity = frame.scene->sweep.isOfVelocity();
+  if (isOfThisScene)
+    reading.notes =
+        notesAt(*curve, isOfVelocity ? std::abs(frame.velocity) : ownSweptValue(*frame.scene));
   if (!isOfThisScene || velocity <= 0 || frame.transient) return reading;
-  readMean(*curve, velocity, reading);
-  if (reading.regime.isEmpty() && curve->isComplete) reading.regime = regionAt(*curve, velocity);
+  readMean(*curve, isOfVelocity ? velocity : ownSweptValue(*frame.scene), reading);
+  if (isOfVelocity && reading.regime.isEmpty() && curve->isComplete)
+    reading.regime = regionAt(*curve, velocity);
   return reading;
 }
 

@@ -17,13 +17,19 @@ void SceneComparisons::follow() {
   const CurveUpdate* curve = session_.curve();
   if (!curve || !curve->isComplete) return;
   const Scene& scene = *curve->scene;
-  if (compared_ && haveSameCurve(*compared_, scene)) return;
+  const CurveQuantity quantity = session_.friction().quantity();
+  if (compared_ && haveSameCurve(*compared_, scene) && quantity == quantity_) return;
   compared_ = scene;
-  if (scene.comparison == Comparisons{}) return work_.cancel();
+  quantity_ = quantity;
+  CurveSet wanted;
+  wanted.present.scene = scene;
+  wanted.y = quantity;
+  if (!hasComparisons(wanted)) return work_.cancel();
   work_.request(
-      [scene](const BackgroundWork::Run& run) {
+      [scene, quantity](const BackgroundWork::Run& run) {
         auto set = std::make_shared<CurveSet>();
         set->present.scene = scene;
+        set->y = quantity;
         StateOptions options;
         options.stop = run.stop();
         addComparisons(*set, readComparisonData(scene), options);

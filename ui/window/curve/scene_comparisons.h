@@ -6,6 +6,7 @@
 #include <QObject>
 #include <optional>
 
+#include "core/friction/curve_quantity.h"
 #include "core/scene/scene.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -28,8 +29,9 @@ class SceneComparisons : public QObject {
   void follow();
 
   Session& session_;
-  std::optional<Scene> compared_;  // the scene last begun with
-  BackgroundWork work_;            // last: its thread ends before other members are destroyed
+  std::optional<Scene> compared_;               // the scene last begun with
+  CurveQuantity quantity_ = CurveQuantity::Mu;  // likewise
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

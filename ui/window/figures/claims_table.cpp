@@ -16,7 +16,7 @@ namespace asperity {
 
 namespace {
 
-enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kColumns };
+enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kClaimColumns };
 
 constexpr int kAside = 5;  // pixels of space beside a cell's text
 constexpr int kAbove = 4;  // pixels of space above and below it
@@ -85,7 +85,7 @@ class ClaimDelegate : public QStyledItemDelegate {
 
 }  // namespace
 
-ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+ClaimsTable::ClaimsTable(QWidget* parent) : QTableWidget(0, kClaimColumns, parent) {
   setObjectName("claims");
   showTexts();
   setItemDelegate(new ClaimDelegate(this));
@@ -166,7 +166,7 @@ void ClaimsTable::fill() {
                             estimateText(claim.measured),
                             std::isfinite(claim.expected) ? readingLabel(claim.expected) : "",
                             translatedText(claim.where)};
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < kClaimColumns; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
       item->setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")

@@ -81,7 +81,7 @@ QString combinationText(const Fit& fit) {
 
 QString fittedTable(const Fit& fit) {
   const auto cell = [](const QString& text, const char* align) {
-    return QStringLiteral("<td align=%1 style='padding-right:10px'>%2</td>").arg(align, text);
+    return QStringLiteral("<td align=%1 style='padding-right:8px'>%2</td>").arg(align, text);
   };
   const bool hasOthers = fit.parameters.size() > 1;
   QString rows = "<tr>" + cell(FitPage::tr("parameter"), "left") +

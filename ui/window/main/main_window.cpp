@@ -385,7 +385,15 @@ void MainWindow::connectCurve() {
   });
   auto* display = new CurveDisplay(*session_, tabs_->plot(), this);
   connect(display, &CurveDisplay::sceneEdited, this, [this](const Scene& scene) {
-    document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Velocity"));
+    const bool isVelocity = scene.sweep.isOfVelocity();
+    document_->edit(
+        scene, isVelocity ? QT_TRANSLATE_NOOP("asperity::SceneDocument", "Velocity") : nullptr);
+  });
+  connect(curveCommands_, &CurveCommands::axisChosen, this, [this](const Scene& scene) {
+    document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
+  });
+  connect(curveCommands_, &CurveCommands::failed, this, [this](const QString& reason) {
+    messages_->showFailure(MessageBar::Failure::Comparison, reason);
   });
   auto* comparison = new CurveComparison(*session_, this);
   connect(&tabs_->accuracy(), &AccuracyPanel::comparisonChanged, this,

@@ -238,10 +238,10 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   auto* row = new QHBoxLayout(content_);
   row->setSpacing(28);
   QVBoxLayout* columns[] = {new QVBoxLayout, new QVBoxLayout, new QVBoxLayout};
-  constexpr qsizetype kColumns = std::size(columns);
+  constexpr qsizetype kMenuColumns = std::size(columns);
   QList<qsizetype> columnOf;
   qsizetype most = 1;
-  while (columnsWithin(most, groups, columnOf) > kColumns) ++most;
+  while (columnsWithin(most, groups, columnOf) > kMenuColumns) ++most;
   for (qsizetype i = 0; i < groups.size(); ++i)
     columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
   for (QVBoxLayout* column : columns) {

@@ -10,6 +10,7 @@
 
 #include "core/base/text.h"
 #include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
@@ -133,8 +134,10 @@ void SceneDocument::edit(const Scene& scene, const char* what) {
 }
 
 void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const char* what) {
-  if (scene == scene_) return;
-  history_.push(new SceneStep(*this, scene, gesture, what));
+  // Another kind may leave the axis of the curve without a meaning.
+  const Scene next = withMeaningfulAxis(scene);
+  if (next == scene_) return;
+  history_.push(new SceneStep(*this, next, gesture, what));
 }
 
 void SceneDocument::resetAll() {

@@ -1,0 +1,97 @@
+// asperity render -o FILE.csv|.json: the contact at one moment as a table.
+#include <fmt/format.h>
+
+#include "app/command_line.h"
+#include "app/frame_source.h"
+#include "app/output.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/run/contact_tables.h"
+#include "core/scene/data_table.h"
+#include "core/scene/provenance.h"
+#include "ui/language/words.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ContactTable {
+  std::string_view name;
+  DataTable (*make)(const Frame& frame);
+};
+constexpr NamedChoices<ContactTable, 4> kTables{{{"shape", {"shape", shapeTable}},
+                                                 {"contacts", {"contacts", contactsTable}},
+                                                 {"gaps", {"gaps", gapsTable}},
+                                                 {"power", {"power", powerTable}}}};
+
+/// Throws for options of pictures and films.
+void checkUsage(const RenderCommand& command) {
+  checkUseful(command.picture, {command.output});
+  const auto refuse = [](const char* option) {
+    throw InputError("", option, "belongs to pictures, and the output is a table");
+  };
+  if (command.layout != "contact") refuse("--layout");
+  if (!command.overlay.empty()) refuse("--overlay");
+  if (const char* option = command.view.firstOption()) refuse(option);
+  if (const char* option = command.curves.firstOption()) refuse(option);
+  const TimeArguments& time = command.time;
+  for (const auto& [option, given] : {std::pair{"--frames", time.frames > 0},
+                                      {"--fps", time.framesPerSecond > 0},
+                                      {"--duration", time.duration > 0},
+                                      {"--cycles", time.cycles > 0},
+                                      {"--slow-motion", time.slowMotion > 0},
+                                      {"--resume", command.resume}})
+    if (given) throw InputError("", option, "belongs to films; a table is of one moment, see --at");
+}
+
+Json answerOf(const Scene& scene, const RenderCommand& command, const Frame& frame,
+              const DataTable& table, const ColumnChoice& columns) {
+  const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
+  Json answer = provenance("render", scene);
+  answer["table"] = command.table.empty() ? "shape" : command.table;
+  answer["time"] = frame.time;
+  answer["derived"] = derivedNumbers(frame);
+  answer["rows"] = columns.of(jsonOf(table));
+  return answer;
+}
+
+std::string csvTextOf(const Scene& scene, const RenderCommand& command, const DataTable& table,
+                      const ColumnChoice& columns) {
+  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
+  return provenanceComment("render", scene) + columns.of(csvOf(table));
+}
+
+}  // namespace
+
+int runContactTable(const RenderCommand& command) {
+  const Scene scene = sceneOf(command.common);
+  checkUsage(command);
+  const ContactTable& kind =
+      chosenFrom(kTables, command.table.empty() ? "shape" : command.table, "--table");
+  const ColumnChoice columns(command.columns, {kind.name});
+  if (command.output != "-") {
+    checkOutputs({command.output}, {".csv", ".json"});
+    checkNoInput(command.output, inputsOf(command.common, scene));
+  }
+  const Frame frame = withSceneContext(command.common, [&] {
+    return FrameSource(scene, command.time, true, fieldsForTables(), 0).frame(0);
+  });
+  const DataTable table = kind.make(frame);
+  const bool isCsv = extensionOf(command.output) != ".json";
+  const std::string json = isCsv && !command.common.json
+                               ? std::string()
+                               : answerOf(scene, command, frame, table, columns).dump(2) + "\n";
+  if (command.output != "-")
+    writeFileAtomically(command.output, isCsv ? csvTextOf(scene, command, table, columns) : json);
+  else if (!command.common.json)
+    fmt::print("{}", csvTextOf(scene, command, table, columns));
+  if (command.common.json) fmt::print("{}", json);
+  if (command.output != "-")
+    printSummary(command.common.json, command.common.quiet,
+                 filled(Words::tr("%1 rows"), {std::to_string(table.rows.size())}) + "\n" +
+                     wroteLine(command.output));
+  return kDone;
+}
+
+}  // namespace asperity

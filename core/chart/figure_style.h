@@ -1,0 +1,89 @@
+// How a figure looks, as a user asks for it: size, letters, lines, title, legend, axes, colours.
+// Every option stands once in a table, from which the command line, its help and style files are
+// made. A style file is JSON with the same words, {"schema": "asperity-style/1", "font_size": 7,
+// ...}; its values come first, options of the command line replace them. What concerns the content
+// of a chart is applied to its Diagrams here; sizes and places are left to ui/chart. Plain values;
+// any thread. Failure: InputError naming the option, or file and key.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/chart/diagram.h"
+
+namespace asperity {
+
+enum class LegendMode { Automatic, None, Inside, Below };
+enum class TickSide { Inside, Outside, None };
+enum class PanelLetters { None, Small, Capital, Bracketed };
+
+/// The look of one curve; what is not given stays automatic.
+struct CurveLook {
+  std::optional<std::uint32_t> paint;  // 0xRRGGBB
+  std::optional<SeriesMark> mark;
+  std::optional<SeriesStroke> stroke;
+};
+
+/// Width and height of a picture: pixels, or lengths on paper.
+struct PictureSize {
+  double width = 0, height = 0;
+  double perInch = 0;  // units in an inch: 25.4 for mm; 0: pixels
+
+  bool isOnPaper() const { return perInch > 0; }
+};
+
+/// Reads "1200x800", "86mmx60mm", "86x60mm", "3.4inx2.4in"; units: px, mm, cm, in, pt (1/72 in).
+/// Empty where it is none of these.
+std::optional<PictureSize> pictureSizeFrom(std::string_view text);
+
+struct FigureStyle {
+  std::string size{}, theme{};  // as given; empty: automatic
+  double dotsPerInch = 0;       // 0: automatic
+  double fontSize = 0;          // pt, of the numbers at the axes; 0: automatic
+  double lineWidth = 0;         // pt, of curves; 0: automatic
+  bool hasTitle = true, hasRegions = true, hasLaw = true, hasFootnote = true, isGrey = false;
+  std::string title{};  // instead of the figure's own; empty: that one
+  LegendMode legend = LegendMode::Automatic;
+  TickSide ticks = TickSide::Inside;
+  PanelLetters letters = PanelLetters::None;
+  std::optional<AxisScale> xScale{}, yScale{};
+  std::vector<std::pair<std::string, std::string>> labels{};  // what, text
+  std::vector<std::pair<std::size_t, CurveLook>> curves{};    // number from 1 on, look
+};
+
+/// What an option is of: any picture, charts, or friction curves alone. Those of pictures hold for
+/// the picture of the contact, too.
+enum class FigurePart { Picture, Chart, Curve };
+
+struct FigureOption {
+  std::string_view word;    // of the command line; in files with _ for -
+  std::string_view values;  // as the help shows them
+  std::string_view sentence;
+  FigurePart part;
+  /// Sets the value; returns what is wrong with it, or nothing.
+  Message (*set)(FigureStyle& style, const std::string& value);
+  bool repeats = false;
+};
+
+std::span<const FigureOption> figureOptions();
+
+/// Names of the shipped styles (resources/styles).
+std::vector<std::string_view> shippedStyles();
+
+/// Returns the style of a file, or of a shipped name. Throws InputError.
+FigureStyle readStyle(const std::string& nameOrFile);
+
+/// Reads a style file's text; `file` is named in errors.
+FigureStyle styleFromJson(std::string_view json, const std::string& file);
+
+/// Returns the sheet with the style's title, labels, letters, scales, marks and colours, without
+/// what the style leaves out. Throws InputError naming the option where a label or a curve does not
+/// exist.
+DiagramSheet styled(DiagramSheet sheet, const FigureStyle& style);
+
+}  // namespace asperity

@@ -1,0 +1,48 @@
+#include "core/friction/curve_quantity.h"
+
+#include <algorithm>
+#include <array>
+
+namespace asperity {
+namespace {
+
+constexpr std::array<QuantityEntry, 8> kEntries{{
+    {CurveQuantity::Mu, "mu", "coefficient of friction \u03BC", "", &CurvePoint::mu, true},
+    {CurveQuantity::NormalizedMu, "normalized_mu", "normalized friction \u03BC / \u2207z", "",
+     &CurvePoint::normalizedMu, true},
+    {CurveQuantity::ContactFraction, "contact_fraction", "contact fraction", "",
+     &CurvePoint::contactFraction, false},
+    {CurveQuantity::RmsSlopeContact, "rms_slope_contact", "rms slope in contact", "",
+     &CurvePoint::rmsSlopeContact, false},
+    {CurveQuantity::Indentation, "indentation", "indentation d", "m", &CurvePoint::indentation,
+     false},
+    {CurveQuantity::TangentialForce, "tangential_force", "tangential force", "N",
+     &CurvePoint::tangentialForce, true},
+    {CurveQuantity::Power, "power", "power", "W", &CurvePoint::power, true},
+    {CurveQuantity::MeanPressure, "mean_pressure", "mean pressure in contact", "Pa",
+     &CurvePoint::contactPressure, false},
+}};
+
+}  // namespace
+
+std::span<const QuantityEntry> quantityEntries() {
+  return kEntries;
+}
+
+const QuantityEntry& entryOf(CurveQuantity quantity) {
+  return kEntries[static_cast<std::size_t>(quantity)];
+}
+
+std::optional<CurveQuantity> quantityNamed(std::string_view word) {
+  for (const QuantityEntry& entry : kEntries)
+    if (std::string_view(entry.word) == word) return entry.quantity;
+  return std::nullopt;
+}
+
+std::vector<std::string_view> quantityWords() {
+  std::vector<std::string_view> words;
+  for (const QuantityEntry& entry : kEntries) words.push_back(entry.word);
+  return words;
+}
+
+}  // namespace asperity

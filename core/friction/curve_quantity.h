@@ -1,0 +1,58 @@
+// What the vertical axis of a friction curve may show: quantities of a point, each with the word of
+// its column in tables. Constant; any thread.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/friction/curve_point.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+
+enum class CurveQuantity {
+  Mu,
+  NormalizedMu,
+  ContactFraction,
+  RmsSlopeContact,
+  Indentation,
+  TangentialForce,
+  Power,
+  MeanPressure
+};
+
+struct QuantityEntry {
+  CurveQuantity quantity;
+  ColumnName word;         // in tables and on the command line
+  std::string_view title;  // of an axis
+  std::string_view unit;   // SI; empty for a pure number
+  double CurvePoint::*value;
+  bool isFriction;  // proportional to mu at one state: it has error bars, and Eq. (11) gives it
+};
+
+/// All of them, in the order of a menu; mu is the first.
+std::span<const QuantityEntry> quantityEntries();
+const QuantityEntry& entryOf(CurveQuantity quantity);
+
+/// Returns the quantity with this word; empty where there is none.
+std::optional<CurveQuantity> quantityNamed(std::string_view word);
+std::vector<std::string_view> quantityWords();
+
+/// Returns the quantity of a point.
+inline double valueOf(CurveQuantity quantity, const CurvePoint& point) {
+  return point.*entryOf(quantity).value;
+}
+
+/// Returns the factor from the friction of a point to the quantity; NaN where they are not
+/// proportional, or the point has no friction.
+inline double perFriction(CurveQuantity quantity, const CurvePoint& point) {
+  if (quantity == CurveQuantity::Mu) return 1;
+  if (!entryOf(quantity).isFriction || std::isnan(point.mu) || point.mu == 0) return kNotApplicable;
+  return valueOf(quantity, point) / point.mu;
+}
+
+}  // namespace asperity

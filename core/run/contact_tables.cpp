@@ -1,0 +1,215 @@
+#include "core/run/contact_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/contact/steady_sliding.h"
+#include "core/scene/columns.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool touches(const Frame& frame, std::size_t i) {
+  return frame.pressure[i] > 0;
+}
+
+double gapAt(const Frame& frame, std::size_t i) {
+  return touches(frame, i) ? 0 : std::max(frame.lineHeight[i] - frame.surfaceHeight[i], 0.0);
+}
+
+/// Returns a value of the frame that is computed only on request.
+double valueAt(const Frame& frame, const std::vector<double>& field, std::size_t i) {
+  return field.size() == frame.pressure.size() ? field[i] : kNotApplicable;
+}
+
+double slopeAt(const Frame& frame, std::size_t i) {
+  const std::size_t n = frame.lineHeight.size();
+  if (frame.lineSlope.size() == n) return frame.lineSlope[i];
+  return (frame.lineHeight[(i + 1) % n] - frame.lineHeight[(i + n - 1) % n]) / (2 * frame.spacing);
+}
+
+std::vector<std::string> names(std::initializer_list<ColumnName> columns) {
+  std::vector<std::string> words;
+  for (const ColumnName column : columns) words.push_back(column.text());
+  return words;
+}
+
+/// Calls `use` with each point of a stretch.
+template <class Use>
+void forEachPoint(const Frame& frame, const ContactStretch& stretch, const Use& use) {
+  const std::size_t n = frame.pressure.size();
+  for (std::size_t k = 0; k < stretch.points; ++k) use((stretch.first + k) % n);
+}
+
+struct StretchForces {
+  double normal = 0, tangential = 0, largest = 0;  // N, N, N/m
+};
+
+StretchForces forcesOf(const Frame& frame, const ContactStretch& contact) {
+  StretchForces forces;
+  forEachPoint(frame, contact, [&](std::size_t i) {
+    const double pressure = frame.pressure[i];
+    forces.normal += pressure * frame.spacing;
+    forces.tangential -= pressure * slopeAt(frame, i) * frame.spacing;
+    forces.largest = std::max(forces.largest, pressure);
+  });
+  return forces;
+}
+
+struct GapSize {
+  double area = 0, largest = 0;  // m^2, m
+};
+
+GapSize sizeOf(const Frame& frame, const ContactStretch& gap) {
+  GapSize size;
+  forEachPoint(frame, gap, [&](std::size_t i) {
+    size.area += gapAt(frame, i) * frame.spacing;
+    size.largest = std::max(size.largest, gapAt(frame, i));
+  });
+  return size;
+}
+
+struct PowerBalance {
+  double in = 0, contact = 0, free = 0, interface = 0;  // W
+  double dissipated() const { return contact + free + interface; }
+};
+
+/// The elastomer's part of `power` in contact is what remains without local friction.
+PowerBalance powerOf(const Frame& frame) {
+  PowerBalance balance;
+  const double speed = std::abs(frame.velocity);
+  // Friction of the steady state belongs to the line as a whole; a motion's to its last steps.
+  const double mu = frame.transient ? frame.muMarch : frame.muSteady;
+  const double force = std::isfinite(mu) ? mu * frame.normalForce : frame.tangentialForce;
+  const Interface local = frame.scene ? interfaceAt(*frame.scene, frame.velocity) : Interface{};
+  for (std::size_t i = 0; i < frame.pressure.size(); ++i) {
+    const double power = valueAt(frame, frame.power, i) * frame.spacing;
+    if (!touches(frame, i)) {
+      balance.free += power;
+      continue;
+    }
+    const double here = localFrictionLoad(local, frame.pressure[i]) * speed * frame.spacing;
+    balance.interface += here;
+    balance.contact += power - here;
+  }
+  balance.in = force * speed + balance.interface;
+  return balance;
+}
+
+}  // namespace
+
+FrameFields fieldsForTables() {
+  return {.lineSlope = true, .sinceContact = true, .power = true};
+}
+
+std::vector<ContactStretch> stretchesOf(const Frame& frame, bool isGap) {
+  const std::size_t n = frame.pressure.size();
+  std::vector<ContactStretch> stretches;
+  const auto belongs = [&](std::size_t i) { return touches(frame, i % n) != isGap; };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!belongs(i) || belongs(i + n - 1)) continue;  // not the first point of a stretch
+    std::size_t points = 1;
+    while (points < n && belongs(i + points)) ++points;
+    stretches.push_back({(static_cast<double>(i) - 0.5) * frame.spacing,
+                         static_cast<double>(points) * frame.spacing, i, points});
+  }
+  if (stretches.empty() && n > 0 && belongs(0))
+    stretches.push_back({-0.5 * frame.spacing, static_cast<double>(n) * frame.spacing, 0, n});
+  return stretches;
+}
+
+std::vector<double> timeInContact(const Frame& frame) {
+  const std::size_t n = frame.pressure.size();
+  std::vector<double> times(n, 0);
+  const bool isKnown = !frame.transient && !frame.isSettling && frame.velocity != 0;
+  for (const ContactStretch& contact : stretchesOf(frame, false)) {
+    const bool hasEdge = contact.points < n;
+    for (std::size_t k = 0; k < contact.points; ++k) {
+      // The line moves towards +x for v > 0, so its edge on that side meets the elastomer first.
+      const std::size_t ahead = frame.velocity > 0 ? contact.points - 1 - k : k;
+      const double way = (static_cast<double>(ahead) + 0.5) * frame.spacing;
+      times[(contact.first + k) % n] =
+          isKnown && hasEdge ? way / std::abs(frame.velocity) : kNotApplicable;
+    }
+  }
+  return times;
+}
+
+DataTable shapeTable(const Frame& frame) {
+  DataTable table{names({"position", "rigid_height", "surface_height", "gap", "line_load",
+                         "time_in_contact", "power", "time_since_contact"}),
+                  {}};
+  const std::vector<double> inContact = timeInContact(frame);
+  for (std::size_t i = 0; i < frame.pressure.size(); ++i)
+    table.rows.push_back({static_cast<double>(i) * frame.spacing, frame.lineHeight[i],
+                          frame.surfaceHeight[i], gapAt(frame, i), frame.pressure[i], inContact[i],
+                          valueAt(frame, frame.power, i), valueAt(frame, frame.sinceContact, i)});
+  return table;
+}
+
+DataTable contactsTable(const Frame& frame) {
+  DataTable table{names({"start", "length", "normal_force", "tangential_force", "mean_line_load",
+                         "largest_line_load"}),
+                  {}};
+  for (const ContactStretch& contact : stretchesOf(frame, false)) {
+    const StretchForces forces = forcesOf(frame, contact);
+    table.rows.push_back({contact.start, contact.length, forces.normal, forces.tangential,
+                          forces.normal / contact.length, forces.largest});
+  }
+  return table;
+}
+
+DataTable gapsTable(const Frame& frame) {
+  DataTable table{names({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
+  for (const ContactStretch& gap : stretchesOf(frame, true)) {
+    const GapSize size = sizeOf(frame, gap);
+    table.rows.push_back({gap.start, gap.length, size.area / gap.length, size.largest, size.area});
+  }
+  return table;
+}
+
+DataTable powerTable(const Frame& frame) {
+  const PowerBalance balance = powerOf(frame);
+  return {names({"velocity", "power_in", "power_contact", "power_free", "power_interface",
+                 "power_dissipated", "power_difference"}),
+          {{frame.velocity, balance.in, balance.contact, balance.free, balance.interface,
+            balance.dissipated(), balance.in - balance.dissipated()}}};
+}
+
+Json derivedNumbers(const Frame& frame) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  const std::vector<ContactStretch> contacts = stretchesOf(frame, false);
+  const std::vector<ContactStretch> gaps = stretchesOf(frame, true);
+  double largestLoad = 0, longest = 0, inContact = 0, largestGap = 0, area = 0;
+  for (const ContactStretch& contact : contacts) {
+    largestLoad = std::max(largestLoad, forcesOf(frame, contact).largest);
+    longest = std::max(longest, contact.length);
+    inContact += contact.length;
+  }
+  for (const ContactStretch& gap : gaps) {
+    const GapSize size = sizeOf(frame, gap);
+    largestGap = std::max(largestGap, size.largest);
+    area += size.area;
+  }
+  return {
+      {"length", frame.length},
+      {"spacing", frame.spacing},
+      {"velocity", frame.velocity},
+      {"normal_force", frame.normalForce},
+      {"tangential_force", number(frame.tangentialForce)},
+      {"rms_height", frame.rmsHeight},
+      {"rms_slope", frame.rmsSlope},
+      {"contact_spots", contacts.size()},
+      {"mean_contact_length",
+       number(contacts.empty() ? kNotApplicable
+                               : inContact / static_cast<double>(contacts.size()))},
+      {"largest_contact_length", longest},
+      {"mean_line_load", number(inContact > 0 ? frame.normalForce / inContact : kNotApplicable)},
+      {"largest_line_load", largestLoad},
+      {"mean_gap", area / frame.length},
+      {"largest_gap", largestGap}};
+}
+
+}  // namespace asperity

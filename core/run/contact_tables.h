@@ -1,0 +1,55 @@
+// The contact at one moment as tables: its shape point by point, the stretches in contact and the
+// gaps between them, and the balance of power. Everything is read from one frame: each point stands
+// for one spacing of the line (midpoint rule), so that sums over the shape give the other tables
+// exactly, and lengths are whole spacings. Pure; any thread.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/run/frame.h"
+#include "core/scene/data_table.h"
+
+namespace asperity {
+
+/// The optional values that a frame needs for these tables.
+FrameFields fieldsForTables();
+
+/// A stretch of the line, from the left edge of its first point's interval. It may pass the end of
+/// the period.
+struct ContactStretch {
+  double start = 0, length = 0;  // m; start in [-spacing/2, period)
+  std::size_t first = 0, points = 0;
+};
+
+/// Returns the stretches in contact, or with `isGap` those that are free, in order of their start.
+/// A contact or a gap that is the whole period starts at its first point.
+std::vector<ContactStretch> stretchesOf(const Frame& frame, bool isGap);
+
+/// Returns for each point the time since it came into contact, s: in steady sliding the way to the
+/// edge of contact that moves ahead over the velocity; 0 outside of contact. Not applicable where
+/// nothing slides, in contact without an edge, and in a motion, whose march keeps no such times.
+std::vector<double> timeInContact(const Frame& frame);
+
+/// position, rigid_height, surface_height, gap, line_load, time_in_contact, power,
+/// time_since_contact.
+DataTable shapeTable(const Frame& frame);
+
+/// start, length, normal_force, tangential_force, mean_line_load, largest_line_load. The tangential
+/// force is -integral p z' dx, below 0 where it resists motion towards +x.
+DataTable contactsTable(const Frame& frame);
+
+/// start, length, mean_gap, largest_gap, area.
+DataTable gapsTable(const Frame& frame);
+
+/// One row: velocity, power_in, power_contact, power_free, power_interface, power_dissipated,
+/// power_difference. In steady sliding the difference is the error of the points; in a motion also
+/// what the springs take up.
+DataTable powerTable(const Frame& frame);
+
+/// Numbers that follow from the frame and that a person reads off the picture: forces, contacts and
+/// gaps, loads, power, of the line, SI.
+nlohmann::ordered_json derivedNumbers(const Frame& frame);
+
+}  // namespace asperity

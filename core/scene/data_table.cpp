@@ -1,0 +1,165 @@
+#include "core/scene/data_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "core/scene/columns.h"
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kOption = "--columns";
+
+std::string textOf(const TableCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell))
+    return std::isfinite(*number) ? fmt::format("{}", *number) : std::string();
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
+  return csvCell(std::get<std::string>(cell));
+}
+
+Json jsonCell(const TableCell& cell) {
+  if (const auto* number = std::get_if<double>(&cell))
+    return std::isfinite(*number) ? Json(*number) : Json();
+  if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
+  return std::get<std::string>(cell);
+}
+
+std::vector<std::string> splitAtCommas(std::string_view list) {
+  std::vector<std::string> parts;
+  for (std::size_t comma = 0; comma != list.npos;) {
+    comma = list.find(',');
+    parts.emplace_back(list.substr(0, comma));
+    list = comma == list.npos ? std::string_view() : list.substr(comma + 1);
+  }
+  return parts;
+}
+
+/// Returns the cells of a line as they are written, with their quotes. A quoted cell may contain
+/// line ends, so the line ends where `at` stands afterwards.
+std::vector<std::string_view> cellsAt(std::string_view csv, std::size_t& at) {
+  std::vector<std::string_view> cells;
+  std::size_t start = at;
+  for (bool isQuoted = false;; ++at) {
+    const bool isEnd = at >= csv.size() || (csv[at] == '\n' && !isQuoted);
+    if (isEnd || (csv[at] == ',' && !isQuoted)) {
+      cells.push_back(csv.substr(start, at - start));
+      start = at + 1;
+    } else if (csv[at] == '"') {
+      isQuoted = !isQuoted;
+    }
+    if (isEnd) break;
+  }
+  ++at;
+  return cells;
+}
+
+/// Returns whether a table is in the list "curve, curves, figure 2".
+bool isListed(std::string_view list, std::string_view table) {
+  while (!list.empty()) {
+    const std::size_t comma = list.find(", ");
+    if (list.substr(0, comma) == table) return true;
+    list = comma == list.npos ? std::string_view() : list.substr(comma + 2);
+  }
+  return false;
+}
+
+std::set<std::string_view> columnsOf(const std::vector<std::string_view>& tables) {
+  std::set<std::string_view> names;
+  for (const Column& column : kColumns)
+    for (const std::string_view table : tables)
+      if (isListed(column.tables, table)) names.insert(column.name);
+  return names;
+}
+
+}  // namespace
+
+std::string csvCell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csvOf(const DataTable& table) {
+  std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
+  for (const std::vector<TableCell>& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + textOf(row[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+Json jsonOf(const DataTable& table) {
+  Json rows = Json::array();
+  for (const std::vector<TableCell>& row : table.rows) {
+    Json object;
+    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i]] = jsonCell(row[i]);
+    rows.push_back(std::move(object));
+  }
+  return rows;
+}
+
+ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::string_view>& tables) {
+  if (words.empty()) return;
+  const std::set<std::string_view> known = columnsOf(tables);
+  const std::vector<std::string_view> list(known.begin(), known.end());
+  for (const std::string& word : splitAtCommas(words)) {
+    const bool isKey = std::ranges::any_of(parameters(), [&](const Parameter& row) {
+      const std::string_view key = row.key;
+      return key == word || key.substr(key.rfind('.') + 1) == word;
+    });
+    if (!known.contains(word) && !isKey) {
+      const std::string_view nearest = nearestOf(word, list);
+      throw InputError(
+          "", kOption,
+          nearest.empty() ? message("'{}' is no column of this table; 'asperity columns' lists all",
+                                    shortened(word))
+                          : message("'{}' is no column of this table; did you mean '{}'?",
+                                    shortened(word), nearest));
+    }
+    if (std::ranges::find(columns_, word) != columns_.end())
+      throw InputError("", kOption, message("'{}' is given more than once", shortened(word)));
+    columns_.push_back(word);
+  }
+}
+
+std::string ColumnChoice::of(const std::string& csv) const {
+  if (isAll()) return csv;
+  std::size_t at = 0;
+  while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
+  std::string text = csv.substr(0, at) + fmt::format("{}\n", fmt::join(columns_, ","));
+  const std::vector<std::string_view> names = cellsAt(csv, at);
+  std::vector<std::size_t> places;
+  for (const std::string& column : columns_)
+    places.push_back(static_cast<std::size_t>(std::ranges::find(names, column) - names.begin()));
+  while (at < csv.size()) {
+    const std::vector<std::string_view> cells = cellsAt(csv, at);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i > 0) text += ",";
+      if (places[i] < cells.size()) text += cells[places[i]];
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+Json ColumnChoice::of(const Json& rows) const {
+  if (isAll()) return rows;
+  Json chosen = Json::array();
+  for (const Json& row : rows) {
+    Json object;
+    for (const std::string& column : columns_) object[column] = row.value(column, Json());
+    chosen.push_back(std::move(object));
+  }
+  return chosen;
+}
+
+}  // namespace asperity

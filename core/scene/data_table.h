@@ -1,0 +1,56 @@
+// Tables of results as plain values, and the choice of their columns: the same columns as CSV and
+// as JSON, in the order that the user gives. Pure functions; equal tables give equal bytes.
+// Failure: InputError naming --columns.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace asperity {
+
+/// A number in SI (not finite: not applicable, empty in CSV and null in JSON), a count, or a word.
+using TableCell = std::variant<double, std::int64_t, std::string>;
+
+struct DataTable {
+  std::vector<std::string> columns;  // words of the dictionary (core/scene/columns.h)
+  std::vector<std::vector<TableCell>> rows;
+};
+
+/// Returns a text as one cell of CSV: quoted where it contains a comma, a quote or a line end
+/// (RFC 4180).
+std::string csvCell(std::string_view text);
+
+/// Returns a line of names and one line for each row.
+std::string csvOf(const DataTable& table);
+
+/// Returns a list of objects, one for each row.
+nlohmann::ordered_json jsonOf(const DataTable& table);
+
+/// The columns that a user wants of the tables that a command writes.
+class ColumnChoice {
+ public:
+  /// All columns, as they are.
+  ColumnChoice() = default;
+
+  /// Reads "a,b,c". tables: names of the dictionary that the command can write; a word that is a
+  /// column of none of them and no scene key's last word is refused, with the nearest one that is.
+  ColumnChoice(const std::string& words, const std::vector<std::string_view>& tables);
+
+  bool isAll() const { return columns_.empty(); }
+
+  /// Returns the table with these columns alone, in their order. A column that this table has not,
+  /// because its scene gives it no meaning, is empty. csv: a line of names, then rows; lines of
+  /// comment before them stay.
+  std::string of(const std::string& csv) const;
+  /// The same for a list of objects; a column that an object has not is null.
+  nlohmann::ordered_json of(const nlohmann::ordered_json& rows) const;
+
+ private:
+  std::vector<std::string> columns_;
+};
+
+}  // namespace asperity

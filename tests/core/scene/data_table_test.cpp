@@ -1,0 +1,57 @@
+#include "core/scene/data_table.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+TEST(DataTable, IsTheSameInCsvAndJson) {
+  const DataTable table{{"velocity", "mu", "notes"},
+                        {{0.1, kNone, std::string("a,b \"c\"")}, {1e-300, std::int64_t{7}, "x"}}};
+  EXPECT_EQ(csvOf(table), "velocity,mu,notes\n0.1,,\"a,b \"\"c\"\"\"\n1e-300,7,x\n");
+  EXPECT_EQ(jsonOf(table).dump(), R"([{"velocity":0.1,"mu":null,"notes":"a,b \"c\""},)"
+                                  R"({"velocity":1e-300,"mu":7,"notes":"x"}])");
+}
+
+TEST(ColumnChoice, KeepsOrderCommentsAndQuotes) {
+  const std::string csv = "# asperity: {}\nvelocity,mu,notes\n1,2,\"a,\nb\"\"c\"\n3,,x\n";
+  EXPECT_EQ(ColumnChoice("notes,velocity", {"curve"}).of(csv),
+            "# asperity: {}\nnotes,velocity\n\"a,\nb\"\"c\",1\nx,3\n");
+  EXPECT_EQ(ColumnChoice("", {"curve"}).of(csv), csv);
+}
+
+TEST(ColumnChoice, AColumnWithoutAMeaningHereIsEmpty) {
+  EXPECT_EQ(ColumnChoice("mu,mu_total", {"curve"}).of(std::string("velocity,mu\n1,2\n")),
+            "mu,mu_total\n2,\n");
+  const auto rows = nlohmann::ordered_json::parse(R"([{"velocity":1,"mu":2}])");
+  EXPECT_EQ(ColumnChoice("mu,mu_total", {"curve"}).of(rows).dump(),
+            R"([{"mu":2,"mu_total":null}])");
+}
+
+TEST(ColumnChoice, RefusesWhatTheTableNeverHas) {
+  const auto refusal = [](const std::string& words) -> std::string {
+    try {
+      ColumnChoice(words, {"curve", "curves"});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_THAT(refusal("velocty"), HasSubstr("--columns: 'velocty' is no column of this table; did "
+                                            "you mean 'velocity'?"));
+  EXPECT_THAT(refusal("line_load"), HasSubstr("is no column of this table"));
+  EXPECT_THAT(refusal("mu,mu"), HasSubstr("more than once"));
+  EXPECT_THAT(refusal("mu,"), HasSubstr("''"));
+  EXPECT_EQ(refusal("temperature"), "nothing");  // the last word of a key that may be swept
+}
+
+}  // namespace
+}  // namespace asperity
