@@ -261,7 +261,14 @@ int runStudyTable(const StudyCommand& command) {
   checkOutputs(command.outputs, {".csv", ".json"}, Without::PrintsTable);
   for (const std::string& output : command.outputs) checkNoInput(output, {command.study});
   std::int64_t rows = 0;
+  const auto print = [](std::string_view bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+  };
   for (const std::string& output : command.outputs) {
+    if (output == "-") {
+      rows = writeStudyTable(store, shape, TableFormat::Csv, print);
+      continue;
+    }
     AtomicFile file(output);
     rows = writeStudyTable(store, shape,
                            extensionOf(output) == ".json" ? TableFormat::Json : TableFormat::Csv,
@@ -269,9 +276,8 @@ int runStudyTable(const StudyCommand& command) {
     file.commit();
   }
   if (isStdout || command.common.json)
-    rows = writeStudyTable(
-        store, shape, command.common.json ? TableFormat::Json : TableFormat::Csv,
-        [](std::string_view bytes) { std::fwrite(bytes.data(), 1, bytes.size(), stdout); });
+    rows = writeStudyTable(store, shape, command.common.json ? TableFormat::Json : TableFormat::Csv,
+                           print);
   const std::int64_t all = store.study().simulations();
   if (rows < all)
     std::fputs(fmt::format("asperity: {}\n", message("{}: {} of {} simulations are not there yet",
@@ -281,8 +287,10 @@ int runStudyTable(const StudyCommand& command) {
                stderr);
   if (!isStdout) {
     std::string text = filled(Words::tr("%1 simulations"), {countText(rows)}) + "\n";
-    for (const std::string& output : command.outputs) text += wroteLine(output);
-    printSummary(command.common.json, command.common.quiet, text);
+    for (const std::string& output : command.outputs)
+      if (output != "-") text += wroteLine(output);
+    printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
+                 text);
   }
   return kDone;
 }
