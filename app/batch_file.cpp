@@ -275,7 +275,7 @@ const char* const kBatchFormat =
 An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
 key. A sweep is a list, or a range, logarithmic unless "spacing": "linear"; several keys make a
 grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv, contact_sheet.png
-(many scenes: also contact_sheet_2.png and on), and for each scene NAME.png, NAME.json (the scene)
+(of more than 100 scenes only with --contact-sheet), and for each scene NAME.png, NAME.json (the scene)
 and, of curve, both and transient, NAME.csv: the curve, or the motion as asperity motion writes it,
 in at most 2000 rows. In results.csv mu, indentation and contact_fraction are means over the
 scene's lines at its velocity, empty for a motion; line_mu and its like are of the line shown.)";

@@ -26,6 +26,7 @@
 #include "core/paper/figure.h"
 #include "core/scene/parameter_help.h"
 #include "core/scene/scene_file.h"
+#include "core/study/study_file.h"
 #include "ui/language/language.h"
 #include "ui/window/main/scene_library.h"
 
@@ -61,6 +62,7 @@ class CommandLine {
     addFigure();
     addOpen();
     addBatch();
+    addStudy();
     addAccuracy();
     addExplain();
     addColumns();
@@ -489,12 +491,67 @@ class CommandLine {
         "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
     command->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
     command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
+    command->add_flag("--contact-sheet", batch_.contactSheet,
+                      "Make contact sheets of more than 100 scenes, too");
     addPictureOptions(*command, batch_.picture, "the batch's", "light");
     addShared(*command, batch_.common);
     command->remove_option(
         command->get_option("--set"));  // each entry of the batch has its own "set"
     command->footer(kBatchFormat);
     command->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
+  }
+  void addStudy() {
+    CLI::App* study = app_.add_subcommand(
+        "study", "Very many simulations: a space of scene keys, in a store that survives kills");
+    study->require_subcommand(1);
+    study->footer(kStudyFormat);
+    // An action has what it reads as its first word, and no --set: the study says everything.
+    const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
+                            int (*work)(const StudyCommand&)) {
+      CLI::App* app = study->add_subcommand(name, sentence);
+      addShared(*app, command.common);
+      app->remove_option(app->get_option("--set"));
+      app->callback(
+          [this, &command, work] { selected_ = [&command, work] { return work(command); }; });
+      return app;
+    };
+    CLI::App* run = action("run", "Run a study, or what is missing of it", studyRun_, runStudyRun);
+    run->add_option("STUDY", studyRun_.study, "The study (JSON), see below")->required();
+    run->add_option("-o,--output", studyRun_.output,
+                    "STORE: a file that keeps all results; run again, it goes on");
+    run->add_option("--shard", studyRun_.shard,
+                    "Only part I of N, into a store of its own that 'merge' joins with the others")
+        ->type_name("I/N");
+    run->add_flag("--plan", studyRun_.plan, "Show what it will cost, and compute nothing");
+    run->footer(kStudyFormat);
+    CLI::App* merge =
+        action("merge", "Join the stores of shards, in any order", studyMerge_, runStudyMerge);
+    merge->add_option("STORES", studyMerge_.stores, "Stores of one study")->required();
+    merge
+        ->add_option("-o,--output", studyMerge_.output,
+                     "STORE for all of them; what it has already counts too")
+        ->required();
+    CLI::App* table = action("table", "The results as a table", studyTable_, runStudyTable);
+    table->add_option("STORE", studyTable_.study, "Store of a study")->required();
+    addOutputs(table, studyTable_.outputs,
+               "FILE.csv (its first line, # asperity: ..., says how it was made) or FILE.json; may "
+               "be repeated (default: CSV to standard output)");
+    table
+        ->add_option("--shape", studyTable_.shape,
+                     "wide: a row for each simulation; long: a row for each of its numbers")
+        ->capture_default_str();
+    CLI::App* show = action("show", "What a store has: state, rate, failures with their messages",
+                            studyShow_, runStudyShow);
+    show->add_option("STORE", studyShow_.study, "Store of a study")->required();
+    CLI::App* analyse =
+        action("analyse", "Sensitivity indices, main effects, correlations, percentiles",
+               studyAnalyse_, runStudyAnalyse);
+    analyse->add_option("STORE", studyAnalyse_.study, "Store of a study")->required();
+    analyse
+        ->add_option("-o,--output", studyAnalyse_.output,
+                     "Folder for analysis.json, tables and pictures")
+        ->required();
+    addPictureOptions(*analyse, studyAnalyse_.picture, "1400x900", "print");
   }
   void addAccuracy() {
     CLI::App* command =
@@ -585,6 +642,7 @@ class CommandLine {
   FigureCommand figure_;
   OpenCommand open_;
   BatchCommand batch_;
+  StudyCommand studyRun_, studyMerge_, studyTable_, studyShow_, studyAnalyse_;
   AccuracyCommand accuracy_;
   ExplainCommand explain_;
   std::function<int()> selected_;

@@ -113,6 +113,19 @@ struct MaterialCommand {
   std::vector<std::pair<std::string, std::string>> written;
 };
 
+/// The actions of `asperity study`; each uses some of the members.
+struct StudyCommand {
+  CommonOptions common;
+  std::string study;                 // file of the study, or its store
+  std::vector<std::string> stores;   // to be merged
+  std::string output;                // store, or folder
+  std::vector<std::string> outputs;  // tables
+  std::string shard;                 // I/N; empty: all of the study
+  std::string shape = "wide";
+  bool plan = false;
+  PictureArguments picture;
+};
+
 struct FigureCommand {
   CommonOptions common;  // without a scene, it means the paper's parameters
   std::vector<std::string> names;
@@ -147,6 +160,7 @@ struct AccuracyCommand {
 struct BatchCommand {
   CommonOptions common;  // the scene is the batch's file
   std::string output;    // folder
+  bool contactSheet = false;
   PictureArguments picture;
 };
 
@@ -191,6 +205,11 @@ int runWindowCommand(const CommonOptions& command);
 int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
                const FoundScene* found = nullptr);
 int runBatch(const BatchCommand& command);
+int runStudyRun(const StudyCommand& command);
+int runStudyMerge(const StudyCommand& command);
+int runStudyTable(const StudyCommand& command);
+int runStudyShow(const StudyCommand& command);
+int runStudyAnalyse(const StudyCommand& command);
 int runOpen(const OpenCommand& command);
 
 /// Parses and runs the command line. Returns the exit status; errors are one line on stderr.

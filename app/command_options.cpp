@@ -52,10 +52,16 @@ void limitNumber(CLI::Option* option, Number least, Number most, const char* wha
   option->check(check)->type_name(allowed);
 }
 
-/// Returns the command that was given, or the program itself.
+/// Returns the command or its action that was given, or the program itself.
 const CLI::App& spokenTo(const CLI::App& app) {
   const auto commands = app.get_subcommands();
-  return commands.empty() ? app : *commands.front();
+  return commands.empty() ? app : spokenTo(*commands.front());
+}
+
+/// Returns how a command is called: "asperity study run".
+std::string callOf(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent ? callOf(*parent) + " " + command.get_name() : "asperity";
 }
 
 /// Returns the option as the user writes it: "--frames", or "SCENE" for one without dashes.
@@ -73,7 +79,7 @@ InputError unexpected(const CLI::App& app) {
   const CLI::App& command = spokenTo(app);
   const std::vector<std::string> own = app.remaining(), words = command.remaining();
   if (&command != &app && !own.empty()) return beforeCommand(command, own.front());
-  const std::string call = &command == &app ? "asperity" : "asperity " + command.get_name();
+  const std::string call = callOf(command);
   for (const std::string& word : words) {
     if (!word.starts_with('-')) continue;
     std::vector<std::string> names;

@@ -24,11 +24,11 @@ ProgressBar::~ProgressBar() {
   if (!isQuiet_ && isTerminal_) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressBar::show(std::int64_t done, std::int64_t total) {
+void ProgressBar::show(std::int64_t done, std::int64_t total, const std::string& note) {
   const auto now = std::chrono::steady_clock::now();
   if (isQuiet_) return;
-  const std::string count =
-      filled(Words::tr("%1 of %2"), {std::to_string(done), std::to_string(total)});
+  std::string count = filled(Words::tr("%1 of %2"), {std::to_string(done), std::to_string(total)});
+  if (!note.empty()) count += ", " + note;
   if (!isTerminal_) {
     if (now - drawn_ < kLineInterval) return;
     drawn_ = now;

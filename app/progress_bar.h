@@ -16,7 +16,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(std::int64_t done, std::int64_t total);
+  /// note: what stands behind the numbers, such as the time left.
+  void show(std::int64_t done, std::int64_t total, const std::string& note = "");
 
  private:
   std::string what_;

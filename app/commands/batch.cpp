@@ -1,13 +1,17 @@
 // asperity batch: runs many scenes and sweeps; writes pictures, data and a page with all of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "app/batch_file.h"
 #include "app/batch_page.h"
+#include "app/batch_progress.h"
 #include "app/command_line.h"
 #include "app/contact_sheets.h"
 #include "app/frame_source.h"
@@ -18,6 +22,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/atomic_file.h"
+#include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
@@ -39,6 +44,9 @@ using Json = nlohmann::ordered_json;
 /// Number of rows in the table of a motion.
 constexpr std::int64_t kMotionRows = 2000;
 
+/// Number of scenes above which contact sheets are made only if they are asked for.
+constexpr std::size_t kMostOnSheets = 100;
+
 /// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
 /// line at rest.
 std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& options) {
@@ -56,18 +64,9 @@ class BatchRun {
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
     settings_ = readSettings();
-    grid_.emplace(static_cast<int>(batch_.items.size()), settings_.width, settings_.height);
-    small_ = settings_;
-    small_.width = grid_->cellWidth();
-    small_.height = grid_->cellHeight();
-    small_.scale = 0.5F;
-    for (int i = 0; i < grid_->sheets(); ++i) {
-      DrawList& sheet = sheets_.emplace_back();
-      sheet.width = grid_->widthOf(i);
-      sheet.height = grid_->heightOf(i);
-      sheet.background = settings_.theme.background;
-    }
+    if (batch_.items.size() <= kMostOnSheets || command.contactSheet) makeSheets();
     makeFolder(command.output);
+    progress_.emplace(command.output);
     checkWritable(fileIn("index.html"));
     checkInputs();
   }
@@ -79,22 +78,43 @@ class BatchRun {
       const auto total = static_cast<std::int64_t>(batch_.items.size());
       for (const BatchItem& item : batch_.items) {
         results_.push_back(resultOf(item, pictures));
+        noteProgress();
         bar.show(static_cast<std::int64_t>(results_.size()), total);
       }
     }
     finishPictures(pictures);
     // The small files with the results are written first: the sheets are large, and may fail.
     const std::string made = provenanceLine(origin());
-    const std::vector<std::string> names = grid_->names();
+    const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
     writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
+    // All scenes stand once in the table, and in the only sheet where there is one.
+    const std::string ofSheets =
+        sheets_.size() == 1 ? made : provenanceLine(headerOf("results.csv"));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
-      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, made, settings_.scale});
+      pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, ofSheets, settings_.scale});
     pictures.finish();
+    if (std::ranges::all_of(results_,
+                            [](const BatchResult& result) { return result.item.error.empty(); }))
+      progress_->remove();
     return report();
   }
 
  private:
+  void makeSheets() {
+    grid_.emplace(static_cast<int>(batch_.items.size()), settings_.width, settings_.height);
+    small_ = settings_;
+    small_.width = grid_->cellWidth();
+    small_.height = grid_->cellHeight();
+    small_.scale = 0.5F;
+    for (int i = 0; i < grid_->sheets(); ++i) {
+      DrawList& sheet = sheets_.emplace_back();
+      sheet.width = grid_->widthOf(i);
+      sheet.height = grid_->heightOf(i);
+      sheet.background = settings_.theme.background;
+    }
+  }
+
   std::string fileIn(const std::string& name) const {
     return (std::filesystem::path(command_.output) / name).string();
   }
@@ -114,8 +134,15 @@ class BatchRun {
     };
     for (const BatchItem& item : batch_.items)
       for (const std::string& name : filesOf(item)) check(name);
-    for (const std::string& name : grid_->names()) check(name);
+    if (grid_)
+      for (const std::string& name : grid_->names()) check(name);
     check("results.csv");
+  }
+
+  /// Notes the scene before the last one: the picture of the last one is still being written.
+  void noteProgress() {
+    if (written_) progress_->add(written_->first, written_->second);
+    written_ = std::exchange(finished_, std::nullopt);
   }
 
   /// Waits for the last picture, whose writing may fail after its scene has been finished.
@@ -151,7 +178,7 @@ class BatchRun {
     } catch (const std::runtime_error& error) {
       result.item.error = messageOf(error);
     }
-    if (!result.item.error.empty()) {
+    if (!result.item.error.empty() && grid_) {
       const auto [sheet, left, top] = cell();
       addLabel(sheets_[sheet], filled(Words::tr("%1 failed"), {item.name}),
                {static_cast<float>(left + 16), static_cast<float>(top + 32)}, 16, TextAnchor::Left,
@@ -169,21 +196,45 @@ class BatchRun {
     shown.title = translated(result.item.title);
     const PictureLayout layout = layoutFrom(result.item.show);
     PictureContent content{layout};
+    const std::string key = keyOf(result.item);
+    const BatchProgressEntry* const known = progress_->find(key);
+    if (known) {
+      result.mean = known->result.mean;
+      result.lineMu = known->result.lineMu;
+      result.lineIndentation = known->result.lineIndentation;
+      result.lineContactFraction = known->result.lineContactFraction;
+      result.files = known->result.files;
+      if (!known->curve.empty()) content.curves.present = {{}, shown, known->curve, 0};
+      if (!grid_) return;
+    }
     CurveOptions options;
     options.threads = command_.common.threads;
-    if (layout == PictureLayout::Curve || layout == PictureLayout::Both) {
+    if (!known && (layout == PictureLayout::Curve || layout == PictureLayout::Both)) {
       needSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       const Curve curve = computeCurve(scene, options);
       requireTarget(curve);
       content.curves.present = {{}, shown, curve.points, 0};
     }
-    result.mean = meanOverLines(scene, options);
+    if (!known) result.mean = meanOverLines(scene, options);
     FrameSource source(shown, {}, true);
     const Frame frame = source.frame(0);
-    result.lineMu = frame.transient ? frame.muMarch : frame.muSteady;
-    result.lineIndentation = frame.indentation;
-    result.lineContactFraction = frame.contactFraction;
+    if (!known) {
+      result.lineMu = frame.transient ? frame.muMarch : frame.muSteady;
+      result.lineIndentation = frame.indentation;
+      result.lineContactFraction = frame.contactFraction;
+      write(result, shown, content, frame, pictures);
+      finished_.emplace(key, BatchProgressEntry{result, content.curves.present.points});
+    }
+    if (!grid_) return;
+    const auto [sheet, left, top] = cell();
+    addPicture(sheets_[sheet], PictureComposer(small_, content).compose(frame),
+               static_cast<float>(left), static_cast<float>(top));
+  }
 
+  /// Writes the files of one scene.
+  void write(BatchResult& result, const Scene& shown, const PictureContent& content,
+             const Frame& frame, HeadlessPictures& pictures) {
+    const Scene& scene = result.item.scene;
     const std::string& name = result.item.name;
     PictureComposer composer(settings_, content);
     composer.checkRoom(scene);
@@ -196,7 +247,7 @@ class BatchRun {
                           provenanceComment("batch", scene) + curveCsv(curve, columnsFor(scene)));
       result.files.push_back(name + ".csv");
     }
-    if (layout == PictureLayout::Transient) {
+    if (layoutFrom(result.item.show) == PictureLayout::Transient) {
       MotionOptions motion;
       motion.mostRows = kMotionRows;
       motion.threads = command_.common.threads;
@@ -208,10 +259,25 @@ class BatchRun {
     }
     writeFileAtomically(fileIn(name + ".json"), writeScene(scene));
     result.files.push_back(name + ".json");
+  }
 
-    const auto [sheet, left, top] = cell();
-    addPicture(sheets_[sheet], PictureComposer(small_, content).compose(frame),
-               static_cast<float>(left), static_cast<float>(top));
+  /// Digest of all that has an influence on the files of a scene.
+  std::string keyOf(const BatchItem& item) const {
+    const Json all = {{"version", ASPERITY_VERSION},
+                      {"name", item.name},
+                      {"show", item.show},
+                      {"title", translated(item.title)},
+                      {"picture", settings_.json()},
+                      {"backend", static_cast<int>(settings_.backend)},
+                      {"origin", provenance("batch", item.scene)}};
+    return sha256(all.dump());
+  }
+
+  /// The provenance of a file whose scenes stand in another file.
+  static Json headerOf(const std::string& file) {
+    Json origin = header();
+    origin["see"] = file;
+    return origin;
   }
 
   static Json header() {
@@ -268,7 +334,10 @@ class BatchRun {
   const BatchCommand& command_;
   Batch batch_;
   PictureSettings settings_, small_;
-  std::optional<ContactSheets> grid_;
+  std::optional<ContactSheets> grid_;  // none: no contact sheet
+  std::optional<BatchProgress> progress_;
+  using Finished = std::pair<std::string, BatchProgressEntry>;
+  std::optional<Finished> finished_, written_;
   std::vector<DrawList> sheets_;
   std::vector<BatchResult> results_;
 };

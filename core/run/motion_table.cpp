@@ -282,6 +282,18 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
   return table;
 }
 
+std::vector<MotionValues> motionColumns(const MotionTable& table) {
+  std::vector<MotionValues> columns;
+  const auto add = [&](const ColumnName& name, const auto& value) {
+    std::vector<double>& values = columns.emplace_back(MotionValues{name.text(), {}}).values;
+    for (const std::vector<TransientSample>& line : table.lines)
+      for (const TransientSample& row : line) values.push_back(value(row));
+  };
+  for (const MotionColumn& column : kMotionColumns) add(column.name, column.value);
+  add(kMuInterface, [&](const TransientSample& row) { return muInterface(table, row); });
+  return columns;
+}
+
 std::string motionCsv(const MotionTable& table) {
   std::string text;
   for (const MotionColumn& column : kMotionColumns) text += column.name.text() + ",";

@@ -44,6 +44,15 @@ struct MotionTable {
 /// Marches a scene whose sliding is not steady.
 MotionTable marchMotion(const Scene& scene, const MotionOptions& options);
 
+/// A column of numbers; NaN where a value does not apply.
+struct MotionValues {
+  std::string name;
+  std::vector<double> values;  // the rows of one line after those of another
+};
+
+/// Returns the columns of the table without the last one, which numbers the lines.
+std::vector<MotionValues> motionColumns(const MotionTable& table);
+
 std::string motionCsv(const MotionTable& table);
 
 /// Returns the provenance in an answer and in the first line of a table: how the table was made and

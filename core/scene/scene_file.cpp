@@ -13,6 +13,7 @@
 #include "core/material/material_library.h"
 #include "core/scene/effects.h"
 #include "core/scene/parameters.h"
+#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -349,25 +350,6 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
   return scene;
 }
 
-void checkWhole(const Scene& scene) {
-  if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
-    throw InputError("", "surface.file", "is missing; a profile needs a file");
-  if (scene.surface.kind == SurfaceKind::Measured && scene.surface.file.empty())
-    throw InputError("", "surface.file", "is missing; a measured surface needs a file");
-  if (scene.surface.kind == SurfaceKind::Spectrum && scene.surface.file.empty())
-    throw InputError("", "surface.file", "is missing; a spectrum needs a file");
-  if (scene.surface.kind == SurfaceKind::Spectrum &&
-      scene.surface.spectrumKind == SpectrumKind::Unstated)
-    throw InputError("", "surface.spectrum_kind",
-                     "is missing; allowed is one of c1_two_sided, c1_one_sided, c2");
-  const ProcessingChoices& processing = scene.surface.processing;
-  if (processing.longWaveCut > 0 && processing.longWaveCut <= processing.shortWaveCut)
-    throw InputError("", "surface.long_wave_cut",
-                     message("{} is not above surface.short_wave_cut, {}",
-                             plain(processing.longWaveCut), plain(processing.shortWaveCut)));
-  checkEffects(scene);
-}
-
 /// Checks the sweep, and the states at its two ends.
 void checkSweepAndEnds(const Scene& scene) {
   checkSweep(scene);
@@ -375,7 +357,7 @@ void checkSweepAndEnds(const Scene& scene) {
   for (const auto& [key, value] :
        {std::pair{"sweep.from", scene.sweep.from}, {"sweep.to", scene.sweep.to}})
     try {
-      checkWhole(sceneAt(scene, value));
+      checkScene(sceneAt(scene, value));
     } catch (const InputError& error) {
       throw InputError("", key, message("{}: {}", error.key(), error.message()));
     }
@@ -408,7 +390,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
     for (const std::string& text : assignments) all.push_back(parseAssignment(text));
     chooseAccuracy(all);
     Scene scene = build(std::move(all), folder);
-    checkWhole(scene);
+    checkScene(scene);
     checkSweepAndEnds(scene);
     scene.folder = folder;
     return scene;

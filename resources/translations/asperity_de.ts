@@ -439,6 +439,38 @@
         <source>%1 values of %2</source>
         <translation>%1 Werte von %2</translation>
     </message>
+    <message>
+        <source>%1 simulations of %2 states on %3 lines each, in chunks of %4</source>
+        <translation>%1 Simulationen zu %2 Zuständen auf je %3 Linien, in Blöcken von %4</translation>
+    </message>
+    <message>
+        <source>%1 of them are done</source>
+        <translation>%1 davon sind fertig</translation>
+    </message>
+    <message>
+        <source>about %1 on %2 threads, by a trial of %3 simulations</source>
+        <translation>etwa %1 mit %2 Threads, nach einem Versuch mit %3 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 of the trial cannot be computed</source>
+        <translation>%1 aus dem Versuch lassen sich nicht berechnen</translation>
+    </message>
+    <message>
+        <source>about %1 MB in the store</source>
+        <translation>etwa %1 MB im Speicher</translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulations done, %3 of them now</source>
+        <translation>%1 von %2 Simulationen fertig, %3 davon jetzt</translation>
+    </message>
+    <message>
+        <source>other processes work on the rest</source>
+        <translation>andere Prozesse arbeiten am Rest</translation>
+    </message>
+    <message>
+        <source>some simulations failed: &apos;asperity study show&apos; says why</source>
+        <translation>einige Simulationen sind gescheitert: &apos;asperity study show&apos; sagt, warum</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -2977,6 +3009,62 @@
     <message>
         <source>states</source>
         <translation>Zustände</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>simulations</source>
+        <translation>Simulationen</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>%1 simulations</source>
+        <translation>%1 Simulationen</translation>
+    </message>
+    <message>
+        <source>shard %1 of %2</source>
+        <translation>Teil %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulations done</source>
+        <translation>%1 von %2 Simulationen fertig</translation>
+    </message>
+    <message>
+        <source>%1 simulations a second on one thread</source>
+        <translation>%1 Simulationen in der Sekunde auf einem Thread</translation>
+    </message>
+    <message>
+        <source>the rest takes about %1 of one thread</source>
+        <translation>der Rest braucht etwa %1 auf einem Thread</translation>
+    </message>
+    <message>
+        <source>%1 simulations failed:</source>
+        <translation>%1 Simulationen sind gescheitert:</translation>
+    </message>
+    <message>
+        <source>  %1 times, first %2: %3</source>
+        <translation>  %1 Mal, zuerst %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 simulations</source>
+        <translation>%1 von %2 Simulationen</translation>
+    </message>
+    <message>
+        <source>%1, %2: first order %3, total %4</source>
+        <translation>%1, %2: erste Ordnung %3, gesamt %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 simulations without a number are left out</source>
+        <translation>%1: %2 Simulationen ohne Zahl sind weggelassen</translation>
+    </message>
+    <message>
+        <source>no Sobol indices: they need sampling saltelli</source>
+        <translation>keine Sobol-Indizes: sie verlangen sampling saltelli</translation>
     </message>
 </context>
 </TS>

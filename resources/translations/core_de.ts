@@ -4770,6 +4770,394 @@
         <source>contacts in a period</source>
         <translation>Kontakte in einer Periode</translation>
     </message>
+    <message>
+        <source>%1 of %2 chunks are missing (simulations %3)%4</source>
+        <translation>%1 von %2 Blöcken fehlen (Simulationen %3)%4</translation>
+    </message>
+    <message>
+        <source>; no store is of shard %1</source>
+        <translation>; kein Speicher ist von Teil %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 simulations are not there yet</source>
+        <translation>%1: %2 von %3 Simulationen sind noch nicht da</translation>
+    </message>
+    <message>
+        <source>needs an object</source>
+        <translation>verlangt ein Objekt</translation>
+    </message>
+    <message>
+        <source>needs a number</source>
+        <translation>verlangt eine Zahl</translation>
+    </message>
+    <message>
+        <source>is missing; it needs a number</source>
+        <translation>fehlt; verlangt ist eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from %2 to %3</source>
+        <translation>%1 ist keine ganze Zahl von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>needs a text</source>
+        <translation>verlangt einen Text</translation>
+    </message>
+    <message>
+        <source>unknown key; known are %1</source>
+        <translation>unbekannter Schlüssel; bekannt sind %1</translation>
+    </message>
+    <message>
+        <source>has no influence on one simulation, so it cannot be varied</source>
+        <translation>hat auf eine einzelne Simulation keinen Einfluss und kann deshalb nicht variiert werden</translation>
+    </message>
+    <message>
+        <source>a study slides steadily; it cannot be varied</source>
+        <translation>in einer Studie gleitet die Linie stetig; das kann nicht variiert werden</translation>
+    </message>
+    <message>
+        <source>a study needs a stated accuracy, not a target</source>
+        <translation>eine Studie verlangt eine angegebene Genauigkeit, kein Ziel</translation>
+    </message>
+    <message>
+        <source>is not a number, so it has no range; a list names its values</source>
+        <translation>ist keine Zahl und hat deshalb keinen Bereich; eine Liste nennt die Werte</translation>
+    </message>
+    <message>
+        <source>is neither log nor linear</source>
+        <translation>ist weder log noch linear</translation>
+    </message>
+    <message>
+        <source>has no meaning in a sample; it belongs to sampling grid</source>
+        <translation>hat in einer Stichprobe keine Bedeutung; es gehört zu sampling grid</translation>
+    </message>
+    <message>
+        <source>is not above from</source>
+        <translation>liegt nicht über from</translation>
+    </message>
+    <message>
+        <source>is missing; a grid needs the number of values</source>
+        <translation>fehlt; ein Gitter braucht die Zahl der Werte</translation>
+    </message>
+    <message>
+        <source>is not a number, so it has no distribution</source>
+        <translation>ist keine Zahl und hat deshalb keine Verteilung</translation>
+    </message>
+    <message>
+        <source>a distribution needs sampling latin_hypercube, sobol or saltelli, not a grid</source>
+        <translation>eine Verteilung verlangt sampling latin_hypercube, sobol oder saltelli, kein Gitter</translation>
+    </message>
+    <message>
+        <source>a uniform distribution has either from and to, or mean and deviation</source>
+        <translation>eine Gleichverteilung hat entweder from und to oder mean und deviation</translation>
+    </message>
+    <message>
+        <source>is not above 0</source>
+        <translation>liegt nicht über 0</translation>
+    </message>
+    <message>
+        <source>of a lognormal distribution is not above 0</source>
+        <translation>einer Lognormalverteilung liegt nicht über 0</translation>
+    </message>
+    <message>
+        <source>almost nothing of the distribution is between from and to</source>
+        <translation>zwischen from und to liegt fast nichts von der Verteilung</translation>
+    </message>
+    <message>
+        <source>has two columns of %1</source>
+        <translation>hat zwei Spalten für %1</translation>
+    </message>
+    <message>
+        <source>needs the lists keys and values, or the name of a table</source>
+        <translation>verlangt die Listen keys und values oder den Namen einer Tabelle</translation>
+    </message>
+    <message>
+        <source>needs texts</source>
+        <translation>verlangt Texte</translation>
+    </message>
+    <message>
+        <source>needs lists of as many values as there are keys</source>
+        <translation>verlangt Listen mit so vielen Werten, wie es Schlüssel gibt</translation>
+    </message>
+    <message>
+        <source>column '%1' is no scene key</source>
+        <translation>Spalte „%1“ ist kein Schlüssel einer Szene</translation>
+    </message>
+    <message>
+        <source>column '%1' is no scene key; the nearest known one is %2</source>
+        <translation>Spalte „%1“ ist kein Schlüssel einer Szene; der nächste bekannte ist %2</translation>
+    </message>
+    <message>
+        <source>column %1 is in %2; a study takes plain numbers in %3</source>
+        <translation>Spalte %1 ist in %2; eine Studie nimmt bloße Zahlen in %3</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is missing</source>
+        <translation>Zeile %1: %2 fehlt</translation>
+    </message>
+    <message>
+        <source>line %1: %2: %3</source>
+        <translation>Zeile %1: %2: %3</translation>
+    </message>
+    <message>
+        <source>needs the name of a table with a column for each key</source>
+        <translation>verlangt den Namen einer Tabelle mit einer Spalte für jeden Schlüssel</translation>
+    </message>
+    <message>
+        <source>has no row</source>
+        <translation>hat keine Zeile</translation>
+    </message>
+    <message>
+        <source>has %1 rows; at most %2 are allowed</source>
+        <translation>hat %1 Zeilen; höchstens %2 sind erlaubt</translation>
+    </message>
+    <message>
+        <source>has %1 values; at most %2 are allowed</source>
+        <translation>hat %1 Werte; höchstens %2 sind erlaubt</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>needs a list of values, a range {"from", "to", "points", "scale"} or a distribution</source>
+        <translation>verlangt eine Liste von Werten, einen Bereich {"from", "to", "points", "scale"} oder eine Verteilung</translation>
+    </message>
+    <message>
+        <source>needs a list of names</source>
+        <translation>verlangt eine Liste von Namen</translation>
+    </message>
+    <message>
+        <source>'%1' is unknown; known are %2, and curve.NAME for a whole curve</source>
+        <translation>„%1“ ist unbekannt; bekannt sind %2, und curve.NAME für eine ganze Kurve</translation>
+    </message>
+    <message>
+        <source>'%1' is unknown; the nearest known one is %2</source>
+        <translation>„%1“ ist unbekannt; der nächste bekannte Name ist %2</translation>
+    </message>
+    <message>
+        <source>needs an object of keys and what they are varied over</source>
+        <translation>verlangt ein Objekt von Schlüsseln mit dem, worüber sie variieren</translation>
+    </message>
+    <message>
+        <source>is varied twice</source>
+        <translation>wird zweimal variiert</translation>
+    </message>
+    <message>
+        <source>stands in set and in space; one of them is enough</source>
+        <translation>steht in set und in space; eines von beiden genügt</translation>
+    </message>
+    <message>
+        <source>has %1 keys; with this sampling at most %2 are allowed</source>
+        <translation>hat %1 Schlüssel; bei dieser Stichprobe sind höchstens %2 erlaubt</translation>
+    </message>
+    <message>
+        <source>has no meaning for sampling grid; it belongs to all others</source>
+        <translation>hat für sampling grid keine Bedeutung; es gehört zu allen anderen</translation>
+    </message>
+    <message>
+        <source>is missing; only sampling grid does without</source>
+        <translation>fehlt; nur sampling grid kommt ohne aus</translation>
+    </message>
+    <message>
+        <source>is of more than %1 simulations</source>
+        <translation>hat mehr als %1 Simulationen</translation>
+    </message>
+    <message>
+        <source>is what the curve goes over, so it cannot be varied as well</source>
+        <translation>ist das, worüber die Kurve geht, und kann nicht zugleich variiert werden</translation>
+    </message>
+    <message>
+        <source>is not above 0, where friction is wanted</source>
+        <translation>liegt nicht über 0, obwohl Reibung verlangt ist</translation>
+    </message>
+    <message>
+        <source>%1 is new</source>
+        <translation>%1 ist neu</translation>
+    </message>
+    <message>
+        <source>%1 is %2 instead of %3</source>
+        <translation>%1 ist %2 statt %3</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 over each parameter</source>
+        <translation>%1 über jedem Parameter</translation>
+    </message>
+    <message>
+        <source>%1 with its scatter</source>
+        <translation>%1 mit ihrer Streuung</translation>
+    </message>
+    <message>
+        <source>Which parameter is responsible for the scatter</source>
+        <translation>Welcher Parameter für die Streuung verantwortlich ist</translation>
+    </message>
+    <message>
+        <source>First order: the share of the variance that goes where the parameter is known. Total: the share that stays where all others are known. Bars: 95 % confidence.</source>
+        <translation>Erste Ordnung: der Anteil der Varianz, der wegfällt, wenn der Parameter bekannt ist. Gesamt: der Anteil, der bleibt, wenn alle anderen bekannt sind. Balken: 95 % Vertrauen.</translation>
+    </message>
+    <message>
+        <source>first order</source>
+        <translation>erste Ordnung</translation>
+    </message>
+    <message>
+        <source>total</source>
+        <translation>gesamt</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>share of the variance</source>
+        <translation>Anteil an der Varianz</translation>
+    </message>
+    <message>
+        <source>correlation</source>
+        <translation>Korrelation</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % bis 95 %</translation>
+    </message>
+    <message>
+        <source>25 % to 75 %</source>
+        <translation>25 % bis 75 %</translation>
+    </message>
+    <message>
+        <source>How the results go with the parameters</source>
+        <translation>Wie die Ergebnisse mit den Parametern gehen</translation>
+    </message>
+    <message>
+        <source>Correlation of the values (of the logarithm where a key is varied over it) and of their ranks; 1 and -1 mean that the parameter decides alone.</source>
+        <translation>Korrelation der Werte (des Logarithmus, wo ein Schlüssel über ihn variiert) und ihrer Ränge; 1 und -1 heißen, dass der Parameter allein entscheidet.</translation>
+    </message>
+    <message>
+        <source>of the values</source>
+        <translation>der Werte</translation>
+    </message>
+    <message>
+        <source>of the ranks</source>
+        <translation>der Ränge</translation>
+    </message>
+    <message>
+        <source>Points: single simulations. Line: mean over all other parameters, with its standard error.</source>
+        <translation>Punkte: einzelne Simulationen. Linie: Mittel über alle anderen Parameter mit seinem Standardfehler.</translation>
+    </message>
+    <message>
+        <source>single simulations</source>
+        <translation>einzelne Simulationen</translation>
+    </message>
+    <message>
+        <source>Bands: from the 5th to the 95th, and from the 25th to the 75th percentile.</source>
+        <translation>Bänder: vom 5. zum 95. und vom 25. zum 75. Perzentil.</translation>
+    </message>
+    <message>
+        <source>the whole study</source>
+        <translation>der ganzen Studie</translation>
+    </message>
+    <message>
+        <source>shard %1/%2</source>
+        <translation>Teil %1/%2</translation>
+    </message>
+    <message>
+        <source>'%1' is not I/N, such as 3/8</source>
+        <translation>„%1“ ist nicht I/N, etwa 3/8</translation>
+    </message>
+    <message>
+        <source>%1 is outside 1/N to N/N, with N from 1 to %2</source>
+        <translation>%1 liegt außerhalb von 1/N bis N/N mit N von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>is the store of another study: %1; another store is needed</source>
+        <translation>ist der Speicher einer anderen Studie: %1; ein anderer Speicher ist nötig</translation>
+    </message>
+    <message>
+        <source>the store is of %1, not of %2</source>
+        <translation>der Speicher ist von %1, nicht von %2</translation>
+    </message>
+    <message>
+        <source>is not there</source>
+        <translation>ist nicht da</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is empty; 'asperity study run' fills it</source>
+        <translation>ist leer; 'asperity study run' füllt ihn</translation>
+    </message>
+    <message>
+        <source>is not the store of a study</source>
+        <translation>ist nicht der Speicher einer Studie</translation>
+    </message>
+    <message>
+        <source>is not the store of a study, but %1</source>
+        <translation>ist nicht der Speicher einer Studie, sondern %1</translation>
+    </message>
+    <message>
+        <source>is damaged (%1); the study has to be run into another store, or merged from intact ones</source>
+        <translation>ist beschädigt (%1); die Studie muss in einen anderen Speicher gerechnet oder aus heilen zusammengefügt werden</translation>
+    </message>
+    <message>
+        <source>is damaged: chunk %1 is not what was written; the study has to be run into another store, or merged from intact ones</source>
+        <translation>ist beschädigt: Block %1 ist nicht, was geschrieben wurde; die Studie muss in einen anderen Speicher gerechnet oder aus heilen zusammengefügt werden</translation>
+    </message>
+    <message>
+        <source>cannot be written, the disk is full; what is done stays, and the same command goes on when there is room</source>
+        <translation>kann nicht geschrieben werden, die Platte ist voll; was fertig ist, bleibt, und derselbe Befehl macht weiter, wenn Platz ist</translation>
+    </message>
+    <message>
+        <source>is in use by another process; a shard belongs to one process at a time</source>
+        <translation>wird von einem anderen Prozess benutzt; ein Teil gehört jeweils einem Prozess</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; what is done stays, and the same command goes on afterwards</source>
+        <translation>kann nicht geschrieben werden: %1; was fertig ist, bleibt, und derselbe Befehl macht danach weiter</translation>
+    </message>
+    <message>
+        <source>cannot be locked: %1</source>
+        <translation>kann nicht gesperrt werden: %1</translation>
+    </message>
+    <message>
+        <source>is a database, but not the store of a study</source>
+        <translation>ist eine Datenbank, aber nicht der Speicher einer Studie</translation>
+    </message>
+    <message>
+        <source>has schema %1; this program knows %2: a newer one is needed</source>
+        <translation>hat Schema %1; dieses Programm kennt %2: ein neueres ist nötig</translation>
+    </message>
+    <message>
+        <source>is damaged: its study cannot be read</source>
+        <translation>ist beschädigt: seine Studie kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>has other results of chunk %1 than the stores before it</source>
+        <translation>hat andere Ergebnisse von Block %1 als die Speicher davor</translation>
+    </message>
+    <message>
+        <source>there is no store to merge</source>
+        <translation>es gibt keinen Speicher zum Zusammenfügen</translation>
+    </message>
+    <message>
+        <source>is of another study than %1: %2</source>
+        <translation>ist von einer anderen Studie als %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

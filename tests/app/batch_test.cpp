@@ -13,6 +13,7 @@ namespace asperity {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
@@ -291,6 +292,38 @@ TEST_F(BatchTest, WhatWasFoundIsKeptWhereASheetCannotBeWritten) {
   EXPECT_THAT(said.err, HasSubstr("contact_sheet.png"));
   EXPECT_THAT(rowOf(read("out/results.csv"), "a")["mu"], Not(testing::IsEmpty()));
   EXPECT_THAT(read("out/index.html"), HasSubstr("a.png"));
+}
+
+TEST_F(BatchTest, ManyScenesHaveAContactSheetOnlyIfItIsAskedFor) {
+  program.folder.write("b.json", R"({"schema": "asperity-batch/1", "size": "200x200", "entries": [
+      {"name": "a", "scene": "s.json", "show": "contact", "set": {"surface.elements": 50},
+       "sweep": {"surface.seed": {"from": 1, "to": 101, "points": 101, "spacing": "linear"}}}]})");
+  ASSERT_EQ(program.run("batch b.json -o out").status, 0);
+  EXPECT_THAT(program.folder.names("out"), Not(Contains("contact_sheet.png")));
+  EXPECT_THAT(program.folder.names("out"), IsSupersetOf({"a_101.png", "results.csv"}));
+  EXPECT_THAT(read("out/index.html"), Not(HasSubstr("contact_sheet")));
+  ASSERT_EQ(program.run("batch b.json -o out --contact-sheet").status, 0);
+  EXPECT_THAT(program.folder.names("out"), Contains("contact_sheet.png"));
+}
+
+TEST_F(BatchTest, GoesOnAfterItWasKilled) {
+  write(R"({"name": "a", "scene": "s.json", "show": "both", "set": {"ensemble.realizations": 20},
+            "sweep": {"surface.seed": [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]}})");
+  ASSERT_EQ(program.run("batch b.json -o whole").status, 0);
+  // The program is killed as soon as the third scene is noted as done.
+  program.run(
+      "batch b.json -o out & child=$!; for i in $(seq 3000); do "
+      "[ $(wc -l <out/.asperity_batch_progress || echo 0) -ge 3 ] && break; "
+      "kill -0 $child || break; sleep 0.002; done; kill -KILL $child; wait");
+  ASSERT_THAT(program.folder.names("out"), Contains(".asperity_batch_progress"));
+  ASSERT_THAT(program.folder.names("out"), Not(Contains("results.csv")));
+  const auto before = std::filesystem::last_write_time(program.folder / "out/a_01.csv");
+  ASSERT_EQ(program.run("batch b.json -o out").status, 0);
+  EXPECT_EQ(std::filesystem::last_write_time(program.folder / "out/a_01.csv"), before);
+  EXPECT_THAT(program.folder.names("out"),
+              testing::UnorderedElementsAreArray(program.folder.names("whole")));
+  for (const std::string& name : program.folder.names("whole"))
+    EXPECT_EQ(read("out/" + name), read("whole/" + name)) << name;
 }
 
 TEST_F(BatchTest, OneSceneIsCalledOne) {

@@ -22,6 +22,7 @@
 #include "tests/bench/memory.h"
 #include "tests/bench/report.h"
 #include "tests/bench/samples.h"
+#include "tests/bench/study_cost.h"
 
 namespace asperity::bench {
 namespace {
@@ -78,6 +79,7 @@ void measureRest(const Options& options, Measured& measured) {
   const int tries = options.isQuick ? 3 : 20;
   measured.cancel = slowestCancel(5000, tries);
   measured.cancelLong = slowestCancel(200000, tries);
+  measured.studyCost = measureStudyCost(options.isQuick);
   measured.studyLinear = estimateStudy(Scheme::Linear, 1, options.isQuick);
   measured.studyCubic = estimateStudy(Scheme::Cubic, 2, options.isQuick);
   if (instructionSet() == InstructionSet::Avx2 || !chooseInstructionSet(InstructionSet::Avx2))

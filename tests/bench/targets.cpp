@@ -62,6 +62,15 @@ std::optional<double> curve(const Measured& measured, const char*) {
   return times(secondsOf(measured, curveName(kResolutions[kResolution].name, kLines)), 1e3);
 }
 
+std::optional<double> studyOverhead(const Measured& measured, const char*) {
+  if (!measured.studyCost) return std::nullopt;
+  return 1e6 * measured.studyCost->perSimulation();
+}
+std::optional<double> studyRows(const Measured& measured, const char*) {
+  if (!measured.studyCost) return std::nullopt;
+  return measured.studyCost->rowsPerSecond();
+}
+
 constexpr auto kMost = Wanted::AtMost;
 
 // What profiles show.
@@ -96,6 +105,8 @@ constexpr Target kTargets[] = {
     {"whole curve, 200 lines, `nodal`", "", "ms", kMost, 200, curve<0, kRealizations>, ""},
     {"cancelling an ensemble, N = 5000, `cubic` x2, slowest", "", "ms", kMost, 10, cancel, kWallClock},
     {"cancelling an ensemble, N = 200,000, `cubic` x2, slowest", "", "ms", kMost, 10, cancelLong, kWallClock},
+    {"a study's simulation beyond kernel and line", "", "us", kMost, 5, studyOverhead, ""},
+    {"rows of a study's table", "", "per second", Wanted::AtLeast, 100000, studyRows, ""},
     {"whole curve, 200 lines, `cubic` x2", "", "ms", kMost, 1000, curve<2, kRealizations>, ""},
 };
 // clang-format on

@@ -7,6 +7,7 @@
 
 #include "tests/bench/paper_study.h"
 #include "tests/bench/samples.h"
+#include "tests/bench/study_cost.h"
 
 namespace asperity::bench {
 
@@ -21,7 +22,8 @@ struct Measured {
   std::optional<double> peakMemoryNodal;  // bytes
   std::optional<StudyEstimate> studyLinear, studyCubic;
   std::optional<StudyEstimate> studyLinearAvx2, studyCubicAvx2;  // where it is not the best one
-  std::optional<double> cancel, cancelLong;                      // s, slowest: N = 5000 and 200,000
+  std::optional<StudyCost> studyCost;
+  std::optional<double> cancel, cancelLong;  // s, slowest: N = 5000 and 200,000
 
   /// The literal algorithm at Fig. 2 over the shipped path: seconds over seconds.
   std::optional<double> ratio(const std::string& slow, const std::string& fast) const;

@@ -96,6 +96,29 @@ TEST(MotionTable, RowsSayWhatTheirColumnsMean) {
   }
 }
 
+TEST(MotionTable, ColumnsAreThoseOfTheTextLineAfterLine) {
+  Scene scene = someMotion(SlidingKind::Start);
+  MotionOptions options;
+  options.lines = 2;
+  options.every = 50;
+  for (const double interfaceFriction : {0.0, 0.1}) {
+    scene.interface.frictionCoefficient = interfaceFriction;
+    const MotionTable table = marchMotion(scene, options);
+    const std::vector<Row> rows = rowsOf(motionCsv(table));
+    const std::vector<MotionValues> columns = motionColumns(table);
+    ASSERT_EQ(columns.size() + 1, rows.front().size());
+    for (const MotionValues& column : columns) {
+      ASSERT_EQ(column.values.size(), rows.size()) << column.name;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double written = rows[i].at(column.name);
+        EXPECT_TRUE(std::isnan(written) ? std::isnan(column.values[i])
+                                        : written == column.values[i])
+            << column.name;
+      }
+    }
+  }
+}
+
 /// From steady state to steady state all that friction gave is heat: nothing more is stored.
 TEST(MotionTable, WhatSteadySlidingPutsInIsDissipated) {
   Scene scene = someMotion(SlidingKind::Step);

@@ -1,0 +1,391 @@
+// asperity study: many simulations of one scene over a space of its keys, kept in a store that
+// survives the end of its processes, merged, written as a table, analysed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+
+#include "app/command_line.h"
+#include "app/command_options.h"
+#include "app/output.h"
+#include "app/output_folder.h"
+#include "app/progress_bar.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/scene/provenance.h"
+#include "core/study/study_merge.h"
+#include "core/study/study_report.h"
+#include "core/study/study_run.h"
+#include "core/study/study_sheets.h"
+#include "core/study/study_table.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/window/main/scene_library.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr PictureDefaults kPictures{1400, 900, "print"};
+constexpr NamedChoices<TableShape, 2> kShapes{
+    {{"wide", TableShape::Wide}, {"long", TableShape::Long}}};
+
+/// "40 s", "12 min", "3.5 h", "2 d": about how long something takes.
+std::string durationText(double seconds) {
+  struct Unit {
+    double seconds;
+    const char* name;
+  };
+  for (const Unit& unit : {Unit{86400, "d"}, Unit{3600, "h"}, Unit{60, "min"}})
+    if (seconds >= 2 * unit.seconds)
+      return shortNumber(seconds / unit.seconds, 2) + " " + unit.name;
+  return shortNumber(std::max(seconds, 0.1), 2) + " s";
+}
+
+std::string countText(std::int64_t count) {
+  return std::to_string(count);
+}
+
+ParameterStudy studyOf(const StudyCommand& command) {
+  return readStudy(command.study, readNamedScene);
+}
+
+Json header(const ParameterStudy& study) {
+  return {{"schema", "asperity-study-answer/1"},
+          {"verb", "study"},
+          {"version", ASPERITY_VERSION},
+          {"study_sha256", study.digest}};
+}
+
+// ---- run
+
+/// Shows how many simulations are done, and how long the rest will take at the present rate.
+class StudyProgress {
+ public:
+  StudyProgress(std::int64_t before, std::int64_t total, bool quiet)
+      : bar_(Words::tr("simulations"), quiet), before_(before), total_(total) {}
+
+  void show(std::int64_t done) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    const auto added = static_cast<double>(done - before_);
+    const double left = elapsed.count() / added * static_cast<double>(total_ - done);
+    bar_.show(done, total_,
+              done < total_ ? filled(Words::tr("%1 left"), {durationText(left)}) : std::string());
+  }
+
+ private:
+  ProgressBar bar_;
+  std::int64_t before_, total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string planText(const StudyBudget& budget) {
+  std::string text =
+      filled(Words::tr("%1 simulations of %2 states on %3 lines each, in chunks of %4"),
+             {countText(budget.simulations),
+              countText(budget.states / std::max<std::int64_t>(1, budget.simulations)),
+              countText(budget.lines), countText(budget.chunk)}) +
+      "\n";
+  if (budget.done > 0)
+    text += filled(Words::tr("%1 of them are done"), {countText(budget.done)}) + "\n";
+  text += filled(Words::tr("about %1 on %2 threads, by a trial of %3 simulations"),
+                 {durationText(budget.seconds), std::to_string(budget.threads),
+                  countText(budget.trial)}) +
+          "\n";
+  if (budget.trialFailures > 0)
+    text +=
+        filled(Words::tr("%1 of the trial cannot be computed"), {countText(budget.trialFailures)}) +
+        "\n";
+  text +=
+      filled(Words::tr("about %1 MB in the store"), {shortNumber(budget.bytes / 1e6, 2)}) + "\n";
+  return text;
+}
+
+Json planJson(const ParameterStudy& study, const StudyBudget& budget) {
+  Json answer = header(study);
+  answer["simulations"] = budget.simulations;
+  answer["done"] = budget.done;
+  answer["states"] = budget.states;
+  answer["lines"] = budget.lines;
+  answer["chunk"] = budget.chunk;
+  answer["chunks"] = budget.chunks;
+  answer["seconds"] = budget.seconds;
+  answer["threads"] = budget.threads;
+  answer["trial"] = budget.trial;
+  answer["trial_failures"] = budget.trialFailures;
+  answer["bytes"] = budget.bytes;
+  return answer;
+}
+
+/// The simulations that a shard is to hold.
+std::int64_t simulationsOf(const ParameterStudy& study, const Shard& shard) {
+  const std::int64_t chunks = study.chunks(), last = chunks - 1;
+  const std::int64_t own = chunks / shard.count + (chunks % shard.count >= shard.number ? 1 : 0);
+  return shard.has(last) ? (own - 1) * study.chunk + study.sizeOfChunk(last) : own * study.chunk;
+}
+
+int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& shard) {
+  std::int64_t done = 0;
+  std::error_code ignored;
+  if (!command.output.empty() && std::filesystem::exists(command.output, ignored)) {
+    const StudyStore store(command.output);
+    if (store.study().digest == study.digest) done = store.simulationsDone();
+  }
+  const StudyBudget budget =
+      studyBudget(study, simulationsOf(study, shard), done, command.common.threads);
+  printSummary(command.common.json, command.common.quiet, planText(budget));
+  if (command.common.json) fmt::print("{}\n", planJson(study, budget).dump(2));
+  return kDone;
+}
+
+std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t total) {
+  const std::int64_t done = store.simulationsDone();
+  std::string text = filled(Words::tr("%1 of %2 simulations done, %3 of them now"),
+                            {countText(done), countText(total), countText(added)}) +
+                     "\n";
+  if (done < total) text += Words::tr("other processes work on the rest") + "\n";
+  if (store.hasFailures())
+    text += Words::tr("some simulations failed: 'asperity study show' says why") + "\n";
+  return text;
+}
+
+// ---- show
+
+struct FailureCount {
+  std::int64_t count = 0, first = 0;
+};
+
+/// How often each message occurs, at most some of them.
+std::map<std::string, FailureCount> failuresOf(const StudyStore& store, std::int64_t& all) {
+  constexpr std::size_t kMost = 1000;
+  std::map<std::string, FailureCount> failures;
+  store.eachChunk([&](const StudyChunk& chunk) {
+    for (const StudyFailure& failure : chunk.failures) {
+      ++all;
+      const auto found = failures.find(failure.message);
+      if (found != failures.end())
+        ++found->second.count;
+      else if (failures.size() < kMost)
+        failures[failure.message] = {1, failure.simulation};
+    }
+    return true;
+  });
+  return failures;
+}
+
+// ---- merge
+
+std::string missingText(const MergedStores& merged, const ParameterStudy& study) {
+  std::string shards, ranges;
+  for (const Shard& shard : merged.missingShards)
+    shards += fmt::format("{}{}/{}", shards.empty() ? "" : ", ", shard.number, shard.count);
+  for (const std::int64_t chunk : merged.missingChunks)
+    ranges += fmt::format("{}{}-{}", ranges.empty() ? "" : ", ", chunk * study.chunk,
+                          chunk * study.chunk + study.sizeOfChunk(chunk) - 1);
+  const std::int64_t missing = merged.chunksWanted - merged.chunks;
+  if (missing > static_cast<std::int64_t>(merged.missingChunks.size())) ranges += ", ...";
+  return message("{} of {} chunks are missing (simulations {}){}", missing, merged.chunksWanted,
+                 ranges,
+                 shards.empty() ? Message("") : message("; no store is of shard {}", shards))
+      .english();
+}
+
+}  // namespace
+
+int runStudyRun(const StudyCommand& command) {
+  const ParameterStudy study = studyOf(command);
+  const Shard shard = command.shard.empty() ? Shard{} : shardFrom(command.shard);
+  if (command.plan) return plan(command, study, shard);
+  if (command.output.empty())
+    throw InputError("", "--output", "is missing; a study needs a store, unless --plan is given");
+  checkNoInput(command.output, {command.study});
+  if (!study.base.surface.file.empty())
+    checkNoInput(command.output, {study.base.folder / study.base.surface.file});
+  StudyStore store(command.output, study, shard);
+  const std::int64_t total = simulationsOf(study, shard), before = store.simulationsDone();
+  if (!command.common.quiet && before < total) {
+    constexpr double kTrial = 0.1;  // s; a study of less time is simply run
+    const StudyBudget budget = studyBudget(study, total, before, command.common.threads, kTrial);
+    if (budget.seconds > 10 * kTrial) std::fputs(planText(budget).c_str(), stderr);
+  }
+  StudyRunOptions options;
+  options.threads = command.common.threads;
+  std::int64_t added = 0;
+  {
+    StudyProgress progress(before, total, command.common.quiet);
+    options.progress = [&](std::int64_t done) { progress.show(std::min(done, total)); };
+    added = runStudy(store, options);
+  }
+  printSummary(command.common.json, command.common.quiet, stateText(store, added, total));
+  if (command.common.json) {
+    Json answer = header(study);
+    answer["simulations"] = total;
+    answer["done"] = store.simulationsDone();
+    answer["added"] = added;
+    answer["has_failures"] = store.hasFailures();
+    fmt::print("{}\n", answer.dump(2));
+  }
+  return kDone;
+}
+
+int runStudyMerge(const StudyCommand& command) {
+  std::vector<std::filesystem::path> inputs(command.stores.begin(), command.stores.end());
+  const MergedStores merged = mergeStores(inputs, command.output);
+  const StudyStore store(command.output);
+  if (command.common.json) {
+    Json answer = header(store.study());
+    answer["chunks"] = merged.chunks;
+    answer["chunks_wanted"] = merged.chunksWanted;
+    Json& missing = answer["missing_shards"] = Json::array();
+    for (const Shard& shard : merged.missingShards)
+      missing.push_back(fmt::format("{}/{}", shard.number, shard.count));
+    fmt::print("{}\n", answer.dump(2));
+  }
+  if (!merged.isWhole())
+    throw TextError(Message::name(missingText(merged, store.study())), {command.output});
+  printSummary(command.common.json, command.common.quiet,
+               filled(Words::tr("%1 simulations"), {countText(store.simulationsDone())}) + "\n" +
+                   wroteLine(command.output));
+  return kDone;
+}
+
+int runStudyTable(const StudyCommand& command) {
+  const StudyStore store(command.study);
+  const TableShape shape = chosenFrom(kShapes, command.shape, "--shape");
+  const bool isStdout = command.outputs.empty();
+  checkOutputs(command.outputs, {".csv", ".json"}, Without::PrintsTable);
+  for (const std::string& output : command.outputs) checkNoInput(output, {command.study});
+  std::int64_t rows = 0;
+  const auto print = [](std::string_view bytes) {
+    std::fwrite(bytes.data(), 1, bytes.size(), stdout);
+  };
+  for (const std::string& output : command.outputs) {
+    if (output == "-") {
+      rows = writeStudyTable(store, shape, TableFormat::Csv, print);
+      continue;
+    }
+    AtomicFile file(output);
+    rows = writeStudyTable(store, shape,
+                           extensionOf(output) == ".json" ? TableFormat::Json : TableFormat::Csv,
+                           [&](std::string_view bytes) { file.write(bytes); });
+    file.commit();
+  }
+  if (isStdout || command.common.json)
+    rows = writeStudyTable(store, shape, command.common.json ? TableFormat::Json : TableFormat::Csv,
+                           print);
+  const std::int64_t all = store.study().simulations();
+  if (rows < all)
+    std::fputs(fmt::format("asperity: {}\n", message("{}: {} of {} simulations are not there yet",
+                                                     command.study, all - rows, all)
+                                                 .english())
+                   .c_str(),
+               stderr);
+  if (!isStdout) {
+    std::string text = filled(Words::tr("%1 simulations"), {countText(rows)}) + "\n";
+    for (const std::string& output : command.outputs)
+      if (output != "-") text += wroteLine(output);
+    printSummary(command.common.json || hasStandardOutput(command.outputs), command.common.quiet,
+                 text);
+  }
+  return kDone;
+}
+
+int runStudyShow(const StudyCommand& command) {
+  const StudyStore store(command.study);
+  store.check();
+  const ParameterStudy& study = store.study();
+  const std::int64_t total = simulationsOf(study, store.shard()), done = store.simulationsDone();
+  const double seconds = store.secondsSpent();
+  std::int64_t failed = 0;
+  const std::map<std::string, FailureCount> failures = failuresOf(store, failed);
+  if (command.common.json) {
+    Json answer = header(study);
+    answer["title"] = study.title;
+    if (!store.shard().isWhole())
+      answer["shard"] = fmt::format("{}/{}", store.shard().number, store.shard().count);
+    answer["simulations"] = total;
+    answer["done"] = done;
+    answer["chunk"] = study.chunk;
+    answer["failed"] = failed;
+    answer["processor_seconds"] = seconds;
+    answer["study"] = Json::parse(study.canonical);
+    Json& list = answer["failures"] = Json::array();
+    for (const auto& [text, count] : failures)
+      list.push_back({{"message", text}, {"count", count.count}, {"first", count.first}});
+    fmt::print("{}\n", answer.dump(2));
+  }
+  std::string text = study.title.empty() ? "" : study.title + "\n";
+  if (!store.shard().isWhole())
+    text += filled(Words::tr("shard %1 of %2"),
+                   {std::to_string(store.shard().number), std::to_string(store.shard().count)}) +
+            "\n";
+  text +=
+      filled(Words::tr("%1 of %2 simulations done"), {countText(done), countText(total)}) + "\n";
+  if (done > 0 && seconds > 0)
+    text += filled(Words::tr("%1 simulations a second on one thread"),
+                   {shortNumber(static_cast<double>(done) / seconds, 3)}) +
+            "\n";
+  if (done < total && done > 0)
+    text += filled(Words::tr("the rest takes about %1 of one thread"),
+                   {durationText(seconds / static_cast<double>(done) *
+                                 static_cast<double>(total - done))}) +
+            "\n";
+  if (failed > 0) text += filled(Words::tr("%1 simulations failed:"), {countText(failed)}) + "\n";
+  for (const auto& [why, count] : failures)
+    text += filled(Words::tr("  %1 times, first %2: %3"),
+                   {countText(count.count), countText(count.first), why}) +
+            "\n";
+  printSummary(command.common.json, command.common.quiet, text);
+  return kDone;
+}
+
+int runStudyAnalyse(const StudyCommand& command) {
+  checkFolderName(command.output);
+  const PictureSettings settings = pictureSettings(command.picture, kPictures);
+  const StudyStore store(command.study);
+  const ParameterStudy& study = store.study();
+  if (store.chunksDone() == 0)
+    throw InputError(command.study, "", "has no result yet; 'asperity study run' computes them");
+  const StudyAnalysis analysis = analyseStudy(store);
+  Json answer = studyProvenance(study);
+  answer["analysis"] = analysisJson(study, analysis);
+  const std::string comment = "# asperity: " + provenanceLine(studyProvenance(study)) + "\n";
+  OutputFolder output(command.output, {command.study}, settings);
+  output.addText("analysis.json", answer.dump(2) + "\n");
+  if (!analysis.outputs.empty()) {
+    output.addText("sensitivity.csv", comment + indicesCsv(study, analysis));
+    output.addText("effects.csv", comment + effectsCsv(study, analysis));
+  }
+  output.addText("percentiles.csv", comment + percentilesCsv(analysis));
+  for (NamedSheet& sheet : studySheets(study, analysis))
+    output.addSheet(sheet.name, std::move(sheet.sheet));
+  Json origin = studyProvenance(study);
+  origin["picture"] = settings.json();
+  output.write(provenanceLine(origin));
+  std::string text = filled(Words::tr("%1 of %2 simulations"),
+                            {countText(analysis.simulations), countText(study.simulations())}) +
+                     "\n";
+  for (const OutputAnalysis& one : analysis.outputs) {
+    for (const SobolIndex& index : one.indices)
+      text += filled(Words::tr("%1, %2: first order %3, total %4"),
+                     {one.name, axisName(study.space.axes()[index.axis]),
+                      shortNumber(index.first.value, 2), shortNumber(index.total.value, 2)}) +
+              "\n";
+    if (one.failed > 0)
+      text += filled(Words::tr("%1: %2 simulations without a number are left out"),
+                     {one.name, countText(one.failed)}) +
+              "\n";
+  }
+  if (study.space.sampling() != Sampling::Saltelli)
+    text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";
+  printSummary(command.common.json, command.common.quiet, text + output.summary());
+  if (command.common.json) fmt::print("{}\n", answer.dump(2));
+  return kDone;
+}
+
+}  // namespace asperity

@@ -1,0 +1,244 @@
+// Contacts, motions and surfaces for Python.
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/python/arrays.h"
+#include "app/python/call.h"
+#include "app/python/module.h"
+#include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+#include "core/run/motion_table.h"
+#include "core/run/rigid_line.h"
+#include "core/run/steady_frames.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
+#include "core/surface/line_source.h"
+#include "core/surface/measured_summary.h"
+#include "core/surface/surface_file.h"
+
+namespace asperity {
+namespace {
+
+namespace py = pybind11;
+using Json = nlohmann::ordered_json;
+using Texts = std::vector<std::string>;
+
+// ---- one contact
+
+/// A steady contact of one line at the scene's own points. Immutable: arrays are views of it.
+struct Contact {
+  Scene scene;
+  SteadyResult result;
+  Frame frame;
+  std::vector<double> position, gap;  // m
+};
+
+std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization) {
+  needSteadySliding(scene, "asperity.state");
+  if (realization < 0) throw InputError("", "--realization", "is below 0");
+  if (realization > 0 && !LineSource(scene, 1).isRandom())
+    throw InputError("", "--realization", "this surface has one line, and no other realization");
+  const auto contact = std::make_shared<Contact>();
+  contact->scene = scene;
+  const SteadySolver sliding(scene);
+  const RigidLine rigid(scene, realization);
+  const SteadyState state = sliding.at(rigid.prepared, scene.sliding.velocity);
+  requireBalance(state.result, scene.sliding.velocity);
+  contact->result = state.result;
+  contact->frame = stillFrame(std::make_shared<const Scene>(scene), rigid, sliding, state,
+                              state.result, {true, true, true});
+  const Frame& frame = contact->frame;
+  for (std::size_t i = 0; i < frame.lineHeight.size(); ++i) {
+    contact->position.push_back(static_cast<double>(i) * frame.spacing);
+    const bool touches = frame.pressure[i] > 0;
+    contact->gap.push_back(touches ? 0 : frame.lineHeight[i] - frame.surfaceHeight[i]);
+  }
+  return contact;
+}
+
+template <class Member>
+auto viewed(Member member) {
+  return [member](const py::object& self) {
+    return viewOf(std::invoke(member, self.cast<const Contact&>()), self);
+  };
+}
+
+void addContactClass(py::module_& module) {
+  const auto ofFrame = [](std::vector<double> Frame::*field) {
+    return viewed([field](const Contact& contact) -> const std::vector<double>& {
+      return contact.frame.*field;
+    });
+  };
+  const auto ofResult = [](double SteadyResult::*field) {
+    return [field](const Contact& contact) { return contact.result.*field; };
+  };
+  py::class_<Contact, std::shared_ptr<Contact>>(module, "Contact")
+      .def_property_readonly("x", viewed(&Contact::position))
+      .def_property_readonly("z", ofFrame(&Frame::lineHeight))
+      .def_property_readonly("u", ofFrame(&Frame::surfaceHeight))
+      .def_property_readonly("gap", viewed(&Contact::gap))
+      .def_property_readonly("p", ofFrame(&Frame::pressure))
+      .def_property_readonly("slope", ofFrame(&Frame::lineSlope))
+      .def_property_readonly("time_since_contact", ofFrame(&Frame::sinceContact))
+      .def_property_readonly("power", ofFrame(&Frame::power))
+      .def_property_readonly("length", [](const Contact& contact) { return contact.frame.length; })
+      .def_property_readonly("spacing",
+                             [](const Contact& contact) { return contact.frame.spacing; })
+      .def_property_readonly("velocity",
+                             [](const Contact& contact) { return contact.frame.velocity; })
+      .def_property_readonly("indentation", ofResult(&SteadyResult::indentation))
+      .def_property_readonly("normal_force", ofResult(&SteadyResult::normalForce))
+      .def_property_readonly("tangential_force", ofResult(&SteadyResult::tangentialForce))
+      .def_property_readonly("mu", ofResult(&SteadyResult::mu))
+      .def_property_readonly("mu_interface", ofResult(&SteadyResult::muInterface))
+      .def_property_readonly("contact_fraction", ofResult(&SteadyResult::contactFraction))
+      .def_property_readonly("rms_slope_contact", ofResult(&SteadyResult::rmsSlopeContact))
+      .def_property_readonly("power_dissipated", ofResult(&SteadyResult::powerDissipated))
+      .def_property_readonly("residual", ofResult(&SteadyResult::residual))
+      .def("scene", [](const Contact& contact) { return contact.scene; });
+}
+
+// ---- motions
+
+struct MotionOfScene {
+  Scene scene;
+  MotionTable table;
+};
+
+std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, std::int64_t lines,
+                                        int threads, const py::object& progress) {
+  checkThreads(threads);
+  if (every < 1) throw InputError("", "--every", "is below 1");
+  if (lines < 1) throw InputError("", "--lines", "is below 1");
+  return compute(progress, [scene, every, lines, threads](const Call& call) {
+    MotionOptions options;
+    options.every = every;
+    options.lines = lines;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](std::int64_t done, std::int64_t total) { call.tell(done, total); };
+    return std::make_shared<MotionOfScene>(MotionOfScene{scene, marchMotion(scene, options)});
+  });
+}
+
+py::dict motionColumnsOf(const MotionOfScene& found) {
+  py::dict columns;
+  for (MotionValues& column : motionColumns(found.table))
+    columns[py::str(column.name)] = arrayOf(std::move(column.values));
+  std::vector<std::int64_t> realization;
+  for (std::size_t line = 0; line < found.table.lines.size(); ++line)
+    realization.insert(realization.end(), found.table.lines[line].size(),
+                       static_cast<std::int64_t>(line));
+  columns["realization"] = arrayOf(std::move(realization));
+  return columns;
+}
+
+// ---- surfaces
+
+struct SurfaceOfScene {
+  Scene scene;
+  Line line;
+  std::vector<double> position;  // m
+  std::string json;
+  Texts facts;
+};
+
+std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t realization) {
+  if (realization < 0) throw InputError("", "--realization", "is below 0");
+  // As the program: a line from a file is given with its elements alone.
+  const SurfaceKind kind = scene.surface.kind;
+  const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
+  const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
+  if (realization > 0 && !source.isRandom())
+    throw InputError("", "--realization", "this surface has one line, and no other realization");
+  const auto found = std::make_shared<SurfaceOfScene>();
+  found->scene = scene;
+  found->line = source.make(realization);
+  found->json = surfaceJson(scene, source, found->line);
+  for (std::size_t i = 0; i < found->line.nodes(); ++i)
+    found->position.push_back(static_cast<double>(i) * found->line.spacing);
+  if (source.measured())
+    for (const Message& fact : factsOf(measuredSummary(scene, source)))
+      found->facts.push_back(fact.english());
+  return found;
+}
+
+/// Names the file once where the file itself is what is wrong.
+std::shared_ptr<SurfaceOfScene> surfaceOfFile(const Scene& scene, const std::string& file,
+                                              std::int64_t realization) {
+  try {
+    return surfaceOf(scene, realization);
+  } catch (const InputError& error) {
+    const std::vector<Message>& parts = error.message().values;
+    if (error.key() != "surface.file" || parts.size() != 2)
+      throw error.file().empty() && !error.isOfOption() ? error.in(file) : error;
+    throw InputError(file, "", parts[1]);
+  }
+}
+
+/// Whether a file is a measured surface: those that hold a scene begin with a brace.
+bool isSurfaceFile(const std::string& name) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) return false;
+  constexpr std::size_t kBeginning = 4096;
+  std::string bytes = RegularFile(name).read(0, kBeginning);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && bytes[first] != '{';
+}
+
+}  // namespace
+
+void addContact(py::module_& module) {
+  addContactClass(module);
+  py::class_<MotionOfScene, std::shared_ptr<MotionOfScene>>(module, "Motion")
+      .def("columns", &motionColumnsOf)
+      .def("scene", [](const MotionOfScene& found) { return found.scene; })
+      .def("csv",
+           [](const MotionOfScene& found) {
+             return "# asperity: " +
+                    provenanceLine(motionProvenance("motion", found.scene, found.table)) + "\n" +
+                    motionCsv(found.table);
+           })
+      .def("json", [](const MotionOfScene& found) { return motionJson(found.scene, found.table); })
+      .def("mu_error", [](const MotionOfScene& found) { return found.table.muError; })
+      .def("relative_error", [](const MotionOfScene& found) { return found.table.relativeError; });
+  py::class_<SurfaceOfScene, std::shared_ptr<SurfaceOfScene>>(module, "Surface")
+      .def("position",
+           [](const py::object& self) {
+             return viewOf(self.cast<const SurfaceOfScene&>().position, self);
+           })
+      .def("height",
+           [](const py::object& self) {
+             return viewOf(self.cast<const SurfaceOfScene&>().line.height, self);
+           })
+      .def("slope",
+           [](const py::object& self) {
+             return viewOf(self.cast<const SurfaceOfScene&>().line.slopeAfter, self);
+           })
+      .def("scene", [](const SurfaceOfScene& found) { return found.scene; })
+      .def("facts", [](const SurfaceOfScene& found) { return found.facts; })
+      .def("csv",
+           [](const SurfaceOfScene& found) {
+             return provenanceComment("surface", found.scene) + lineCsv(found.line);
+           })
+      .def("json", [](const SurfaceOfScene& found) { return found.json; });
+  module.def("state", [](const Scene& scene, std::int64_t realization, const py::object& progress) {
+    return compute(progress,
+                   [scene, realization](const Call&) { return contactOf(scene, realization); });
+  });
+  module.def("march", &motionOf);
+  module.def("is_surface_file", &isSurfaceFile);
+  module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
+                           const py::object& progress) {
+    return compute(progress, [scene, file, realization](const Call&) {
+      return file.empty() ? surfaceOf(scene, realization) : surfaceOfFile(scene, file, realization);
+    });
+  });
+}
+
+}  // namespace asperity

@@ -1,0 +1,345 @@
+// Friction for Python: curves, many states in one call, sensitivities, fits.
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/python/arrays.h"
+#include "app/python/call.h"
+#include "app/python/module.h"
+#include "core/accuracy/compute_curve.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/chart/comparison.h"
+#include "core/chart/fit_report.h"
+#include "core/chart/sensitivity_sheet.h"
+#include "core/fit/derivatives.h"
+#include "core/fit/fit.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/parameter_map.h"
+#include "core/friction/steady_states.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "core/scene/range.h"
+#include "core/scene/scene_check.h"
+
+namespace asperity {
+namespace {
+
+namespace py = pybind11;
+using Json = nlohmann::ordered_json;
+using Texts = std::vector<std::string>;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// ---- curves
+
+/// A curve with the scene that it belongs to.
+struct CurveOfScene {
+  Scene scene;
+  Curve curve;
+};
+
+std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py::object& progress) {
+  checkThreads(threads);
+  needSteadySliding(scene, "asperity.curve");
+  return compute(progress, [scene, threads](const Call& call) {
+    CurveOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](const CurveProgress& done) {
+      call.tell(done.realizationsDone, done.realizationsTotal);
+    };
+    return std::make_shared<CurveOfScene>(CurveOfScene{scene, computeCurve(scene, options)});
+  });
+}
+
+/// Returns the columns of the answer that the program writes, which has them for any swept key.
+py::dict curveTableOf(const CurveOfScene& found) {
+  return columnsOf(Json::parse(curveJson(found.curve.points, found.scene))["points"]);
+}
+
+// ---- many states in one call
+
+/// Values of a key, one for each state.
+struct Override {
+  const Parameter* row;
+  std::vector<double> values;
+};
+
+void setNumber(const Override& one, Scene& scene, std::size_t i) {
+  const bool isWhole = std::holds_alternative<IntegerField>(one.row->field);
+  const double value = one.values[i];
+  if (isWhole && value == std::round(value) && std::abs(value) < 0x1p53)
+    setValue(*one.row, scene, static_cast<std::int64_t>(value));
+  else
+    setValue(*one.row, scene, value);
+}
+
+/// States of one call: each is a scene of about a kilobyte.
+constexpr std::size_t kMostStates = 200000;
+
+std::vector<Scene> statesOf(const Scene& scene, const std::vector<Override>& overrides,
+                            std::size_t count, const std::stop_token& stop) {
+  Scene plain = scene;  // words and lists beside a curve mean nothing here, but would be copied
+  plain.title.clear();
+  plain.description.clear();
+  plain.chapter.clear();
+  plain.comparison = {};
+  plain.sweep = {};
+  std::vector<Scene> states;
+  states.reserve(count);
+  for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) {
+    Scene& state = states.emplace_back(plain);
+    for (const Override& one : overrides) setNumber(one, state, i);
+    checkScene(state);
+  }
+  return states;
+}
+
+double processSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct FoundStates {
+  std::vector<CurvePoint> points;
+  std::size_t computed = 0;
+  double kernelSeconds = 0;
+};
+
+/// Returns the columns, how many states were slid, and the processor time of sliding them.
+py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numbers>& values,
+                   int threads, const py::object& progress) {
+  checkThreads(threads);
+  needSteadySliding(scene, "asperity.friction");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "states side by side have the same lines; give accuracy.scheme and "
+                     "ensemble.realizations instead of a target");
+  std::vector<Override> overrides;
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    const Parameter& row = numberRow(keys[k]);
+    if (!isApplicable(row, scene)) throw InputError("", keys[k], "has no meaning in this scene");
+    const double* first = values[k].data();
+    overrides.push_back({&row, {first, first + values[k].size()}});
+    count = overrides.back().values.size();
+    if (count > kMostStates)
+      throw InputError("", keys[k],
+                       message("{} states are more than {} in one call", count, kMostStates));
+  }
+  FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
+    const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
+    StateOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](double part) { call.tell(part); };
+    const double before = processSeconds();
+    SteadyStates slid = slideStates(states, options);
+    return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
+  });
+  return py::make_tuple(columnsOf(found.points), found.computed, found.kernelSeconds);
+}
+
+// ---- maps
+
+std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Texts& y, int threads,
+                                    const py::object& progress) {
+  checkThreads(threads);
+  needSteadySliding(scene, "asperity.map");
+  const MapAxis alongX = mapAxis(scene, rangeFrom(x.at(0), x.at(1)));
+  const MapAxis alongY = mapAxis(scene, rangeFrom(y.at(0), y.at(1)));
+  return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
+    MapOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](double part) { call.tell(part); };
+    return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
+  });
+}
+
+constexpr const char* kShown = "mu";  // as the program where it is not asked for another quantity
+
+std::string mapText(const ParameterMap& map) {
+  return "# asperity: " + provenanceLine(mapProvenance(map, kShown)) + "\n" + mapCsv(map, kShown);
+}
+
+// ---- sensitivity
+
+struct SensitivityOfScene {
+  Scene scene;
+  std::vector<Sensitivity> all;
+  std::vector<Exponent> exponents;
+};
+
+std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int threads,
+                                                  const py::object& progress) {
+  checkThreads(threads);
+  needSteadySliding(scene, "asperity.sensitivity");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "differences need the same lines on both sides; give accuracy.scheme and "
+                     "ensemble.realizations instead of a target");
+  return compute(progress, [scene, threads](const Call& call) {
+    StateOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.progress = [&call](double part) { call.tell(part); };
+    std::vector<Sensitivity> all = sensitivities(scene, options);
+    std::vector<Exponent> exponents = exponentsOf(scene, all);
+    return std::make_shared<SensitivityOfScene>(
+        SensitivityOfScene{scene, std::move(all), std::move(exponents)});
+  });
+}
+
+/// Returns key, value, exponent and its error as the program writes them, then the slope with its
+/// error, and whether it is by the logarithm.
+py::list sensitivityRows(const SensitivityOfScene& found) {
+  py::list rows;
+  for (const Exponent& one : found.exponents) {
+    const auto its = std::ranges::find(found.all, one.key, &Sensitivity::key);
+    rows.append(py::make_tuple(std::string(one.key), one.value, one.exponent.value,
+                               one.exponent.standardError, its->slope.value,
+                               its->slope.standardError, its->isLogarithmic));
+  }
+  return rows;
+}
+
+// ---- fits
+
+/// KEY or KEY=LOW:HIGH, where the limits may have units.
+VariedParameter variedFrom(const std::string& text, const Scene& scene) {
+  const std::size_t equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  if (equals == text.npos) return {key, scene};
+  const std::string range = text.substr(equals + 1);
+  const std::size_t colon = range.find(':');
+  if (colon == range.npos)
+    throw InputError("", "--vary", message("'{}' is not KEY or KEY=LOW:HIGH", text));
+  const Parameter& row = numberRow(key);
+  return {key, scene, numberFromText(row, range.substr(0, colon)),
+          numberFromText(row, range.substr(colon + 1))};
+}
+
+std::vector<VariedParameter> variedFrom(const Texts& texts, const Scene& scene) {
+  if (texts.empty()) throw InputError("", "--vary", "no key is given");
+  std::vector<VariedParameter> varied;
+  for (const std::string& text : texts) {
+    varied.push_back(variedFrom(text, scene));
+    for (std::size_t i = 0; i + 1 < varied.size(); ++i)
+      if (varied[i].key() == varied.back().key())
+        throw InputError("", "--vary", message("{} is given more than once", varied.back().key()));
+  }
+  return varied;
+}
+
+struct FitOfScene {
+  Scene scene;
+  Fit fit;
+  std::vector<FrictionData> data;
+  Texts varied;
+
+  Json answer() const {
+    Json root = provenance("fit", fit.scene);
+    root["vary"] = varied;
+    root["fit"] = fitJson(fit);
+    return root;
+  }
+};
+
+/// Adds the tables as the program does: their names are relative to the scene's folder. Reads each
+/// once, so that an error names the file as it was given.
+std::vector<FrictionData> addTables(Scene& scene, const Texts& files) {
+  std::vector<FrictionData> given;
+  for (const std::string& name : files) {
+    const std::filesystem::path file(name);
+    given.push_back(readFrictionData(file));
+    std::error_code error;
+    const std::filesystem::path beside =
+        std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
+    scene.comparison.data.push_back({error ? name : beside.string(), {}});
+  }
+  return given;
+}
+
+/// tables: names and texts of tables that are no files.
+std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
+                                  const std::vector<std::pair<std::string, std::string>>& tables,
+                                  const Texts& varied, bool hasProfiles, int threads,
+                                  const py::object& progress) {
+  checkThreads(threads);
+  Scene scene = given;
+  const std::vector<FrictionData> read = addTables(scene, files);
+  if (scene.comparison.data.empty() && tables.empty())
+    throw InputError("", "--data", "no measured friction is given, nor named by the scene");
+  needSteadySliding(scene, "a fit");
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "a fit needs the same lines everywhere, not a target");
+  const std::vector<VariedParameter> parameters = variedFrom(varied, scene);
+  std::vector<FrictionData> data = readComparisonData(scene, read);
+  for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));
+  return compute(
+      progress, [scene, data, varied, parameters, hasProfiles, threads](const Call& call) {
+        FitOptions options;
+        options.threads = threads;
+        options.stop = call.stop();
+        options.hasProfiles = hasProfiles;
+        options.progress = [&call](int evaluations, double) {
+          // The number of steps is not known beforehand: the rest shrinks by a part with each.
+          constexpr double kUsual = 50;
+          call.tell(1 - std::exp(-evaluations / kUsual));
+        };
+        return std::make_shared<FitOfScene>(
+            FitOfScene{scene, fitFriction(scene, data, parameters, options), data, varied});
+      });
+}
+
+}  // namespace
+
+void addFriction(py::module_& module) {
+  py::class_<CurveOfScene, std::shared_ptr<CurveOfScene>>(module, "Curve")
+      .def("columns", &curveTableOf)
+      .def("scene", [](const CurveOfScene& found) { return found.scene; })
+      .def("csv",
+           [](const CurveOfScene& found) {
+             return provenanceComment("curve", found.scene) +
+                    curveCsv(found.curve.points, columnsFor(found.scene));
+           })
+      .def("json",
+           [](const CurveOfScene& found) { return curveJson(found.curve.points, found.scene); })
+      .def("achieved_error", [](const CurveOfScene& found) { return found.curve.achievedError; })
+      .def("is_target_met", [](const CurveOfScene& found) { return found.curve.isTargetMet; });
+  py::class_<FitOfScene, std::shared_ptr<FitOfScene>>(module, "Fit")
+      .def("scene", [](const FitOfScene& found) { return found.fit.scene; })
+      .def("json", [](const FitOfScene& found) { return found.answer().dump(2) + "\n"; })
+      .def("csv", [](const FitOfScene& found) { return fitCsv(found.fit, found.data); });
+  py::class_<SensitivityOfScene, std::shared_ptr<SensitivityOfScene>>(module, "Sensitivity")
+      .def("rows", &sensitivityRows)
+      .def("scene", [](const SensitivityOfScene& found) { return found.scene; })
+      .def("csv",
+           [](const SensitivityOfScene& found) {
+             return provenanceComment("sensitivity", found.scene) + sensitivityCsv(found.exponents);
+           })
+      .def("json", [](const SensitivityOfScene& found) {
+        return sensitivityJson(found.scene, found.exponents);
+      });
+  py::class_<ParameterMap, std::shared_ptr<ParameterMap>>(module, "Map")
+      .def("columns", [](const ParameterMap& map) { return columnsOf(map.points); })
+      .def("x", [](const ParameterMap& map) { return arrayOf(map.x.values); })
+      .def("y", [](const ParameterMap& map) { return arrayOf(map.y.values); })
+      .def("computed", [](const ParameterMap& map) { return map.computed; })
+      .def("scene", [](const ParameterMap& map) { return map.scene; })
+      .def("csv", &mapText)
+      .def("json", [](const ParameterMap& map) { return mapJson(map, kShown); });
+  module.def("curve", &curveOf);
+  module.def("friction", &friction);
+  module.def("sensitivity", &sensitivityOf);
+  module.def("map", &mapOf);
+  module.def("fit", &fitOf);
+}
+
+}  // namespace asperity

@@ -1,0 +1,217 @@
+// Materials from measured moduli for Python, with the options of `asperity material` as arguments.
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "app/python/call.h"
+#include "app/python/module.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
+#include "core/base/text_number.h"
+#include "core/material/material_model.h"
+#include "core/scene/material_tables.h"
+
+namespace asperity {
+namespace {
+
+namespace py = pybind11;
+using Texts = std::vector<std::string>;
+
+constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measurements
+
+/// An option of the program, as it is written there: "--terms" and "12".
+struct Option {
+  std::string name, value;
+};
+
+template <class Choice, std::size_t N>
+Choice chosenFrom(const std::array<std::pair<std::string_view, Choice>, N>& choices,
+                  const Option& option) {
+  std::array<std::string_view, N> known;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (choices[i].first == option.value) return choices[i].second;
+    known[i] = choices[i].first;
+  }
+  throw InputError("", option.name, notOneOf(option.value, known));
+}
+
+double kelvins(const Option& option) {
+  const auto temperature = temperatureFrom(option.value);
+  if (!temperature || !(*temperature > 0 && *temperature <= 2000))
+    throw InputError(
+        "", option.name,
+        message("'{}' is not a temperature such as 20C, 293.15K or 68F", option.value));
+  return *temperature;
+}
+
+double pascals(const Option& option) {
+  const auto quantity = quantityIn(option.value);
+  const auto unit = quantity ? pressureUnit(quantity->unit.empty() ? "Pa" : quantity->unit)
+                             : std::optional<double>();
+  if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
+    throw InputError("", option.name,
+                     message("'{}' is not a modulus such as 2.3MPa", option.value));
+  return quantity->number * *unit;
+}
+
+double numberWithin(const Option& option, double least, double most) {
+  double number = 0;
+  if (!readNumber(option.value, number) || !std::isfinite(number))
+    throw InputError("", option.name,
+                     message("'{}' is not a number; allowed is {} to {}", shortened(option.value),
+                             plain(least), plain(most)));
+  if (number < least || number > most)
+    throw InputError(
+        "", option.name,
+        message("{} is outside {} to {}", shortened(option.value), plain(least), plain(most)));
+  return number;
+}
+
+std::string unitOf(const Option& option, bool isKnown, const char* allowed) {
+  if (!isKnown)
+    throw InputError("", option.name,
+                     message("'{}' is not one of {}", shortened(option.value), allowed));
+  return option.value;
+}
+
+bool isTrue(const Option& option) {
+  return option.value == "true";
+}
+
+/// What an option does to the choices.
+struct Row {
+  std::string_view name;
+  void (*set)(const Option& option, MaterialChoices& choices);
+};
+
+constexpr std::array<Row, 25> kRows{{
+    {"--reference-temperature",
+     [](const Option& o, MaterialChoices& c) { c.referenceTemperature = kelvins(o); }},
+    {"--terms",
+     [](const Option& o, MaterialChoices& c) {
+       const double terms = numberWithin(o, 1, 64);
+       if (terms != std::round(terms))
+         throw InputError("", o.name, message("{} is not a whole number", shortened(o.value)));
+       c.series.terms = static_cast<int>(terms);
+     }},
+    {"--vertical-shifts", [](const Option& o, MaterialChoices& c) { c.isVertical = isTrue(o); }},
+    {"--shift",
+     [](const Option& o, MaterialChoices& c) {
+       using Shift = std::optional<ShiftKind>;
+       c.shift = chosenFrom<Shift, 4>({{{"auto", std::nullopt},
+                                        {"wlf", ShiftKind::Wlf},
+                                        {"arrhenius", ShiftKind::Arrhenius},
+                                        {"table", ShiftKind::Table}}},
+                                      o);
+     }},
+    {"--modulus",
+     [](const Option& o, MaterialChoices& c) {
+       c.columns.modulus = chosenFrom<ModulusKind, 3>({{{"auto", ModulusKind::Unknown},
+                                                        {"shear", ModulusKind::Shear},
+                                                        {"tension", ModulusKind::Tension}}},
+                                                      o);
+     }},
+    {"--poisson-ratio",
+     [](const Option& o, MaterialChoices& c) { c.columns.poissonRatio = numberWithin(o, 0, 0.5); }},
+    {"--temperature",
+     [](const Option& o, MaterialChoices& c) { c.columns.temperature = kelvins(o); }},
+    {"--temperature-tolerance",
+     [](const Option& o, MaterialChoices& c) {
+       c.temperatureTolerance = numberWithin(o, 0.001, 100);
+     }},
+    {"--leave-out", [](const Option& o, MaterialChoices& c) { c.leftOut.push_back(kelvins(o)); }},
+    {"--equilibrium-modulus",
+     [](const Option& o, MaterialChoices& c) { c.series.equilibriumModulus = pascals(o); }},
+    {"--instantaneous-modulus",
+     [](const Option& o, MaterialChoices& c) { c.instantaneousModulus = pascals(o); }},
+    {"--liquid", [](const Option& o, MaterialChoices& c) { c.series.isLiquid = isTrue(o); }},
+    {"--frequency-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.frequencyColumn = o.value; }},
+    {"--temperature-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.temperatureColumn = o.value; }},
+    {"--storage-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.storageColumn = o.value; }},
+    {"--loss-column", [](const Option& o, MaterialChoices& c) { c.columns.lossColumn = o.value; }},
+    {"--tan-delta-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.lossTangentColumn = o.value; }},
+    {"--magnitude-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.magnitudeColumn = o.value; }},
+    {"--phase-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.phaseColumn = o.value; }},
+    {"--strain-column",
+     [](const Option& o, MaterialChoices& c) { c.columns.strainColumn = o.value; }},
+    {"--frequency-unit",
+     [](const Option& o, MaterialChoices& c) {
+       c.columns.frequencyUnit = unitOf(o, frequencyUnit(o.value, false).has_value(), "Hz, rad/s");
+     }},
+    {"--temperature-unit",
+     [](const Option& o, MaterialChoices& c) {
+       c.columns.temperatureUnit = unitOf(o, temperatureUnit(o.value).has_value(), "C, K, F");
+     }},
+    {"--modulus-unit",
+     [](const Option& o, MaterialChoices& c) {
+       c.columns.modulusUnit = unitOf(o, pressureUnit(o.value).has_value(), "Pa, kPa, MPa, GPa");
+     }},
+    {"--name", [](const Option& o, MaterialChoices& c) { c.name = o.value; }},
+    {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},
+}};
+
+/// Options that say how the material is labelled, not how it is made; the origin leaves them out.
+bool isLabel(std::string_view name) {
+  return name == "--name" || name == "--source";
+}
+
+MaterialChoices choicesOf(const std::vector<std::pair<std::string, std::string>>& options) {
+  MaterialChoices choices;
+  for (const auto& [name, value] : options) {
+    const auto row = std::ranges::find(kRows, std::string_view(name), &Row::name);
+    if (row == kRows.end()) {
+      std::array<std::string_view, kRows.size()> names;
+      std::ranges::transform(kRows, names.begin(), &Row::name);
+      const std::string_view nearest = nearestOf(name, names);
+      std::string argument(nearest.empty() ? nearest : nearest.substr(2));
+      std::ranges::replace(argument, '-', '_');
+      throw InputError("", name,
+                       argument.empty() ? message("unknown argument of asperity.material")
+                                        : message("unknown argument of asperity.material; did you "
+                                                  "mean {}?",
+                                                  argument));
+    }
+    row->set({name, value}, choices);
+    if (!isLabel(name)) choices.options.emplace_back(name, value);
+  }
+  return choices;
+}
+
+}  // namespace
+
+void addMaterial(py::module_& module) {
+  py::class_<Material, std::shared_ptr<Material>>(module, "Material")
+      .def("json", &materialJson)
+      .def("summary",
+           [](const Material& material) {
+             Texts lines;
+             for (const Message& line : materialSummary(material)) lines.push_back(line.english());
+             return lines;
+           })
+      .def("is_measured", &Material::isMeasured)
+      .def("prony_csv", &pronyCsv)
+      .def("isotherms_csv", &isothermsCsv)
+      .def("shifts_csv", &shiftsCsv);
+  module.def("material", [](const std::string& file,
+                            const std::vector<std::pair<std::string, std::string>>& options,
+                            const py::object& progress) {
+    const MaterialChoices choices = choicesOf(options);
+    return compute(progress, [file, choices](const Call&) {
+      return std::make_shared<Material>(
+          makeMaterial(readRegularFile(file, kLargestFile), file, choices));
+    });
+  });
+}
+
+}  // namespace asperity

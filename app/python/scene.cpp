@@ -1,0 +1,118 @@
+// Scenes for Python: read, changed and looked up by the keys of the table of parameters, with the
+// program's own validation.
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/python/module.h"
+#include "core/base/input_error.h"
+#include "core/scene/list_text.h"
+#include "core/scene/parameters.h"
+#include "core/scene/provenance.h"
+#include "core/scene/range.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+namespace {
+
+namespace py = pybind11;
+using Assignments = std::vector<std::string>;
+
+/// "real", "whole", "choice", "text" or "list".
+const char* kindOf(const Parameter& row) {
+  if (std::holds_alternative<RealField>(row.field)) return "real";
+  if (std::holds_alternative<IntegerField>(row.field)) return "whole";
+  if (std::holds_alternative<ChoiceField>(row.field)) return "choice";
+  return isList(row) ? "list" : "text";
+}
+
+py::object objectOf(const ParameterValue& value) {
+  return std::visit([](const auto& held) -> py::object { return py::cast(held); }, value);
+}
+
+py::object valueIn(const Scene& scene, const std::string& key) {
+  const Parameter& row = knownParameter(key);
+  if (!isApplicable(row, scene)) throw InputError("", key, "has no meaning in this scene");
+  return objectOf(valueOf(row, scene));
+}
+
+py::list keysOf(const Scene& scene) {
+  py::list keys;
+  for (const Parameter& row : parameters())
+    if (isApplicable(row, scene)) keys.append(std::string(row.key));
+  return keys;
+}
+
+py::object numberOf(const std::string& key, const std::string& text) {
+  const Parameter& row = numberRow(key);
+  const double number = numberFromText(row, text);
+  if (std::holds_alternative<IntegerField>(row.field))
+    return py::int_(static_cast<std::int64_t>(number));
+  return py::float_(number);
+}
+
+/// Whether two scenes mean the same: their folders count only where they name files.
+bool areEqual(const Scene& a, Scene b) {
+  const bool hasFiles =
+      hasSurfaceFile(a.surface) || !a.elastomer.material.empty() || !a.comparison.data.empty();
+  if (!hasFiles) b.folder = a.folder;
+  return a == b;
+}
+
+py::list parameterTable() {
+  py::list all;
+  for (const Parameter& row : parameters()) {
+    py::dict entry;
+    entry["key"] = std::string(row.key);
+    entry["kind"] = kindOf(row);
+    entry["label"] = std::string(row.label);
+    entry["symbol"] = std::string(row.symbol);
+    entry["unit"] = std::string(row.unit);
+    entry["allowed"] = allowedText(row).english();
+    entry["default"] = objectOf(defaultOf(row));
+    entry["meaning"] = std::string(row.sentence);
+    all.append(entry);
+  }
+  return all;
+}
+
+/// Returns the values of a range such as "1mN:1N:20:log" in the key's unit.
+std::vector<double> rangeValues(const Scene& scene, const std::string& key,
+                                const std::string& text) {
+  const ParameterRange range = rangeFrom(key, text);
+  checkRange(range, scene);
+  return valuesOf(range);
+}
+
+}  // namespace
+
+void addScene(py::module_& module) {
+  py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
+      .def(py::init([](const std::string& json, const std::string& name, const std::string& folder,
+                       const Assignments& assignments) {
+        return std::make_shared<Scene>(readScene(json, name, folder, assignments));
+      }))
+      .def(py::init([](const std::string& file, const Assignments& assignments) {
+        return std::make_shared<Scene>(readSceneFile(file, assignments));
+      }))
+      .def(py::init([](const Scene& scene) { return std::make_shared<Scene>(scene); }))
+      .def("assign",
+           [](Scene& scene, const Assignments& assignments) {
+             scene = readScene(writeScene(scene), "", scene.folder, assignments);
+           })
+      .def("value", &valueIn)
+      .def("keys", &keysOf)
+      .def("json", &writeScene)
+      .def_property_readonly("folder", [](const Scene& scene) { return scene.folder.string(); })
+      .def("__eq__", &areEqual);
+  module.def("found_scene", [](const std::string& file) {
+    return std::make_shared<Scene>(findScene(std::filesystem::path(file)).scene);
+  });
+  module.def("kind", [](const std::string& key) { return kindOf(knownParameter(key)); });
+  module.def("is_key", [](const std::string& key) { return findParameter(key) != nullptr; });
+  module.def("number", &numberOf);
+  module.def("parameters", &parameterTable);
+  module.def("range_values", &rangeValues);
+}
+
+}  // namespace asperity

@@ -1,0 +1,16 @@
+// The sequence of Sobol (USSR Comput. Math. Math. Phys. 7(4), 86, 1967) with the direction numbers
+// of Joe and Kuo: points that fill a cube of many dimensions evenly. Pure; any thread.
+#pragma once
+
+#include <cstdint>
+
+namespace asperity {
+
+inline constexpr int kMostSobolDimensions = 64;
+
+/// Returns one coordinate of a point, times 2^32; the points are in the order of Gray codes, in
+/// which every first 2^m of them are the same set as in the order of the original. 0 <= dimension <
+/// kMostSobolDimensions. It needs no earlier point, so any process makes the same.
+std::uint32_t sobolNumber(std::uint32_t index, int dimension);
+
+}  // namespace asperity

@@ -1,0 +1,282 @@
+#include "core/study/study_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
+#include "core/base/text_table.h"
+#include "core/study/study_members.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLargestTable = std::size_t{1} << 28;  // bytes of a table of rows
+constexpr std::int64_t kMostValues = 1000000;                // of one list, rows of a table
+
+constexpr StudyChoices<DistributionKind, 3> kDistributions{
+    {{"normal", DistributionKind::Normal},
+     {"lognormal", DistributionKind::Lognormal},
+     {"uniform", DistributionKind::Uniform}}};
+
+bool isNumber(const Parameter& row) {
+  return allowedRange(row).has_value();
+}
+
+/// Throws InputError where no value of the key would be a simulation of its own.
+void checkKey(const Parameter& row, const std::string& where) {
+  const std::string_view key = row.key;
+  for (const std::string_view section : {"sweep.", "comparison."})
+    if (key.starts_with(section))
+      refuseStudy(where, message("has no influence on one simulation, so it cannot be varied"));
+  if (key.find('.') == key.npos)
+    refuseStudy(where, message("has no influence on one simulation, so it cannot be varied"));
+  if (key == "sliding.kind") refuseStudy(where, "a study slides steadily; it cannot be varied");
+  if (key == "accuracy.target_relative_error")
+    refuseStudy(where, "a study needs a stated accuracy, not a target");
+}
+
+/// Throws InputError where the key does not allow a value.
+void checkValue(const Parameter& row, const ParameterValue& value, const std::string& where) {
+  Scene scratch;
+  try {
+    setValue(row, scratch, value);
+  } catch (const InputError& error) {
+    refuseStudy(where, error.message());
+  }
+}
+
+/// Adds a value of a list or a table to a column, which has either numbers or words.
+void addValue(StudyColumn& column, const Json& value, const std::string& where) {
+  const Parameter& row = *column.row;
+  if (value.is_number() && isNumber(row)) {
+    checkValue(row, value.get<double>(), where);
+    column.numbers.push_back(value.get<double>());
+    return;
+  }
+  if (isNumber(row) || !(value.is_string() || (value.is_array() && isList(row))))
+    refuseStudy(where, message("{} is not allowed here; allowed is {}", shortened(value.dump()),
+                               allowedText(row)));
+  std::string word = value.is_string() ? value.get<std::string>() : value.dump();
+  checkValue(row, word, where);
+  column.words.push_back(std::move(word));
+}
+
+/// A range, continuous in a sample and its points in a grid.
+void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool isGrid) {
+  checkMembers(spec, where, {"from", "to", "points", "scale"});
+  const Parameter& row = *axis.columns.front().row;
+  if (!isNumber(row))
+    refuseStudy(where, "is not a number, so it has no range; a list names its values");
+  ParameterRange range{&row, numberIn(spec, where, "from"), numberIn(spec, where, "to"), 1, false};
+  checkValue(row, range.from, where + ".from");
+  checkValue(row, range.to, where + ".to");
+  const bool isPositive = range.from > 0 && range.to > 0;
+  range.isLogarithmic = hasLogarithmicSlider(row) && isPositive;
+  if (spec.contains("scale")) {
+    const std::string scale = textIn(spec, "scale", "", where);
+    if (scale != "log" && scale != "linear")
+      refuseStudy(where + ".scale", "is neither log nor linear");
+    range.isLogarithmic = scale == "log";
+    if (range.isLogarithmic && !isPositive)
+      refuseStudy(where + ".scale", message("a logarithmic range needs ends above 0; {} is not",
+                                            plain(range.from > 0 ? range.to : range.from)));
+  }
+  if (!isGrid) {
+    if (spec.contains("points"))
+      refuseStudy(where + ".points", "has no meaning in a sample; it belongs to sampling grid");
+    if (!(range.from < range.to)) refuseStudy(where + ".to", "is not above from");
+    axis.range = range;
+    return;
+  }
+  if (!spec.contains("points"))
+    refuseStudy(where + ".points", "is missing; a grid needs the number of values");
+  range.points = wholeIn(spec, "points", 1, kMostRangePoints, where);
+  axis.columns.front().numbers = valuesOf(range);
+}
+
+void readDistribution(StudyAxis& axis, const Json& spec, const std::string& where, bool isGrid) {
+  checkMembers(spec, where, {"distribution", "mean", "deviation", "from", "to"});
+  const Parameter& row = *axis.columns.front().row;
+  if (!isNumber(row)) refuseStudy(where, "is not a number, so it has no distribution");
+  if (isGrid)
+    refuseStudy(where,
+                "a distribution needs sampling latin_hypercube, sobol or saltelli, not a grid");
+  Distribution made;
+  made.kind =
+      chosen(kDistributions, textIn(spec, "distribution", "", where), where + ".distribution");
+  const auto from = optionalNumber(spec, where, "from"), to = optionalNumber(spec, where, "to");
+  const bool hasMoments = spec.contains("mean") || spec.contains("deviation");
+  if (made.kind == DistributionKind::Uniform && hasMoments == (from || to))
+    refuseStudy(where, "a uniform distribution has either from and to, or mean and deviation");
+  if (made.kind == DistributionKind::Uniform && !hasMoments && !(from && to))
+    refuseStudy(where, "a uniform distribution has either from and to, or mean and deviation");
+  if (hasMoments || made.kind != DistributionKind::Uniform) {
+    made.mean = numberIn(spec, where, "mean");
+    made.deviation = numberIn(spec, where, "deviation");
+    if (!(made.deviation > 0)) refuseStudy(where + ".deviation", "is not above 0");
+  }
+  if (made.kind == DistributionKind::Lognormal && !(made.mean > 0))
+    refuseStudy(where + ".mean", "of a lognormal distribution is not above 0");
+  if (from) checkValue(row, *from, where + ".from");
+  if (to) checkValue(row, *to, where + ".to");
+  made.from = from.value_or(made.from);
+  made.to = to.value_or(made.to);
+  if (!(made.from < made.to)) refuseStudy(where + ".to", "is not above from");
+  // Limits that leave nothing of the distribution would leave its last digits alone.
+  const double middle = made.quantile(0.5);
+  if (!(middle > made.from && middle < made.to) || !(made.quantile(0.25) < made.quantile(0.75)))
+    refuseStudy(where, "almost nothing of the distribution is between from and to");
+  if (made.kind == DistributionKind::Uniform) {
+    checkValue(row, made.quantile(0x1p-53), where);
+    checkValue(row, made.quantile(1 - 0x1p-53), where);
+  }
+  axis.distribution = made;
+}
+
+Json valueJson(const StudyColumn& column, std::size_t place) {
+  if (!column.hasWords()) return column.numbers[place];
+  return column.words[place];
+}
+
+}  // namespace
+
+StudyAxis readRows(const Json& spec, const std::string& where,
+                   const std::filesystem::path& folder) {
+  StudyAxis axis;
+  const auto addColumn = [&](const std::string& key) {
+    const Parameter& row = knownParameter(key);
+    checkKey(row, where);
+    for (const StudyColumn& other : axis.columns)
+      if (other.row == &row) refuseStudy(where, message("has two columns of {}", key));
+    axis.columns.push_back({&row, {}, {}});
+  };
+  if (spec.is_object()) {
+    checkMembers(spec, where, {"keys", "values"});
+    if (!spec.contains("keys") || !spec.contains("values") || !spec["keys"].is_array() ||
+        !spec["values"].is_array())
+      refuseStudy(where, "needs the lists keys and values, or the name of a table");
+    for (const Json& key : spec["keys"]) {
+      if (!key.is_string()) refuseStudy(where + ".keys", "needs texts");
+      addColumn(key.get<std::string>());
+    }
+    for (const Json& row : spec["values"]) {
+      if (!row.is_array() || row.size() != axis.columns.size())
+        refuseStudy(where + ".values", "needs lists of as many values as there are keys");
+      for (std::size_t i = 0; i < row.size(); ++i)
+        addValue(axis.columns[i], row[i], where + ".values");
+    }
+  } else if (spec.is_string()) {
+    const std::filesystem::path file = folder / spec.get<std::string>();
+    TextTableOptions options;
+    options.keepsTexts = true;
+    const TextTable table =
+        readTextTable(readRegularFile(file, kLargestTable), file.string(), options);
+    const TextBlock& block = table.largest();
+    for (const TextColumn& column : block.columns) {
+      const Parameter* row = findParameter(column.name);
+      if (!row) {
+        const std::string_view nearest = nearestKey(column.name);
+        throw InputError(file.string(), "",
+                         nearest.empty()
+                             ? message("column '{}' is no scene key", shortened(column.name))
+                             : message("column '{}' is no scene key; the nearest known one is {}",
+                                       shortened(column.name), nearest));
+      }
+      if (!column.unit.empty() && column.unit != row->unit)
+        throw InputError(
+            file.string(), "",
+            message("column {} is in {}; a study takes plain numbers in {}", column.name,
+                    shortened(column.unit), row->unit.empty() ? "1" : row->unit));
+      addColumn(column.name);
+    }
+    for (std::size_t r = 0; r < block.rows; ++r)
+      for (std::size_t c = 0; c < block.columns.size(); ++c) {
+        const bool isText = block.columns[c].isText;
+        if (!isText && std::isnan(block.at(r, c)))
+          throw InputError(
+              file.string(), "",
+              message("line {}: {} is missing", block.lines[r], block.columns[c].name));
+        try {
+          addValue(axis.columns[c], isText ? Json(block.texts[c][r]) : Json(block.at(r, c)), "");
+        } catch (const InputError& error) {
+          throw InputError(
+              file.string(), "",
+              message("line {}: {}: {}", block.lines[r], block.columns[c].name, error.message()));
+        }
+      }
+  } else {
+    refuseStudy(where, "needs the name of a table with a column for each key");
+  }
+  if (axis.columns.empty() || axis.count() == 0) refuseStudy(where, "has no row");
+  if (axis.count() > kMostValues)
+    refuseStudy(where, message("has {} rows; at most {} are allowed", axis.count(), kMostValues));
+  return axis;
+}
+
+StudyAxis readAxis(const std::string& key, const Json& spec, bool isGrid) {
+  const std::string where = "space." + shortened(key);
+  StudyAxis axis;
+  try {
+    axis.columns = {{&knownParameter(key), {}, {}}};
+  } catch (const InputError& error) {
+    refuseStudy(where, error.message());
+  }
+  checkKey(*axis.columns.front().row, where);
+  if (spec.is_array()) {
+    if (spec.empty()) refuseStudy(where, "has no value");
+    if (static_cast<std::int64_t>(spec.size()) > kMostValues)
+      refuseStudy(where,
+                  message("has {} values; at most {} are allowed", spec.size(), kMostValues));
+    for (const Json& value : spec) addValue(axis.columns.front(), value, where);
+  } else if (!spec.is_object()) {
+    refuseStudy(where,
+                "needs a list of values, a range {\"from\", \"to\", \"points\", \"scale\"} or a "
+                "distribution");
+  } else if (spec.contains("distribution")) {
+    readDistribution(axis, spec, where, isGrid);
+  } else {
+    readRange(axis, spec, where, isGrid);
+  }
+  return axis;
+}
+
+Json axisJson(const StudyAxis& axis) {
+  if (axis.range)
+    return {{"from", axis.range->from},
+            {"to", axis.range->to},
+            {"scale", axis.range->isLogarithmic ? "log" : "linear"}};
+  if (const auto& given = axis.distribution) {
+    Json json = {{"distribution", wordOf(kDistributions, given->kind)}};
+    const bool hasLimits = std::isfinite(given->from) && std::isfinite(given->to);
+    if (given->kind != DistributionKind::Uniform || !hasLimits) {
+      json["mean"] = given->mean;
+      json["deviation"] = given->deviation;
+    }
+    if (std::isfinite(given->from)) json["from"] = given->from;
+    if (std::isfinite(given->to)) json["to"] = given->to;
+    return json;
+  }
+  Json list = Json::array();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(axis.count()); ++i)
+    list.push_back(valueJson(axis.columns.front(), i));
+  return list;
+}
+
+Json rowsJson(const StudyAxis& axis) {
+  Json keys = Json::array(), values = Json::array();
+  for (const StudyColumn& column : axis.columns) keys.push_back(column.key());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(axis.count()); ++i) {
+    Json row = Json::array();
+    for (const StudyColumn& column : axis.columns) row.push_back(valueJson(column, i));
+    values.push_back(std::move(row));
+  }
+  return {{"keys", std::move(keys)}, {"values", std::move(values)}};
+}
+
+}  // namespace asperity

@@ -1,0 +1,82 @@
+// The file of a study: a space of scene keys over a base scene and the numbers wanted of every
+// simulation. Reading checks everything that can be checked without a simulation.
+// Pure but for reading the files that a study names. Failure: InputError with file, key, what is
+// wrong and what is allowed.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "core/study/study_space.h"
+
+namespace asperity {
+
+/// A number wanted of every simulation: a column of its friction curve, at the scene's own velocity
+/// or (`curve.mu`) at every value of its sweep.
+struct StudyOutput {
+  std::string name;    // "mu", "curve.mu"
+  std::string column;  // "mu"
+  bool isCurve = false;
+};
+
+struct ParameterStudy {
+  std::string title;
+  Scene base;
+  StudySpace space;
+  std::vector<StudyOutput> outputs;
+  std::int64_t chunk = 1;  // simulations that are computed and stored together
+
+  std::int64_t simulations() const { return space.size(); }
+  std::int64_t chunks() const { return (simulations() + chunk - 1) / chunk; }
+  std::int64_t sizeOfChunk(std::int64_t number) const {
+    return std::min(chunk, simulations() - number * chunk);
+  }
+
+  bool wantsPoint() const;  // whether an output is at the scene's own velocity
+  bool wantsCurve() const;
+  /// The values of the key over which the curves go; empty where no output is a curve.
+  std::vector<double> curveValues() const;
+  /// Numbers stored of one simulation: one for an output, or one for each value of the curve.
+  std::size_t numbers() const;
+
+  /// Returns the scene of a point. Throws InputError with the key where it cannot be.
+  Scene sceneAt(std::span<const double> point) const;
+  /// The value of a column of a point as text: a number, or the word for which it stands.
+  std::string textAt(std::size_t column, double value) const;
+
+  /// The text that a store keeps: a study file again, with everything that has an influence on the
+  /// results, and nothing else. Equal studies have equal texts.
+  std::string canonical;
+  std::string digest;  // SHA-256 of that text
+
+  bool isSlow = false;   // a point can change kinds, so that its scene has to be read anew
+  std::string baseText;  // of the base scene, for such points
+};
+
+/// Finds a scene that a study names.
+using SceneReader =
+    std::function<Scene(const std::string& name, const std::filesystem::path& folder,
+                        const std::vector<std::string>& assignments)>;
+
+/// Describes for users what the file may contain.
+extern const char* const kStudyFormat;
+
+/// readScene: null means files relative to the folder of the study.
+ParameterStudy readStudy(const std::filesystem::path& file, const SceneReader& readNamed = {});
+
+/// Reads the same from a text; `name` is named in errors.
+ParameterStudy readStudy(std::string_view json, const std::string& name,
+                         const std::filesystem::path& folder, const SceneReader& readNamed = {});
+
+/// Returns the first differences between two canonical texts: "space.surface.hurst.to: 1 instead of
+/// 0.9".
+Message differenceOf(std::string_view expected, std::string_view found);
+
+}  // namespace asperity

@@ -1,0 +1,256 @@
+#include "core/study/study_run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "core/base/input_error.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/steady_states.h"
+#include "core/scene/sweep.h"
+
+namespace asperity {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+int threadsOf(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Computes the simulations of one chunk.
+class ChunkWork {
+ public:
+  ChunkWork(const ParameterStudy& study, int threads, const std::stop_token& stop)
+      : study_(study), curveValues_(study.curveValues()) {
+    options_.threads = threads;
+    options_.stop = stop;
+    for (const StudyOutput& output : study.outputs) columns_.push_back(curveColumn(output.column));
+  }
+
+  StudyChunk compute(std::int64_t first, std::int64_t count) {
+    const Clock::time_point start = Clock::now();
+    chunk_.first = first;
+    chunk_.count = count;
+    chunk_.values.assign(study_.numbers() * static_cast<std::size_t>(count), kNotApplicable);
+    makeStates();
+    slide(0, static_cast<std::int64_t>(simulations_.size()));
+    if (options_.stop.stop_requested()) chunk_.values.clear();
+    std::ranges::sort(chunk_.failures, {}, &StudyFailure::simulation);
+    chunk_.seconds = secondsSince(start);
+    return std::move(chunk_);
+  }
+
+ private:
+  /// Makes the states of all simulations that can be: the scene's own velocity first, then those of
+  /// its curve.
+  void makeStates() {
+    std::vector<double> point(study_.space.columns());
+    const std::size_t each = statesOfOne();
+    states_.reserve(static_cast<std::size_t>(chunk_.count) * each);
+    for (std::int64_t i = 0; i < chunk_.count; ++i) {
+      const std::size_t before = states_.size();
+      try {
+        study_.space.pointInto(chunk_.first + i, point);
+        Scene scene = study_.sceneAt(point);
+        for (const double value : curveValues_) states_.push_back(asperity::sceneAt(scene, value));
+        if (study_.wantsPoint()) states_.push_back(std::move(scene));
+        simulations_.push_back(i);
+      } catch (const InputError& error) {
+        states_.resize(before);
+        fail(i, error);
+      }
+    }
+  }
+
+  /// Slides some of the simulations together. Where one of them cannot be, its half of them is slid
+  /// again without the other half: which halves there are depends on the chunk alone.
+  void slide(std::int64_t begin, std::int64_t end) {
+    if (begin == end || options_.stop.stop_requested()) return;
+    const std::size_t each = statesOfOne();
+    const std::span<const Scene> states(states_.data() + static_cast<std::size_t>(begin) * each,
+                                        static_cast<std::size_t>(end - begin) * each);
+    try {
+      const SteadyStates slid = slideStates(states, options_);
+      if (!slid.isComplete) return;
+      for (std::int64_t i = begin; i < end; ++i)
+        take(simulations_[static_cast<std::size_t>(i)],
+             std::span(slid.points).subspan(static_cast<std::size_t>(i - begin) * each, each));
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      if (end - begin == 1) {
+        fail(simulations_[static_cast<std::size_t>(begin)], error);
+        return;
+      }
+      const std::int64_t middle = begin + (end - begin) / 2;
+      slide(begin, middle);
+      slide(middle, end);
+    }
+  }
+
+  /// Stores the numbers of a simulation.
+  void take(std::int64_t simulation, std::span<const CurvePoint> points) {
+    auto place = static_cast<std::size_t>(simulation);
+    const auto put = [&](double value) {
+      chunk_.values[place] = value;
+      place += static_cast<std::size_t>(chunk_.count);
+    };
+    for (std::size_t k = 0; k < study_.outputs.size(); ++k)
+      if (!study_.outputs[k].isCurve)
+        put(columns_[k](points.back()));
+      else
+        for (std::size_t v = 0; v < curveValues_.size(); ++v) put(columns_[k](points[v]));
+  }
+
+  void fail(std::int64_t simulation, const std::exception& error) {
+    chunk_.failures.push_back({chunk_.first + simulation, messageOf(error).english()});
+  }
+
+  std::size_t statesOfOne() const { return curveValues_.size() + (study_.wantsPoint() ? 1 : 0); }
+
+  const ParameterStudy& study_;
+  const std::vector<double> curveValues_;
+  StateOptions options_;
+  std::vector<std::function<double(const CurvePoint&)>> columns_;
+  StudyChunk chunk_;
+  std::vector<std::int64_t> simulations_;  // that can be, counted in the chunk
+  std::vector<Scene> states_;
+
+  static std::function<double(const CurvePoint&)> curveColumn(const std::string& name) {
+    return [name](const CurvePoint& point) { return curveValue(point, name); };
+  }
+};
+
+/// Chunks that several threads take from a store.
+class StudyRun {
+ public:
+  StudyRun(StudyStore& store, const StudyRunOptions& options)
+      : store_(store), options_(options), done_(store.simulationsDone()) {}
+
+  std::int64_t run() {
+    // What another process leaves when it ends is taken in a further round.
+    while (runRound() > 0 && !isStopping_) {
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    if (store_.isWhole()) store_.finish();
+    return added_;
+  }
+
+ private:
+  /// Takes every chunk once that is free; returns how many it added.
+  std::int64_t runRound() {
+    next_ = 0;
+    addedInRound_ = 0;
+    const int threads = threadsOf(options_.threads);
+    const std::int64_t missing =
+        static_cast<std::int64_t>(store_.missing(static_cast<std::size_t>(threads)).size());
+    if (missing == 0) return 0;
+    // Few chunks are done one after the other, each on all threads.
+    const bool isWide = missing >= threads;
+    const int workers = isWide ? threads : 1, each = isWide ? 1 : threads;
+    {
+      std::vector<std::jthread> others;
+      for (int i = 1; i < workers; ++i) others.emplace_back([this, each] { work(each); });
+      work(each);
+    }
+    return addedInRound_;
+  }
+
+  void work(int threads) {
+    try {
+      while (!isStopping_ && !options_.stop.stop_requested()) {
+        const std::int64_t number = claim();
+        if (number < 0) return;
+        const StudyChunk chunk = computeChunk(store_.study(), number, threads, options_.stop);
+        if (chunk.values.empty()) return;
+        add(chunk);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      isStopping_ = true;
+    }
+  }
+
+  std::int64_t claim() {
+    const std::lock_guard lock(mutex_);
+    if (next_ < 0) return -1;
+    const std::int64_t number = store_.claim(next_);
+    next_ = number < 0 ? -1 : number + 1;
+    return number;
+  }
+
+  void add(const StudyChunk& chunk) {
+    const std::lock_guard lock(mutex_);
+    store_.add(chunk);
+    ++addedInRound_;
+    added_ += chunk.count;
+    done_ += chunk.count;
+    if (options_.progress) options_.progress(done_);
+  }
+
+  StudyStore& store_;
+  const StudyRunOptions& options_;
+  std::mutex mutex_;
+  std::atomic<bool> isStopping_{false};
+  std::exception_ptr failure_;
+  std::int64_t next_ = 0, added_ = 0, addedInRound_ = 0, done_ = 0;
+};
+
+}  // namespace
+
+StudyChunk computeChunk(const ParameterStudy& study, std::int64_t number, int threads,
+                        const std::stop_token& stop) {
+  StudyChunk chunk =
+      ChunkWork(study, threads, stop).compute(number * study.chunk, study.sizeOfChunk(number));
+  chunk.number = number;
+  return chunk;
+}
+
+std::int64_t runStudy(StudyStore& store, const StudyRunOptions& options) {
+  return StudyRun(store, options).run();
+}
+
+StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int64_t done,
+                        int threads, double trialSeconds) {
+  StudyBudget budget;
+  budget.simulations = all;
+  budget.done = done;
+  budget.chunks = study.chunks();
+  budget.chunk = study.chunk;
+  budget.threads = threadsOf(threads);
+  const std::size_t each = study.curveValues().size() + (study.wantsPoint() ? 1 : 0);
+  budget.states = all * static_cast<std::int64_t>(each);
+  budget.lines = mayHaveManyLines(study.base.surface) ? study.base.ensemble.realizations : 1;
+  constexpr double kBytesOfRow = 150;
+  budget.bytes = static_cast<double>(all) * static_cast<double>(8 * study.numbers()) +
+                 static_cast<double>(all) / static_cast<double>(study.chunk) * kBytesOfRow;
+  // Twice as many simulations each time, in the middle of the study, until they take long enough:
+  // many together share their lines, as they will in the run.
+  const std::int64_t most = std::min(study.chunk, study.simulations());
+  double seconds = 0;
+  for (std::int64_t count = 1; budget.trial == 0 || seconds < trialSeconds / 2; count *= 2) {
+    const std::int64_t tried = std::min(count, most);
+    if (tried == budget.trial) break;
+    const std::int64_t first = (study.simulations() - tried) / 2;
+    const StudyChunk chunk = ChunkWork(study, 1, {}).compute(first, tried);
+    budget.trial = tried;
+    budget.trialFailures = static_cast<std::int64_t>(chunk.failures.size());
+    seconds = chunk.seconds;
+  }
+  budget.seconds =
+      seconds / static_cast<double>(budget.trial) * static_cast<double>(all - done) /
+      std::min<double>(budget.threads, static_cast<double>(std::max<std::int64_t>(1, all - done)));
+  return budget;
+}
+
+}  // namespace asperity

@@ -1,0 +1,94 @@
+// The space of a study: what each of its axes allows, and its points. A point is a pure function of
+// the study and its number, so that every process that works on a part makes the same ones.
+// Immutable; any thread.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/scene/parameters.h"
+#include "core/scene/range.h"
+
+namespace asperity {
+
+enum class DistributionKind { Normal, Lognormal, Uniform };
+
+/// A random quantity. Mean and deviation are those of the quantity itself, also of a lognormal one,
+/// before the limits cut it.
+struct Distribution {
+  DistributionKind kind = DistributionKind::Uniform;
+  double mean = 0, deviation = 1;  // in the key's unit
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+
+  /// Returns the value that a part u of all are below, 0 < u < 1.
+  double quantile(double u) const;
+
+  bool operator==(const Distribution&) const = default;
+};
+
+/// Returns the number below which a standard normal quantity is with probability p, 0 < p < 1.
+double normalQuantile(double p);
+
+/// One key of an axis. Words are the choices and texts of a key that is no number; the number of a
+/// point is then the place of its word.
+struct StudyColumn {
+  const Parameter* row = nullptr;
+  std::vector<double> numbers{};  // of an axis of separate values
+  std::vector<std::string> words{};
+
+  std::string_view key() const { return row->key; }
+  bool hasWords() const { return !words.empty(); }
+};
+
+/// One direction of the space: separate values (a list, the points of a range, rows of a table,
+/// which set several keys at once), a range or a distribution.
+struct StudyAxis {
+  std::vector<StudyColumn> columns{};  // one, or those of a table
+  std::optional<ParameterRange> range{};
+  std::optional<Distribution> distribution{};
+
+  /// The number of separate values; 0 where all values in between belong to the axis.
+  std::int64_t count() const;
+  /// The value of a column at the part u of the axis, 0 < u < 1.
+  double valueAt(double u, std::size_t column) const;
+};
+
+/// Saltelli: the points of two Sobol samples A and B, and those of A with one coordinate of B, for
+/// sensitivity indices: A, one for each axis, B, and so on.
+enum class Sampling { Grid, LatinHypercube, Sobol, Saltelli };
+
+class StudySpace {
+ public:
+  StudySpace() = default;
+  /// samples: points of a sample; of a Saltelli design, those of A. Not used by a grid.
+  StudySpace(std::vector<StudyAxis> axes, Sampling sampling, std::int64_t samples,
+             std::int64_t seed);
+
+  const std::vector<StudyAxis>& axes() const { return axes_; }
+  Sampling sampling() const { return sampling_; }
+  std::int64_t samples() const { return samples_; }
+  std::int64_t seed() const { return seed_; }
+  /// The number of points; a grid of more than 2^62 has as many.
+  std::int64_t size() const { return size_; }
+  /// The columns of all axes, in their order.
+  std::size_t columns() const { return columns_; }
+  const StudyColumn& column(std::size_t number) const;
+
+  /// Fills the values of all columns of a point, 0 <= index < size().
+  void pointInto(std::int64_t index, std::span<double> values) const;
+
+ private:
+  double coordinate(std::int64_t index, std::size_t axis) const;
+
+  std::vector<StudyAxis> axes_;
+  Sampling sampling_ = Sampling::Grid;
+  std::int64_t samples_ = 0, seed_ = 1, size_ = 1;
+  std::size_t columns_ = 0;
+};
+
+}  // namespace asperity

@@ -1,0 +1,129 @@
+// The results of a study in one SQLite file: a row for each chunk of simulations, whose numbers are
+// one binary column. A chunk is written in one transaction, so that what is done stays done however
+// a process ends; the store keeps the whole study and refuses to go on with another one.
+//
+// Processes: any number of one machine may share a store. A process that works on a chunk locks a
+// byte of the file STORE-claims, which its end releases, however it ends. A shard (part i of n) has
+// a store of its own for one process, which needs no memory shared between processes, and so works
+// on network file systems.
+// Threading: one thread at a time. Failure: InputError for a file that is no such store, is
+// damaged, newer, or of another study; std::runtime_error in one sentence where writing fails.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/study/study_file.h"
+
+struct sqlite3;
+
+namespace asperity {
+
+/// Part `number` of `count`, counted from 1; 1 of 1 is all of a study.
+struct Shard {
+  std::int64_t number = 1, count = 1;
+
+  bool isWhole() const { return count == 1; }
+  bool has(std::int64_t chunk) const { return chunk % count == number - 1; }
+  bool operator==(const Shard&) const = default;
+};
+
+/// Reads "3/8". Throws InputError that names --shard.
+Shard shardFrom(const std::string& text);
+
+struct StudyFailure {
+  std::int64_t simulation = 0;  // its number in the study
+  std::string message;
+};
+
+/// The results of some simulations that follow each other.
+struct StudyChunk {
+  std::int64_t number = 0, first = 0, count = 0;
+  /// One output after the other, of each all simulations: [number][simulation]. NaN where it does
+  /// not apply or the simulation failed.
+  std::vector<double> values;
+  std::vector<StudyFailure> failures;
+  double seconds = 0;  // that it took; not part of the result
+
+  double at(std::size_t place, std::int64_t simulation) const {
+    return values[place * static_cast<std::size_t>(count) + static_cast<std::size_t>(simulation)];
+  }
+};
+
+class StudyStore {
+ public:
+  enum class Access { Read, Write };
+
+  /// Opens the store of a study, or makes it where there is none. Throws InputError with the
+  /// differences where the store is of another study or another shard.
+  StudyStore(const std::filesystem::path& file, const ParameterStudy& study, const Shard& shard);
+  /// Opens a store to read it, with the study that it keeps.
+  explicit StudyStore(const std::filesystem::path& file);
+  ~StudyStore();
+  StudyStore(StudyStore&&) noexcept;
+  StudyStore& operator=(StudyStore&&) = delete;
+
+  const ParameterStudy& study() const { return *study_; }
+  const Shard& shard() const { return shard_; }
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Chunks that this store is to hold.
+  std::int64_t chunksWanted() const;
+  std::int64_t chunksDone() const;
+  std::int64_t simulationsDone() const;
+  double secondsSpent() const;  // of all chunks together
+  bool isWhole() const { return chunksDone() == chunksWanted(); }
+  bool has(std::int64_t chunk) const;
+  bool hasFailures() const;
+  /// The first `most` chunks that are missing, in ascending order.
+  std::vector<std::int64_t> missing(std::size_t most) const;
+
+  /// Takes a chunk that nobody works on, from `from` on; -1 where there is none. It stays taken
+  /// until it is added or the process ends.
+  std::int64_t claim(std::int64_t from);
+  /// Adds a chunk in one transaction; one that is there already is left as it is.
+  void add(const StudyChunk& chunk);
+  /// Adds chunks in one transaction.
+  void add(const std::vector<StudyChunk>& chunks);
+  /// Adds chunks of another store. Throws InputError that names it where a chunk is here with other
+  /// results.
+  void addEqual(const std::vector<StudyChunk>& chunks, const std::filesystem::path& from);
+  /// Brings a whole store into the form in which it can be read anywhere.
+  void finish();
+
+  /// Calls `use` with all chunks in ascending order, one at a time in memory, and checks each. Ends
+  /// where `use` returns false.
+  void eachChunk(const std::function<bool(const StudyChunk&)>& use) const;
+  /// Throws InputError where a page of the file is damaged. Reads all of it.
+  void check() const;
+
+ private:
+  class Statement;
+  struct Close {
+    void operator()(sqlite3* connection) const;
+  };
+
+  void open(Access access);
+  void create(const ParameterStudy& study, const Shard& shard);
+  bool hasTables() const;
+  void readHeader();
+  std::string metaText(const char* key) const;
+  void execute(const char* sql) const;
+  std::int64_t number(const char* sql) const;
+  [[noreturn]] void fail(int status) const;
+  void insert(const StudyChunk& chunk);
+
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Close> connection_;
+  std::shared_ptr<const ParameterStudy> study_;
+  Shard shard_;
+  Access access_ = Access::Read;
+  int claims_ = -1;  // descriptor of STORE-claims
+};
+
+}  // namespace asperity

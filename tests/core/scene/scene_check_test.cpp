@@ -1,0 +1,58 @@
+// Values that are each allowed but do not go together.
+#include "core/scene/scene_check.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/input_error.h"
+
+namespace asperity {
+namespace {
+
+std::string keyRefused(const Scene& scene) {
+  try {
+    checkScene(scene);
+  } catch (const InputError& error) {
+    return error.key();
+  }
+  return {};
+}
+
+TEST(SceneCheck, DefaultsGoTogether) {
+  EXPECT_EQ(keyRefused(Scene()), "");
+}
+
+TEST(SceneCheck, KindsWithAFileNeedOne) {
+  for (const SurfaceKind kind :
+       {SurfaceKind::Profile, SurfaceKind::Measured, SurfaceKind::Spectrum}) {
+    Scene scene;
+    scene.surface.kind = kind;
+    EXPECT_EQ(keyRefused(scene), "surface.file");
+  }
+}
+
+TEST(SceneCheck, ASpectrumSaysWhatItsNumbersMean) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Spectrum;
+  scene.surface.file = "spectrum.csv";
+  EXPECT_EQ(keyRefused(scene), "surface.spectrum_kind");
+  scene.surface.spectrumKind = SpectrumKind::C2;
+  EXPECT_EQ(keyRefused(scene), "");
+}
+
+TEST(SceneCheck, TheLongWaveCutIsAboveTheShortOne) {
+  Scene scene;
+  scene.surface.kind = SurfaceKind::Measured;
+  scene.surface.file = "profile.csv";
+  scene.surface.processing.shortWaveCut = 1e-5;
+  for (const double cut : {1e-6, 1e-5}) {
+    scene.surface.processing.longWaveCut = cut;
+    EXPECT_EQ(keyRefused(scene), "surface.long_wave_cut");
+  }
+  for (const double cut : {0.0, 2e-5}) {
+    scene.surface.processing.longWaveCut = cut;
+    EXPECT_EQ(keyRefused(scene), "");
+  }
+}
+
+}  // namespace
+}  // namespace asperity
