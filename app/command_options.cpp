@@ -154,7 +154,10 @@ nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
   for (const GivenOption& option : given) {
     if (option.group == (isTable ? kPictureGroup : kTableGroup)) continue;
-    if (isTable && option.word == "language") continue;  // tables have one language
+    // Tables have one language, and English is the default of pictures. The way of drawing changes
+    // rounding alone.
+    const bool isEnglish = option.values == std::vector<std::string>{"en"};
+    if (option.word == "backend" || (option.word == "language" && (isTable || isEnglish))) continue;
     std::string key = option.word;
     std::ranges::replace(key, '-', '_');
     if (option.values.empty())

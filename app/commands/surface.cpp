@@ -129,7 +129,7 @@ std::string csvTextOf(SurfaceTable table, const Scene& scene, const LineSource& 
 void writeSurface(const std::string& output, const SurfaceCommand& command, const Scene& scene,
                   const LineSource& source, const Line& line) {
   const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
-  const std::string_view columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  const std::string columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = extensionOf(output);
   if (extension == ".csv" || output == "-")
@@ -145,7 +145,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
 /// Throws for options of tables that no output is, and for unknown ones.
 void checkTable(const SurfaceCommand& command) {
   const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
-  const std::string_view columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
+  const std::string columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
   ColumnChoice(command.columns, {columnsOf});
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
     return output == "-" || extensionOf(output) == ".csv";

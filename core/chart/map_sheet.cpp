@@ -38,6 +38,10 @@ constexpr std::array kTitles{
     QuantityTitle{"mu_total", "friction, deformation and local"},
     QuantityTitle{"mu_mean_of_ratios", "mean of the ratios of forces"},
     QuantityTitle{"mu_ratio_of_means", "ratio of the mean forces"},
+    QuantityTitle{"mu_low", "lower end of the interval of \u03BC"},
+    QuantityTitle{"mu_high", "upper end of the interval of \u03BC"},
+    QuantityTitle{"tangential_force", "tangential force F\u2093"},
+    QuantityTitle{"power", "power"},
     QuantityTitle{"marginal_share", "share of the marginal element"},
     QuantityTitle{"contact_spots", "contacts in a period"},
     QuantityTitle{"extrapolated", "beyond the measured frequencies"},
@@ -254,7 +258,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
       const double few = fewSummitsVelocity(map.scene(i, j), {&map.cell(i, j), 1});
-      heights.push_back(few > 0 && map.cell(i, j).velocity > 0
+      heights.push_back(std::isgreater(few, 0) && map.cell(i, j).velocity > 0
                             ? std::log(map.cell(i, j).velocity / few)
                             : kNotApplicable);
     }

@@ -7,6 +7,62 @@
 <context>
     <name>core</name>
     <message>
+        <source>lower end of the interval of μ</source>
+        <translation>unteres Ende des Intervalls von μ</translation>
+    </message>
+    <message>
+        <source>upper end of the interval of μ</source>
+        <translation>oberes Ende des Intervalls von μ</translation>
+    </message>
+    <message>
+        <source>tangential force Fₓ</source>
+        <translation>Tangentialkraft Fₓ</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no column of this table; &apos;asperity columns&apos; lists all</source>
+        <translation>„%1“ ist keine Spalte dieser Tabelle; „asperity columns“ nennt alle</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no column of this table; did you mean &apos;%2&apos;?</source>
+        <translation>„%1“ ist keine Spalte dieser Tabelle; ist „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is given more than once</source>
+        <translation>„%1“ ist mehr als einmal angegeben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not NUMBER=WORDS with the number of a curve in the legend</source>
+        <translation>„%1“ ist nicht NUMMER=WÖRTER mit der Nummer einer Kurve in der Legende</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a colour (#d55e00, black, grey, orange, skyblue, green, yellow, blue, vermilion, purple), a marker (circle, square, triangle, diamond, ring, no-marker) nor a line (solid, dashed, dotted, no-line)</source>
+        <translation>„%1“ ist weder eine Farbe (#d55e00, black, grey, orange, skyblue, green, yellow, blue, vermilion, purple) noch eine Marke (circle, square, triangle, diamond, ring, no-marker) noch eine Linie (solid, dashed, dotted, no-line)</translation>
+    </message>
+    <message>
+        <source>%1 is not WIDTHxHEIGHT in px, mm, cm, in or pt</source>
+        <translation>%1 ist nicht BREITExHÖHE in px, mm, cm, in oder pt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=TEXT</source>
+        <translation>„%1“ ist nicht SCHLÜSSEL=TEXT</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither an axis (x, y) nor a curve of this figure, which has %2 with a name</source>
+        <translation>„%1“ ist weder eine Achse (x, y) noch eine Kurve dieser Abbildung, die %2 mit einem Namen hat</translation>
+    </message>
+    <message>
+        <source>is no option of a style; did you mean %1?</source>
+        <translation>ist keine Option eines Stils; ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a file nor one of %2</source>
+        <translation>„%1“ ist weder eine Datei noch eines von %2</translation>
+    </message>
+    <message>
+        <source>there is no curve %1 in the legend, which has %2</source>
+        <translation>in der Legende gibt es keine Kurve %1; sie hat %2</translation>
+    </message>
+    <message>
         <source>a length</source>
         <translation>eine Länge</translation>
     </message>
@@ -5498,7 +5554,7 @@
         <translation>Was das Modell auslässt</translation>
     </message>
     <message>
-        <source>The same roughness, rubber and load in two models. Points: separate elements, as everywhere in this program. Coloured line: Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
+        <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
         <translation>Dieselbe Rauheit, derselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
     <message>

@@ -73,7 +73,7 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   expectRefused("fit s.json -o out --vary surface.hurst", 2, "--data");
   expectRefused("fit s.json -o out --data data.csv", 2, "--vary");
   expectRefused(fit + "surface.seed", 2, "surface.seed: is not a real number");
-  expectRefused(fit + "surface.hurts", 2, "did you mean surface.hurst");
+  expectRefused(fit + "surface.hurts", 2, "the nearest known one is surface.hurst");
   expectRefused(fit + "surface.hurst=0.9:0.2", 2, "0.9:0.2 is no range");
   expectRefused(fit + "surface.hurst=a:b", 2, "is not KEY or KEY=LOW:HIGH");
   expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");

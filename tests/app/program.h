@@ -15,6 +15,11 @@ struct Said {
   std::string out, err;
 };
 
+/// A table without the comment in front that says how it was made.
+inline std::string withoutComment(const std::string& table) {
+  return table.starts_with('#') ? table.substr(table.find('\n') + 1) : table;
+}
+
 class Program {
  public:
   /// `arguments` as typed in a shell; `before` goes in front ("VAR=x", "ulimit ...;").

@@ -207,7 +207,7 @@ TEST_F(StudyCommandTest, MemoryDoesNotGrowWithTheStudy) {
     rusage usage{};
     ::wait4(child, &status, 0, &usage);
     EXPECT_EQ(status, 0);
-    return usage.ru_maxrss / 1024.0;  // MiB
+    return static_cast<double>(usage.ru_maxrss) / 1024;  // MiB
   };
   const auto study = [](int points) {
     return R"({"schema":"asperity-study/1","chunk":512,"set":{"surface.elements":100,)"

@@ -70,7 +70,7 @@ TEST_F(SurfaceCommandTest, WritesTheLineThatSlides) {
                  program.run("curve m.json --set surface.kind=profile --set surface.file=l.csv");
   EXPECT_EQ(measured.status, 0) << measured.err;
   EXPECT_EQ(profile.status, 0) << profile.err;
-  std::istringstream a(measured.out), b(profile.out);
+  std::istringstream a(withoutComment(measured.out)), b(withoutComment(profile.out));
   std::string rowA, rowB;
   std::getline(a, rowA);
   std::getline(b, rowB);

@@ -59,8 +59,8 @@ TEST_F(UsageTest, WordsBeforeAVerbAreNotPassedOver) {
 }
 
 TEST_F(UsageTest, AWordTooManyOrNoneIsTold) {
-  expectRefused("check s.json step.json", 2,
-                "unexpected argument 'step.json' for 'asperity check'");
+  expectRefused("explain s.json step.json", 2,
+                "unexpected argument 'step.json' for 'asperity explain'");
   expectRefused("curve s.json -o a.csv b.csv", 2, "unexpected argument 'b.csv'");
   expectRefused("check ''", 2, "SCENE: is empty");
   expectRefused("figure -o out", 2, "NAME is required");

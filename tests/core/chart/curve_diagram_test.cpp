@@ -57,7 +57,8 @@ TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
   ASSERT_EQ(series.size(), set.pinned.size() + 2);
   for (std::size_t i = 0; i < series.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_FALSE(series[i].colour == series[j].colour && series[i].mark == series[j].mark)
+      EXPECT_FALSE(series[i].colour == series[j].colour && series[i].mark == series[j].mark &&
+                   series[i].stroke == series[j].stroke)
           << i << " and " << j << " look alike";
 }
 

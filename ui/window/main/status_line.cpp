@@ -30,7 +30,6 @@ namespace {
 constexpr int kSaidFor = 5000;         // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
-constexpr int kLeastNote = 240;        // pixels in which a part of a sentence can be understood
 
 const QString kStopSign = QStringLiteral("✕"), kAgainSign = QStringLiteral("↻");
 
@@ -121,7 +120,6 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
 
 QString ElidedLabel::shownText() const {
   const int room = contentsRect().width();
-  if (room < leastWidth_ && fontMetrics().horizontalAdvance(text()) > room) return {};
   return fontMetrics().elidedText(text(), Qt::ElideMiddle, room);
 }
 
@@ -332,7 +330,10 @@ void StatusLine::fitFacts() {
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitFacts();
+  if (silence_->isActive())
+    fitFacts();
+  else
+    fallSilent();
 }
 
 /// Shows the dimensionless velocity. Where there is none, the reason is shown beside it if there is
@@ -353,18 +354,21 @@ void StatusLine::showVelocity(const Frame& frame) {
 }
 
 void StatusLine::say(const QString& text) {
-  said_->setLeastWidth(0);
   said_->setText(text);
   silence_->start(kSaidFor);
   fitFacts();
 }
 
-/// Where nothing else is said, the first note is, as far as there is room.
+/// Where nothing else is said, the first words of the first note are, if there is room for them: the
+/// sign beside the readings has all of it.
 void StatusLine::fallSilent() {
   const std::vector<Note> notes = present_.list();
-  said_->setLeastWidth(kLeastNote);
-  said_->setText(notes.empty() ? QString() : translatedText(sentenceOf(notes.front())));
+  said_->setText({});
   fitFacts();
+  layout()->activate();
+  if (notes.empty()) return;
+  const QString words = translatedText(sentenceOf(notes.front())).section(':', 0, 0);
+  if (fontMetrics().horizontalAdvance(words) < said_->width()) said_->setText(words);
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {

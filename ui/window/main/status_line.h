@@ -29,15 +29,10 @@ class ElidedLabel : public QLabel {
 
   /// Returns the text as it is shown, perhaps shortened.
   QString shownText() const;
-  /// Shows nothing in less room than this (pixels), unless the text fits.
-  void setLeastWidth(int width) { leastWidth_ = width; }
 
  protected:
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
-
- private:
-  int leastWidth_ = 0;
 };
 
 /// The present work on the curve or on the line.
