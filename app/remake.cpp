@@ -64,11 +64,12 @@ std::set<std::string> wordsOf(const std::vector<std::string>& given) {
 Remake remakeOf(const OpenCommand& command, const FoundScene& found) {
   const std::string& file = command.common.scene;
   if (!found.isCarried) throw InputError(file, "", "is a scene, not a result that can be remade");
-  if (!found.options.is_object())
+  static const std::set<std::string_view> single{"curve", "map", "motion", "render", "surface"};
+  const bool saysOptions = found.options.is_object();
+  if (!saysOptions && (single.contains(found.verb) || found.verb == "figure"))
     throw InputError(file, "",
                      "does not say the options that made it, as files of the command line do since "
                      "this version; open it and save it again");
-  static const std::set<std::string_view> single{"curve", "map", "motion", "render", "surface"};
   const bool isFigure = found.verb == "figure" && found.options.contains("name");
   if (!single.contains(found.verb) && !isFigure)
     throw InputError(file, "",

@@ -22,12 +22,14 @@ inline std::string withoutComment(const std::string& table) {
 
 class Program {
  public:
-  /// `arguments` as typed in a shell; `before` goes in front ("VAR=x", "ulimit ...;").
+  /// `arguments` as typed in a shell, which may end with "<FILE"; `before` goes in front ("VAR=x",
+  /// "ulimit ...;").
   Said run(const std::string& arguments, const std::string& before = "") const {
     const auto out = folder / ".out", err = folder / ".err";
     const std::string line = "cd '" + folder.path().string() + "'; " + before +
                              " '" ASPERITY_PROGRAM "' " + arguments + " >'" + out.string() +
-                             "' 2>'" + err.string() + "' </dev/null";
+                             "' 2>'" + err.string() +
+                             (arguments.find('<') == arguments.npos ? "' </dev/null" : "'");
     const int status = std::system(line.c_str());
     Said said{WIFEXITED(status) ? WEXITSTATUS(status) : -1, TemporaryFolder::read(out),
               TemporaryFolder::read(err)};

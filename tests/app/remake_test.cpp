@@ -104,7 +104,7 @@ TEST_F(RemakeTest, ManyScenesAreCheckedAndStandardInputIsRead) {
   const auto json = nlohmann::json::parse(program.run("check s.json figure_1.json --json").out);
   EXPECT_EQ(json.size(), 2U);
   EXPECT_GT(json[0]["derived"]["dimensionless_force"], 0);
-  EXPECT_EQ(program.run("curve -", "cat s.json |").status, 0);
+  EXPECT_EQ(program.run("curve - <s.json").status, 0);
 }
 
 TEST_F(RemakeTest, CompletionsNameCommandsOptionsAndKeys) {

@@ -23,7 +23,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kLeastWidth = 372;  // pixels
+constexpr int kLeastWidth = 350;  // pixels
 
 /// Returns the key's section; parameters of the averaging belong to the curve's section.
 QString sectionOf(const Parameter& parameter) {

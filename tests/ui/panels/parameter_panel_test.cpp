@@ -43,6 +43,7 @@ TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
       setValue(kind, scene, std::string(word));
       panel_.setScene(scene);
       for (const Parameter& row : parameters()) {
+        if (row.key == "sweep.key") continue;  // is chosen at the chart
         const QString key = fromUtf8(row.key);
         const bool applies = isApplicable(row, scene);
         EXPECT_EQ(isShown(controlOf(row) + key), applies) << row.key;

@@ -130,7 +130,7 @@ TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
   QProcess program;
   program.setWorkingDirectory(folder_.path());
   program.start(ASPERITY_PROGRAM,
-                {"fit", "s.json", "--vary", "surface.rms_height=1e-07:5e-06", "-o", "command"});
+                {"fit", "s.json", "--vary", "surface.rms_height=1e-7:5e-6", "-o", "command"});
   ASSERT_TRUE(program.waitForFinished(kWindowPatience));
   ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
   for (const char* name : {"fit.json", "fit.csv", "curve.svg", "profiles.svg", "curve.pdf"}) {

@@ -70,7 +70,7 @@ TEST_F(MainWindowTest, DraggingThroughManyValuesEndsAtTheLastAndDropsOlderOnes) 
   const int y = slider.height() / 2;
   const auto position = [&](int i) { return 2 + (slider.width() - 4) * i / 200; };
   QTest::mousePress(&slider, Qt::LeftButton, {}, QPoint(position(0), y));
-  for (int lap = 0; lap < 4; ++lap)
+  for (int lap = 0; lap < 6; ++lap)
     for (int i = 0; i <= 200; ++i)
       QTest::mouseMove(&slider, QPoint(position(lap % 2 ? 200 - i : i), y));
   for (int i = 0; i <= 140; ++i) QTest::mouseMove(&slider, QPoint(position(i), y));

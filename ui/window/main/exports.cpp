@@ -120,8 +120,8 @@ QStringList viewWords(const RenderCommandOptions& options) {
     words += {"--colours-to", numberText(roundedToDigits(end, 6))};
   if (picture.probe) words += {"--probe", numberText(probed(*picture.probe, frame, width))};
   if (picture.magnifier)
-    // The magnified part is some ten times narrower than the view.
-    words += {"--magnify", numberText(seen(picture.magnifier->position, 0.01 * width))};
+    // The magnified part is some ten times narrower than the view, and lines are antialiased.
+    words += {"--magnify", numberText(seen(picture.magnifier->position, 1e-5 * width))};
   return words;
 }
 

@@ -91,6 +91,11 @@ MapPanel::MapPanel(QWidget* parent)
   x_->setObjectName("mapX");
   y_->setObjectName("mapY");
   quantity_->setObjectName("mapQuantity");
+  // The longest names of parameters may be shortened; the list shows them whole.
+  for (QComboBox* box : {x_, y_, quantity_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
+  }
   reading_->setObjectName("mapReading");
   save_->setObjectName("mapSave");
   view_->setObjectName("mapView");
