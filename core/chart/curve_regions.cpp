@@ -90,7 +90,8 @@ std::vector<CurveRegion> regionsOf(const Known& known) {
   if (known.mu[0] < BorderRule{}.ofMaximum * top.value) {
     const bool isRising =
         top.velocity == known.velocities[last] && known.exponent(last - 1) > kFlat;
-    // Between few points the maximum may lie so high above them that none reaches its neighbourhood.
+    // Between few points the maximum may lie so high above them that none reaches its
+    // neighbourhood.
     const double reached = std::isfinite(borders.toPlateau) ? borders.toPlateau : top.velocity;
     const double toPlateau = isRising ? known.velocities[last] : reached;
     if (known.exponent(0) > kLinear)

@@ -95,9 +95,10 @@ TEST_F(AxisTest, AFamilyHasAColumnOfItsKey) {
 
 TEST_F(AxisTest, ThePresentTableStaysAsItWas) {
   const Said said = program.run("curve s.json --set sweep.points=2");
-  EXPECT_THAT(withoutComment(said.out), StartsWith("velocity,mu,mu_standard_error,mu_law,contact_fraction,"
-                                   "rms_slope_contact,indentation,normalized_mu,"
-                                   "dimensionless_velocity,dimensionless_force,realizations\n"));
+  EXPECT_THAT(withoutComment(said.out),
+              StartsWith("velocity,mu,mu_standard_error,mu_law,contact_fraction,"
+                         "rms_slope_contact,indentation,normalized_mu,"
+                         "dimensionless_velocity,dimensionless_force,realizations\n"));
   EXPECT_THAT(program.run("curve s.json --set sweep.points=2 --y power").out,
               HasSubstr("tangential_force,power"));
 }
@@ -113,7 +114,8 @@ TEST_F(AxisTest, EachMisuseIsOneLine) {
   expectRefused("--over ensemble.realizations=1:10:3", "cannot be its axis");
   expectRefused("--over load.normal_force=1:2:3 --family load.normal_force=1:2:3",
                 "is the axis of the curves already");
-  expectRefused("--over load.normal_force=1:2:3 --axes dimensionless -o a.png", "goes over velocities");
+  expectRefused("--over load.normal_force=1:2:3 --axes dimensionless -o a.png",
+                "goes over velocities");
   expectRefused("--over load.normal_force=1:2:3 --compare nodal", "goes over velocities");
   expectRefused("--y friction", "mu, normalized_mu, contact_fraction");
   expectRefused("--family surface.hurst=0:1:1000", "1000 curves are more than 100");

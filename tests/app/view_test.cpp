@@ -74,8 +74,9 @@ TEST_F(ViewTest, HeightsAreSaidInMetresOrAsTheirExaggeration) {
 /// the picture.
 TEST_F(ViewTest, RoadsAndPapersAreDrawnToScale) {
   for (const char* name : {"tyre_on_asphalt", "rubber_on_sandpaper", "shoe_on_concrete"}) {
-    program.folder.write("s.json", TemporaryFolder::read(std::filesystem::path(ASPERITY_RESOURCES_DIR) /
-                                                  "scenes" / (std::string(name) + ".json")));
+    program.folder.write(
+        "s.json", TemporaryFolder::read(std::filesystem::path(ASPERITY_RESOURCES_DIR) / "scenes" /
+                                        (std::string(name) + ".json")));
     const auto said = [&](const std::string& options) {
       run("render s.json -o c.svg --size 1280x720 " + options);
       return read("c.svg");

@@ -13,9 +13,9 @@ namespace asperity {
 
 /// Texts and size that a picture file of any format contains besides the picture.
 struct PictureProperties {
-  std::string title;     // of the document; empty: none
-  std::string metadata;  // any UTF-8 text; the program writes the provenance; empty: none
-  double scale = 1;      // pixels of the picture to one pixel at 96 per inch: its size on paper
+  std::string title;       // of the document; empty: none
+  std::string metadata;    // any UTF-8 text; the program writes the provenance; empty: none
+  double scale = 1;        // pixels of the picture to one pixel at 96 per inch: its size on paper
   bool isOnPaper = false;  // the size was given as lengths: an SVG says them in millimetres
 };
 

@@ -57,7 +57,7 @@ class MainWindow : public QMainWindow {
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
-  FigurePages& figures() { return *figures_; }  // the views, or the paper's figures
+  FigurePages& figures() { return *figures_; }                 // the views, or the paper's figures
   Exports& exports() { return *exports_; }
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }  // of the scene that was opened

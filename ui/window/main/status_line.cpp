@@ -359,8 +359,8 @@ void StatusLine::say(const QString& text) {
   fitFacts();
 }
 
-/// Where nothing else is said, the first words of the first note are, if there is room for them: the
-/// sign beside the readings has all of it.
+/// Where nothing else is said, the first words of the first note are, if there is room for them:
+/// the sign beside the readings has all of it.
 void StatusLine::fallSilent() {
   const std::vector<Note> notes = present_.list();
   said_->setText({});

@@ -94,7 +94,7 @@ MapPanel::MapPanel(QWidget* parent)
   // The longest names of parameters may be shortened; the list shows them whole.
   for (QComboBox* box : {x_, y_, quantity_}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(12);
+    box->setMinimumContentsLength(9);
   }
   reading_->setObjectName("mapReading");
   save_->setObjectName("mapSave");
@@ -106,7 +106,7 @@ MapPanel::MapPanel(QWidget* parent)
        {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
     label->setBuddy(box);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(12);
+    box->setMinimumContentsLength(9);
     row->addWidget(label);
     row->addWidget(box, 1);
   }
