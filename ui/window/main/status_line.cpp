@@ -298,7 +298,7 @@ void StatusLine::showNotes(const NoteSet& notes) {
   notes_->setText(text);
   notes_->setAccessibleDescription(sentences.join('\n'));
   notes_->setToolTip(wrappedTip(sentences.join(QStringLiteral(". "))));
-  if (!silence_->isActive()) fallSilent();
+  fitFacts();
 }
 
 /// Shows each reading in full or not at all: in a narrow window the least important ones are left
@@ -330,10 +330,7 @@ void StatusLine::fitFacts() {
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  if (silence_->isActive())
-    fitFacts();
-  else
-    fallSilent();
+  fitFacts();
 }
 
 /// Shows the dimensionless velocity. Where there is none, the reason is shown beside it if there is
@@ -359,16 +356,9 @@ void StatusLine::say(const QString& text) {
   fitFacts();
 }
 
-/// Where nothing else is said, the first words of the first note are, if there is room for them:
-/// the sign beside the readings has all of it.
 void StatusLine::fallSilent() {
-  const std::vector<Note> notes = present_.list();
   said_->setText({});
   fitFacts();
-  layout()->activate();
-  if (notes.empty()) return;
-  const QString words = translatedText(sentenceOf(notes.front())).section(':', 0, 0);
-  if (fontMetrics().horizontalAdvance(words) < said_->width()) said_->setText(words);
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {

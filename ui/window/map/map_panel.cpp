@@ -17,6 +17,7 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
 #include "ui/window/map/map_view.h"
 
 namespace asperity {
@@ -78,9 +79,9 @@ DiagramSheet sheetWithCut(const ParameterMap& map, const std::string& quantity) 
 
 MapPanel::MapPanel(QWidget* parent)
     : QWidget(parent),
-      x_(new QComboBox),
-      y_(new QComboBox),
-      quantity_(new QComboBox),
+      x_(new ChoiceBox),
+      y_(new ChoiceBox),
+      quantity_(new ChoiceBox),
       xLabel_(new QLabel),
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
@@ -91,11 +92,6 @@ MapPanel::MapPanel(QWidget* parent)
   x_->setObjectName("mapX");
   y_->setObjectName("mapY");
   quantity_->setObjectName("mapQuantity");
-  // The longest names of parameters may be shortened; the list shows them whole.
-  for (QComboBox* box : {x_, y_, quantity_}) {
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(9);
-  }
   reading_->setObjectName("mapReading");
   save_->setObjectName("mapSave");
   view_->setObjectName("mapView");
@@ -105,8 +101,9 @@ MapPanel::MapPanel(QWidget* parent)
   for (const auto& [label, box] :
        {std::pair{xLabel_, x_}, {yLabel_, y_}, {quantityLabel_, quantity_}}) {
     label->setBuddy(box);
+    // The longest names may be shortened; the list shows them whole.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(9);
+    box->setMinimumContentsLength(7);
     row->addWidget(label);
     row->addWidget(box, 1);
   }
