@@ -20,10 +20,6 @@ Scene readNamedScene(const std::string&, const std::filesystem::path& folder,
   return readScene("{}", "scene", folder, assignments);
 }
 
-std::vector<double> logSpaced(double from, double to, std::int64_t points) {
-  return std::vector<double>(static_cast<std::size_t>(points), from + to);
-}
-
 bool isSheetName(const std::string& file) {
   return file == "contact_sheet.png";
 }
