@@ -363,6 +363,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   for (const RawSeries::Term& term : series.terms)
     if (term.weight > 0)
       file.arms.push_back({term.weight * (series.isRelative ? instantaneous : unit), term.time});
+  if (file.arms.empty()) throw InputError(name, "", "has no arm with a modulus above 0");
   std::ranges::stable_sort(file.arms, std::greater<>(), &Arm::relaxationTime);
   if (std::isfinite(equilibrium))
     file.equilibriumModulus = equilibrium;

@@ -248,7 +248,9 @@ void StudyStore::open(Access access) {
   // An absolute name cannot be taken for a URI or for one of SQLite's own names.
   const std::string name = fs::absolute(file_).string();
   if (access == Access::Read) {
-    attempt(name, usual | SQLITE_OPEN_READONLY);
+    // A process that was killed leaves changes that only a writer can take over. SQLite falls back
+    // to reading where the file is protected.
+    attempt(name, usual | SQLITE_OPEN_READWRITE);
     return;
   }
   attempt(name, usual | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);

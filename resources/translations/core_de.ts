@@ -7,6 +7,10 @@
 <context>
     <name>core</name>
     <message>
+        <source>has no arm with a modulus above 0</source>
+        <translation>hat keinen Arm mit einem Modul über 0</translation>
+    </message>
+    <message>
         <source>lower end of the interval of μ</source>
         <translation>unteres Ende des Intervalls von μ</translation>
     </message>

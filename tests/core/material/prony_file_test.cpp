@@ -79,6 +79,15 @@ TEST(PronyFile, TablesOfTimesAndModuli) {
   expectSeries(read("tau,g_i\n0.1,0.5\n10,0.25\n", choices));
 }
 
+/// Found by random input: of a liquid whose only arm is empty nothing is left.
+TEST(PronyFile, ASeriesNeedsAnArm) {
+  PronyChoices liquid;
+  liquid.instantaneousModulus = 1e7;
+  liquid.isLiquid = true;
+  EXPECT_THAT(errorOf("relaxation_time;g_i\n10;0\n20;0\n", liquid),
+              HasSubstr("has no arm with a modulus above 0"));
+}
+
 TEST(PronyFile, ATableOfFrequenciesIsNone) {
   EXPECT_FALSE(read("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,2e5\n").has_value());
 }
