@@ -40,11 +40,11 @@ struct LessonValue {
   enum class Kind { State, Peak, Exponent };
 
   Kind kind = Kind::State;
-  std::string column = "mu";           // of a friction curve
-  std::vector<std::string> set{};      // KEY=VALUE over the step's scene
-  std::string key{};                   // of an exponent
-  double from = 0, to = 0;             // of its values, both above 0
-  std::vector<LessonValue> over{};     // none or one
+  std::string column = "mu";        // of a friction curve
+  std::vector<std::string> set{};   // KEY=VALUE over the step's scene
+  std::string key{};                // of an exponent
+  double from = 0, to = 0;          // of its values, both above 0
+  std::vector<LessonValue> over{};  // none or one
   bool operator==(const LessonValue&) const = default;
 };
 
@@ -139,7 +139,7 @@ struct LessonStep {
 };
 
 struct Lesson {
-  std::string name{};  // of its file, without folder and extension; not part of it
+  std::string name{};                   // of its file, without folder and extension; not part of it
   LessonText title{}, goal{}, notes{};  // goal: what is learnt; notes: for the teacher
   int minutes = 15;
   std::vector<LessonStep> steps{};

@@ -61,8 +61,7 @@ Place maximumOf(const Scene& scene, const std::string& column, const CurveOption
   }
   if (x.empty()) finite(kNotApplicable, column);
   const bool isAscending = std::ranges::is_sorted(x);
-  if (x.size() >= 3 && isPositive && isAscending &&
-      scene.sweep.scale == SweepScale::Logarithmic) {
+  if (x.size() >= 3 && isPositive && isAscending && scene.sweep.scale == SweepScale::Logarithmic) {
     const CurveMaximum maximum = curveMaximum(x, y);
     return {maximum.velocity, maximum.value};
   }

@@ -42,10 +42,10 @@ constexpr StudyChoices<ControlState, 3> kStates{{{"hidden", ControlState::Hidden
 constexpr StudyChoices<bool, 2> kCurves{{{"shown", false}, {"hidden", true}}};
 
 /// The members of the three kinds of a value that name its column.
-constexpr StudyChoices<LessonValue::Kind, 3> kValueKinds{{{"quantity", LessonValue::Kind::State},
-                                                          {"peak", LessonValue::Kind::Peak},
-                                                          {"exponent",
-                                                           LessonValue::Kind::Exponent}}};
+constexpr StudyChoices<LessonValue::Kind, 3> kValueKinds{
+    {{"quantity", LessonValue::Kind::State},
+     {"peak", LessonValue::Kind::Peak},
+     {"exponent", LessonValue::Kind::Exponent}}};
 
 [[noreturn]] void refuse(const std::string& place, const Message& why) {
   refuseStudy(place, why);
@@ -59,9 +59,9 @@ auto at(const std::string& place, const Read& read) {
   } catch (const InputError& error) {
     std::string where = place;
     if (!error.key().empty()) where += "." + error.key();
-    throw InputError("", where,
-                     error.file().empty() ? error.message()
-                                          : message("{}: {}", error.file(), error.message()));
+    throw InputError(
+        "", where,
+        error.file().empty() ? error.message() : message("{}: {}", error.file(), error.message()));
   }
 }
 
@@ -134,17 +134,15 @@ std::string columnFrom(const std::string& name, const std::string& place) {
   });
   if (std::ranges::find(known, name) != known.end()) return name;
   const std::string_view nearest = nearestOf(name, known);
-  refuse(place, nearest.empty()
-                    ? message("'{}' is unknown; known are {}", shortened(name),
-                              fmt::format("{}", fmt::join(known, ", ")))
-                    : message("'{}' is unknown; the nearest known one is {}", shortened(name),
-                              nearest));
+  refuse(place, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
+                                          fmt::format("{}", fmt::join(known, ", ")))
+                                : message("'{}' is unknown; the nearest known one is {}",
+                                          shortened(name), nearest));
 }
 
 LessonValue valueFrom(const Json& json, const std::string& place, const Scene& scene,
                       bool mayHaveOver = true) {
-  checkMembers(json, place,
-               {"quantity", "peak", "exponent", "key", "from", "to", "set", "over"});
+  checkMembers(json, place, {"quantity", "peak", "exponent", "key", "from", "to", "set", "over"});
   LessonValue value;
   int kinds = 0;
   for (const auto& [member, kind] : kValueKinds) {
@@ -163,9 +161,8 @@ LessonValue valueFrom(const Json& json, const std::string& place, const Scene& s
   const bool isExponent = value.kind == LessonValue::Kind::Exponent;
   for (const char* member : {"key", "from", "to"})
     if (json.contains(member) != isExponent)
-      refuse(place + "." + member,
-             isExponent ? "is missing; an exponent needs key, from and to"
-                        : "has no meaning here; it belongs to an exponent");
+      refuse(place + "." + member, isExponent ? "is missing; an exponent needs key, from and to"
+                                              : "has no meaning here; it belongs to an exponent");
   if (isExponent) {
     value.key = textIn(json, "key", "", place);
     value.from = numberIn(json, place, "from");
@@ -277,14 +274,13 @@ class StepReader {
       checkMembers(*range, where, {"from", "to"});
       view.hiddenFrom = numberIn(*range, where, "from");
       view.hiddenTo = numberIn(*range, where, "to");
-      if (!(view.hiddenFrom > 0 && view.hiddenTo > view.hiddenFrom &&
-            std::isfinite(view.hiddenTo)))
+      if (!(view.hiddenFrom > 0 && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
         refuse(where, "needs two values above 0, of which to is the larger one");
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {
       if (!beside->is_array() || beside->size() > kMostBeside)
-        refuse(place + ".beside", message("needs a list of at most {} objects of keys",
-                                          kMostBeside));
+        refuse(place + ".beside",
+               message("needs a list of at most {} objects of keys", kMostBeside));
       for (std::size_t i = 0; i < beside->size(); ++i) {
         const std::string where = fmt::format("{}.beside[{}]", place, i);
         view.beside.push_back(assignmentsIn((*beside)[i], where));
@@ -321,8 +317,7 @@ class StepReader {
     for (const std::string& key : read.free)
       if (!isApplicable(*findParameter(key), step_.revealedScene))
         refuse(place + ".free", message("{} has no meaning in this scene", key));
-    read.others =
-        chosen(kStates, textIn(*controls, "others", "hidden", place), place + ".others");
+    read.others = chosen(kStates, textIn(*controls, "others", "hidden", place), place + ".others");
   }
 
   void readValues() {
@@ -341,8 +336,8 @@ class StepReader {
 
   void readPrediction(const Json& json, const std::string& place) {
     checkMembers(json, place,
-                 {"kind", "question", "choices", "answer", "tolerance", "x",
-                  "place_tolerance", "right", "wrong"});
+                 {"kind", "question", "choices", "answer", "tolerance", "x", "place_tolerance",
+                  "right", "wrong"});
     LessonPrediction& prediction = step_.prediction.emplace();
     prediction.kind = chosen(kKinds, textIn(json, "kind", "", place), place + ".kind");
     prediction.question = textFrom(json, "question", place, true);
@@ -406,7 +401,8 @@ class StepReader {
         refuse(where, "needs above or below, where the answer is computed");
       if (!(choice.above < choice.below)) refuse(where, "needs above to be less than below");
       for (std::size_t j = 0; j < i && prediction.answer; ++j)
-        if (choice.above < prediction.choices[j].below && prediction.choices[j].above < choice.below)
+        if (choice.above < prediction.choices[j].below &&
+            prediction.choices[j].above < choice.below)
           refuse(where, message("overlaps choice {}; one answer would make both right", j));
       prediction.choices.push_back(std::move(choice));
     }
@@ -458,8 +454,7 @@ Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
   lesson.title = textFrom(root, "title", "", true);
   lesson.goal = textFrom(root, "goal", "");
   lesson.notes = textFrom(root, "notes", "");
-  if (root.contains("minutes"))
-    lesson.minutes = static_cast<int>(wholeIn(root, "minutes", 1, 600));
+  if (root.contains("minutes")) lesson.minutes = static_cast<int>(wholeIn(root, "minutes", 1, 600));
   const auto steps = root.find("steps");
   if (steps == root.end() || !steps->is_array() || steps->empty() ||
       steps->size() > kMostLessonSteps)
@@ -578,7 +573,8 @@ Json jsonOf(const LessonStep& step) {
   json["prediction"] = jsonOf(*step.prediction);
   if (!step.after.empty()) json["after"] = jsonOf(step.after);
   addText(json, "reveal", step.reveal);
-  for (const NamedLessonValue& value : step.values) json["values"][value.name] = jsonOf(value.value);
+  for (const NamedLessonValue& value : step.values)
+    json["values"][value.name] = jsonOf(value.value);
   return json;
 }
 
@@ -601,8 +597,8 @@ Lesson readLesson(std::string_view text, const std::string& file,
                   const std::filesystem::path& folder, const LessonSceneReader& readNamed) {
   try {
     if (text.size() > kLargestLesson)
-      refuse("", message("is larger than {} bytes, the most that a lesson may have",
-                         kLargestLesson));
+      refuse("",
+             message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
     const Json root = parseJson(text, kDeepest, "a lesson is JSON in UTF-8");
     Lesson lesson = lessonFrom(root, folder, readNamed);
     lesson.name = std::filesystem::path(file).stem().string();

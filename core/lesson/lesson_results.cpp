@@ -66,8 +66,7 @@ LessonResult resultFrom(const Json& json, const std::string& place) {
   result.kind = chosen(kKinds, textIn(json, "kind", "", place), place + ".kind");
   GivenAnswer& given = result.given;
   LessonAnswer& expected = result.expected;
-  readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number,
-             given.place);
+  readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number, given.place);
   readAnswer(json["expected"], place + ".expected", result.kind, expected.choice,
              expected.number.value, expected.place.value);
   expected.number.unit = textIn(json, "unit", "", place);
@@ -97,19 +96,15 @@ LessonResults emptyResults(const Lesson& lesson) {
 }
 
 std::string resultsJson(const LessonResults& results) {
-  Json json = {{"schema", kSchema},
-               {"lesson", results.lesson},
-               {"title", results.title},
-               {"sha256", results.digest},
-               {"right", results.right()},
-               {"steps", Json::array()}};
+  Json json = {{"schema", kSchema},        {"lesson", results.lesson}, {"title", results.title},
+               {"sha256", results.digest}, {"right", results.right()}, {"steps", Json::array()}};
   for (const LessonResult& one : results.results) {
-    Json step = {{"step", one.step + 1},
-                 {"kind", wordOf(kKinds, one.kind)},
-                 {"given", answerJson(one.kind, one.given.choice, one.given.number,
-                                      one.given.place)},
-                 {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
-                                         one.expected.place.value)}};
+    Json step = {
+        {"step", one.step + 1},
+        {"kind", wordOf(kKinds, one.kind)},
+        {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.place)},
+        {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
+                                one.expected.place.value)}};
     if (!one.expected.number.unit.empty()) step["unit"] = one.expected.number.unit;
     step["right"] = one.isRight;
     json["steps"].push_back(std::move(step));
@@ -122,8 +117,8 @@ LessonResults resultsFrom(std::string_view text, const std::string& file) {
     const Json json = parseJson(text, kDeepest, "results of a lesson are JSON in UTF-8");
     checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
     if (textIn(json, "schema") != kSchema) refuseStudy("schema", message("is not {}", kSchema));
-    LessonResults results{textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"),
-                          {}};
+    LessonResults results{
+        textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"), {}};
     const auto steps = json.find("steps");
     if (steps == json.end() || !steps->is_array()) refuseStudy("steps", "needs a list");
     for (std::size_t i = 0; i < steps->size(); ++i)
@@ -137,8 +132,7 @@ LessonResults resultsFrom(std::string_view text, const std::string& file) {
 LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return emptyResults(lesson);
-  LessonResults results =
-      resultsFrom(readRegularFile(file, kLargestResults), file.string());
+  LessonResults results = resultsFrom(readRegularFile(file, kLargestResults), file.string());
   if (results.digest != lesson.digest)
     throw InputError(file.string(), "sha256",
                      message("belongs to another lesson, or to another version of it ({}); its "

@@ -77,8 +77,7 @@ TEST(LessonAnswers, TheStepsOfALesson) {
   EXPECT_NEAR(choice.number.value, 2, 0.1);  // region I: proportional to v
   EXPECT_EQ(choice.choice, 1);
   ASSERT_EQ(choice.values.size(), 1U);
-  EXPECT_EQ(choice.values[0].second.value,
-            computePoint(lesson.steps[0].revealedScene, 2e-4).mu);
+  EXPECT_EQ(choice.values[0].second.value, computePoint(lesson.steps[0].revealedScene, 2e-4).mu);
   const LessonAnswer number = lessonAnswer(lesson.steps[1]);
   EXPECT_EQ(number.number.unit, "m");
   EXPECT_EQ(number.number.value, computePoint(lesson.steps[1].scene, 2e-4).indentation);

@@ -88,12 +88,18 @@ TEST(LessonResults, WrongFilesAreRefusedWithTheirPlace) {
   refused(head + R"("stps": []})", "stps");
   refused(head + R"("lesson": "x"})", "steps");
   refused(head + R"("steps": [{"step": 0}]})", "steps[0].kind");
-  refused(head + R"("steps": [{"step": 0, "kind": "choice", "given": 1, "expected": 1, "right": true}]})",
-          "steps[0].step");
-  refused(head + R"("steps": [{"step": 1, "kind": "choice", "given": "a", "expected": 1, "right": true}]})",
-          "steps[0].given.choice");
-  refused(head + R"("steps": [{"step": 1, "kind": "number", "given": "a", "expected": 1, "right": true}]})",
-          "steps[0].given");
+  refused(
+      head +
+          R"("steps": [{"step": 0, "kind": "choice", "given": 1, "expected": 1, "right": true}]})",
+      "steps[0].step");
+  refused(
+      head +
+          R"("steps": [{"step": 1, "kind": "choice", "given": "a", "expected": 1, "right": true}]})",
+      "steps[0].given.choice");
+  refused(
+      head +
+          R"("steps": [{"step": 1, "kind": "number", "given": "a", "expected": 1, "right": true}]})",
+      "steps[0].given");
 }
 
 }  // namespace

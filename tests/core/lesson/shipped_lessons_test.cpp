@@ -46,9 +46,7 @@ void expectBoth(const LessonText& text, const std::string& what, bool isRequired
   EXPECT_FALSE(text.english.empty()) << what;
   EXPECT_FALSE(text.german.empty()) << what;
   EXPECT_NE(text.english, text.german) << what;
-  const auto paragraphs = [](const std::string& all) {
-    return std::ranges::count(all, '\n');
-  };
+  const auto paragraphs = [](const std::string& all) { return std::ranges::count(all, '\n'); };
   EXPECT_EQ(paragraphs(text.english), paragraphs(text.german)) << what;
 }
 

@@ -133,6 +133,7 @@ void DocumentCommands::openFile(const QString& file) {
 }
 
 void DocumentCommands::openDropped(const QString& file) {
+  if (beforeLeaving_) beforeLeaving_();
   if (!document_.needsSaving()) return openFile(file);
   QTimer::singleShot(0, this, [this, file] {  // the source of the drop does not wait for an answer
     if (mayLeave()) openFile(file);
@@ -212,6 +213,7 @@ bool DocumentCommands::askSave() {
 }
 
 bool DocumentCommands::mayLeave() {
+  if (beforeLeaving_) beforeLeaving_();
   if (!document_.needsSaving()) return true;
   const QString name = document_.name();
   QMessageBox box(QMessageBox::Question, tr("Asperity"),

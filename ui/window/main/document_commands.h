@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <functional>
+#include <utility>
 
 #include "ui/window/main/scene_document.h"
 #include "ui/window/tasks/background_work.h"
@@ -44,6 +46,10 @@ class DocumentCommands : public QObject {
   /// Opens a file that was dropped on the window.
   void openDropped(const QString& file);
 
+  /// Called before anybody is asked whether the present scene may be left: what stands in for the
+  /// user's own scene gives it back.
+  void setBeforeLeaving(std::function<void()> leave) { beforeLeaving_ = std::move(leave); }
+
   /// Returns false, with the reason in the message bar, where the file cannot be written.
   bool saveTo(const QString& file);
 
@@ -71,6 +77,7 @@ class DocumentCommands : public QObject {
   QWidget& window_;
   Commands* commands_ = nullptr;
   QMenu* recent_ = nullptr;
+  std::function<void()> beforeLeaving_;
   BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
 

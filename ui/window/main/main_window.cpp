@@ -35,6 +35,7 @@
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/import/import_commands.h"
+#include "ui/window/lesson/lessons.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
@@ -225,6 +226,9 @@ void MainWindow::buildCommands() {
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *documents_, *tourBar_, *hint_, this);
   tour_->addTo(*commands_);
+  lessons_ = new Lessons({*this, *document_, *documents_, *session_, *panel_, *dock_, *tabs_,
+                          *messages_, *appearance_});
+  lessons_->addTo(*commands_);
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
@@ -436,6 +440,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!documents_->mayLeave()) return event->ignore();
+  lessons_->end();
   windowLayout_->save();
   QMainWindow::closeEvent(event);
 }

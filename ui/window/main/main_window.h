@@ -28,6 +28,7 @@ class DocumentCommands;
 class Exports;
 class FigurePages;
 class ImportCommands;
+class Lessons;
 class MessageBar;
 class ParameterPanel;
 class ChartView;
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   MessageBar& messages() { return *messages_; }
   MessageBar& description() { return *description_; }  // of the scene that was opened
   Tour& tour() { return *tour_; }
+  Lessons& lessons() { return *lessons_; }
   Appearance& appearance() { return *appearance_; }
   WindowLayout& windowLayout() { return *windowLayout_; }
 
@@ -118,6 +120,7 @@ class MainWindow : public QMainWindow {
   ComparisonCommands* comparisons_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;
   Tour* tour_ = nullptr;
+  Lessons* lessons_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
   std::optional<std::string> described_;  // last text in the bar of the description
