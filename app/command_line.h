@@ -146,6 +146,12 @@ struct OpenCommand {
   std::vector<std::string> others;  // options of the command that made the file
 };
 
+struct LessonCommand {
+  CommonOptions common;  // its scene: the name or file of a lesson; empty: lists all
+  std::vector<std::string> outputs;
+  bool forTeacher = false;
+};
+
 struct CheckCommand {
   CommonOptions common;
   std::vector<std::string> scenes;
@@ -211,6 +217,7 @@ int runStudyTable(const StudyCommand& command);
 int runStudyShow(const StudyCommand& command);
 int runStudyAnalyse(const StudyCommand& command);
 int runOpen(const OpenCommand& command);
+int runLesson(const LessonCommand& command);
 
 /// Parses and runs the command line. Returns the exit status; errors are one line on stderr.
 int runCommandLine(int argc, char** argv);

@@ -15,6 +15,11 @@ ControlState LessonControls::of(std::string_view key) const {
   return others;
 }
 
+int predictionsOf(const Lesson& lesson) {
+  return static_cast<int>(std::ranges::count_if(
+      lesson.steps, [](const LessonStep& step) { return step.prediction.has_value(); }));
+}
+
 std::string_view keyOf(std::string_view assignment) {
   return assignment.substr(0, assignment.find('='));
 }

@@ -148,6 +148,9 @@ struct Lesson {
   bool operator==(const Lesson&) const = default;
 };
 
+/// Returns how many steps ask for a prediction.
+int predictionsOf(const Lesson& lesson);
+
 /// Returns the name of the key of an assignment KEY=VALUE.
 std::string_view keyOf(std::string_view assignment);
 

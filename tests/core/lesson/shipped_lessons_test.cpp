@@ -90,10 +90,11 @@ TEST_P(ShippedLessonTest, AsksAndAnswersByComputing) {
       if (step.prediction->answer) {
         const LessonChoice& right =
             step.prediction->choices[static_cast<std::size_t>(answer.choice)];
-        const double distance =
-            std::min(std::isfinite(right.above) ? answer.number.value - right.above : 1e300,
-                     std::isfinite(right.below) ? right.below - answer.number.value : 1e300);
-        EXPECT_GT(distance, 0.02 * std::abs(answer.number.value)) << answer.number.value;
+        const double below = answer.number.value - right.above;
+        const double above = right.below - answer.number.value;
+        const double room = std::isfinite(below + above) ? 0.1 * (below + above)
+                                                         : 0.02 * std::abs(answer.number.value);
+        EXPECT_GT(std::min(below, above), room) << answer.number.value;
       }
     } else {
       EXPECT_TRUE(std::isfinite(answer.number.value));
@@ -108,11 +109,6 @@ TEST_P(ShippedLessonTest, AsksAndAnswersByComputing) {
       EXPECT_LT(answer.number.value, step.show.hiddenTo);
     }
     for (const auto& [name, value] : answer.values) EXPECT_TRUE(std::isfinite(value.value)) << name;
-    RecordProperty("step_" + std::to_string(i + 1), std::to_string(answer.number.value));
-    std::printf("%s step %zu: %.4g at %.4g, choice %d\n", GetParam().c_str(), i + 1,
-                answer.number.value, answer.place.value, answer.choice);
-    for (const auto& [name, value] : answer.values)
-      std::printf("  %s = %.4g %s\n", name.c_str(), value.value, value.unit.c_str());
   }
   EXPECT_GE(asked, 5);
   EXPECT_GE(3 * computed, 2 * asked);
