@@ -348,7 +348,7 @@ class StepReader {
     const bool isPoint = prediction.kind == PredictionKind::Point;
     const auto belongs = [&](const char* member, bool holds, const char* to) {
       if (json.contains(member) && !holds)
-        refuse(place + "." + member, message("has no meaning here; it belongs to {}", to));
+        refuse(place + "." + member, message("has no meaning here; it belongs to {}", Message(to)));
     };
     belongs("choices", isChoice, "a choice");
     belongs("answer", !isPoint, "a number or a choice");
@@ -447,9 +447,9 @@ class StepReader {
 Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
                   const LessonSceneReader& readNamed) {
   if (!root.is_object()) refuse("", "a lesson is one JSON object");
-  checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   if (textIn(root, "schema") != kLessonSchema)
     refuse("schema", message("is not {}", kLessonSchema));
+  checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   Lesson lesson;
   lesson.title = textFrom(root, "title", "", true);
   lesson.goal = textFrom(root, "goal", "");
@@ -500,7 +500,9 @@ Json jsonOf(const std::vector<std::string>& assignments) {
   Json object = Json::object();
   for (const std::string& assignment : assignments) {
     const std::string key(keyOf(assignment));
-    object[key] = jsonOfValue(key, assignment.substr(key.size() + 1));
+    // What is still being written may have no value yet.
+    const bool hasValue = assignment.size() > key.size();
+    object[key] = jsonOfValue(key, hasValue ? assignment.substr(key.size() + 1) : std::string());
   }
   return object;
 }

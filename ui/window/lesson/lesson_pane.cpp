@@ -10,6 +10,7 @@
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTextDocumentFragment>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -184,6 +185,8 @@ void LessonPane::showStep(const LessonPage& page) {
     reveal = richText(step.reveal, prediction, *page.answer, *page.given);
   }
   fill(*verdict_, verdict);
+  // The focus goes on to the button, which tells a screen reader what was right.
+  next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
   fill(*reveal_, reveal);
   showButtons();
   QTimer::singleShot(0, this, [this, isRevealed = page.answer != nullptr] {
@@ -197,7 +200,7 @@ void LessonPane::clearInput() {
   number_ = nullptr;
   if (!input_) return;
   inputPlace_->removeWidget(input_);
-  input_->hide();
+  input_->setParent(nullptr);
   input_->deleteLater();
   input_ = nullptr;
 }

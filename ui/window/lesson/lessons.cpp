@@ -121,6 +121,7 @@ void Lessons::buildDock() {
   parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
   parts_.window.splitDockWidget(dock_, &parts_.parameters, Qt::Vertical);
   dock_->hide();
+  dock_->toggleViewAction()->setVisible(false);  // it comes and goes with a lesson
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
     keep_->setText(tr("Results…"));
@@ -154,6 +155,10 @@ void Lessons::addTo(Commands& commands) {
                 [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, {}); }});
   for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
+  // The usual layout has no lesson, but a lesson that runs keeps its pane.
+  connect(commands.get("restoreLayout"), &QAction::triggered, this, [this] {
+    if (isRunning()) dock_->show();
+  });
 }
 
 LessonList& Lessons::showList() {
