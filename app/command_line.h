@@ -208,8 +208,9 @@ int runFigure(const FigureCommand& command);
 int runWindowCommand(const CommonOptions& command);
 /// Opens the window with this scene. Throws std::runtime_error where there is no display. `found`:
 /// a scene from inside the file options.scene; the window asks before it shows that scene.
+/// `lesson`: the file of a lesson that begins at once; empty: none.
 int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
-               const FoundScene* found = nullptr);
+               const FoundScene* found = nullptr, const std::string& lesson = {});
 int runBatch(const BatchCommand& command);
 int runStudyRun(const StudyCommand& command);
 int runStudyMerge(const StudyCommand& command);

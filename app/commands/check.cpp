@@ -2,13 +2,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <vector>
 
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
@@ -89,16 +87,8 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
   });
 }
 
-/// The text of a lesson's file; empty where the file is something else.
-std::string lessonText(const std::string& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return {};
-  std::string text = readRegularFile(file, kLargestLesson);
-  return isLesson(text) ? text : std::string();
-}
-
 /// Does the same for a lesson: all its scenes are read.
-void checkLesson(const CommonOptions& command, const std::string& text, bool isOneOfMany,
+void checkLesson(const CommonOptions& command, bool isOneOfMany,
                  std::vector<nlohmann::ordered_json>& answers) {
   if (!command.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
@@ -129,8 +119,8 @@ int runCheck(const CheckCommand& command) {
   for (const std::string& scene : command.scenes) {
     common.scene = scene;
     try {
-      if (const std::string lesson = lessonText(scene); !lesson.empty())
-        checkLesson(common, lesson, isOneOfMany, answers);
+      if (isLessonFile(scene))
+        checkLesson(common, isOneOfMany, answers);
       else
         checkScene(common, isOneOfMany, answers);
     } catch (const InputError& error) {

@@ -636,6 +636,16 @@ bool isLesson(std::string_view text) {
   }
 }
 
+bool isLessonFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  try {
+    return isLesson(readRegularFile(file, kLargestLesson));
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed) {
   std::error_code ignored;
   if (std::filesystem::exists(name, ignored)) return readLessonFile(name, readNamed);

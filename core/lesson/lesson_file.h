@@ -40,6 +40,9 @@ std::string writeLesson(const Lesson& lesson);
 /// Whether a text is, or is meant to be, a lesson: its outermost object says so, or has steps.
 bool isLesson(std::string_view json);
 
+/// Whether that holds for a regular file; false where it cannot be read.
+bool isLessonFile(const std::filesystem::path& file);
+
 /// The shipped lessons: the files of resources/lessons as they are.
 struct ShippedLesson {
   std::string_view name, json;

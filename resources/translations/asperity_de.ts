@@ -1755,6 +1755,18 @@
         <source>The lesson was changed and not saved. Close it and lose the changes?</source>
         <translation>Die Lektion wurde geändert und nicht gespeichert. Schließen und die Änderungen verlieren?</translation>
     </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonList</name>
@@ -1866,8 +1878,8 @@
         <translation>Richtig</translation>
     </message>
     <message>
-        <source>Not so</source>
-        <translation>Nicht so</translation>
+        <source>Not quite</source>
+        <translation>Nicht ganz</translation>
     </message>
     <message>
         <source>your answer</source>

@@ -140,6 +140,7 @@ void ParameterPanel::showLine(const LineSize& line) {
   if (line == line_ || !(scene_ == passedOn_)) return;
   line_ = line;
   showRows(nullptr);
+  applyAccess();
 }
 
 void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access) {

@@ -66,7 +66,7 @@ TEST_P(ShippedLessonTest, HasGoalNotesAndTwoLanguagesThroughout) {
     expectBoth(step.reveal, what + " reveal", false);
     if (!step.prediction) continue;
     expectBoth(step.prediction->question, what + " question");
-    expectBoth(step.prediction->right, what + " right");
+    expectBoth(step.prediction->right, what + " right", false);
     expectBoth(step.prediction->wrong, what + " wrong");
     for (const LessonChoice& choice : step.prediction->choices)
       expectBoth(choice.text, what + " choice");

@@ -270,12 +270,13 @@ QLayout* LessonEditor::buildFoot() {
     return made;
   };
   try_ = button("editorTry", tr("&Try this step"));
+  open_ = button("editorOpen", tr("&Open…"));
+  connect(open_, &QPushButton::clicked, this, &LessonEditor::openOther);
   save_ = button("editorSave", tr("&Save…"));
   close_ = button("editorClose", tr("&Close"));
   connect(try_, &QPushButton::clicked, this, [this] {
     try {
-      emit tryWanted(readLesson(writeLesson(lesson_), lesson_.name, {}, readNamedScene),
-                     std::max(0, steps_->currentRow() - 1));
+      emit tryWanted(checked(), std::max(0, steps_->currentRow() - 1));
     } catch (const InputError&) {
       check();
     }
@@ -287,6 +288,7 @@ QLayout* LessonEditor::buildFoot() {
   });
   connect(close_, &QPushButton::clicked, this, &LessonEditor::reject);
   auto* foot = new QHBoxLayout;
+  foot->addWidget(open_);
   foot->addStretch(1);
   for (QPushButton* one : {close_, try_, save_}) foot->addWidget(one);
   return foot;
@@ -529,13 +531,18 @@ void LessonEditor::take() {
   check();
 }
 
+/// Returns the lesson as its file would be read.
+Lesson LessonEditor::checked() const {
+  return readLesson(writeLesson(lesson_), lesson_.name,
+                    std::filesystem::path(file_.toStdString()).parent_path(), readNamedScene);
+}
+
 /// Reads the lesson as if it came from a file, which finds every mistake, and the steps' scenes.
 void LessonEditor::check() {
   const int row = steps_->currentRow() - 1;
   complaint_.clear();
   try {
-    const std::filesystem::path folder = std::filesystem::path(file_.toStdString()).parent_path();
-    const Lesson read = readLesson(writeLesson(lesson_), lesson_.name, folder, readNamedScene);
+    const Lesson read = checked();
     for (std::size_t i = 0; i < read.steps.size(); ++i) {
       lesson_.steps[i].scene = read.steps[i].scene;
       lesson_.steps[i].revealedScene = read.steps[i].revealedScene;
@@ -638,6 +645,24 @@ void LessonEditor::moveStep(int by) {
 }
 
 // ---- The file
+
+void LessonEditor::openOther() {
+  if (!mayClose()) return;
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open lesson"), file_,
+                                                    tr("Lessons (*.json);;All files (*)"));
+  if (file.isEmpty()) return;
+  try {
+    lesson_ = saved_ = readLessonFile(file.toStdString(), readNamedScene);
+    file_ = file;
+  } catch (const std::exception& error) {
+    said_->setText(translatedError(error));
+    return;
+  }
+  steps_->setCurrentRow(0);
+  showList();
+  showStep();
+  check();
+}
 
 bool LessonEditor::saveTo(const QString& file) {
   try {

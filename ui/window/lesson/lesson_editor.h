@@ -66,6 +66,8 @@ class LessonEditor : public QDialog {
   void showKind();
   void take();
   void check();
+  Lesson checked() const;
+  void openOther();
   LessonText& withLanguage(LessonText& text, const QString& written) const;
   QString inLanguage(const LessonText& text) const;
   LessonStep* present();
@@ -92,7 +94,7 @@ class LessonEditor : public QDialog {
   QTableWidget* choices_;
   QFormLayout* stepForm_;
   QLabel* said_;
-  QPushButton *add_, *remove_, *up_, *down_, *try_, *save_, *close_;
+  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *save_, *close_;
 };
 
 }  // namespace asperity

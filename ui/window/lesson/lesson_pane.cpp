@@ -180,7 +180,7 @@ void LessonPane::showStep(const LessonPage& page) {
                 "</p>";
     if (isGiven)
       verdict = (page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
-                              : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("Not so"))) +
+                              : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("Not quite"))) +
                 verdict;
     reveal = richText(step.reveal, prediction, *page.answer, *page.given);
   }

@@ -8,14 +8,17 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPainter>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
 #include "core/friction/study.h"
+#include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
@@ -43,11 +46,35 @@ namespace {
 constexpr int kUsualHeight = 420;  // pixels of the pane, above the parameters
 constexpr int kLeastHeight = 260;
 
-/// The lesson must not give away what a scene says of itself.
-Scene withoutDescription(Scene scene) {
+/// Returns the scene under the step's name: what a scene says of itself may be the answer.
+Scene inLesson(Scene scene, const LessonStep& step) {
+  scene.title = shown(step.title);
   scene.description.clear();
   return scene;
 }
+
+/// Returns the scene with the whole paths of its files, which a lesson elsewhere can find.
+Scene withWholePaths(Scene scene) {
+  const auto whole = [&scene](std::string& name) {
+    if (!name.empty()) name = std::filesystem::absolute(scene.folder / name).string();
+  };
+  whole(scene.surface.file);
+  if (!materialFile(scene.elastomer.material, scene.folder).empty())
+    whole(scene.elastomer.material);
+  for (DataFile& data : scene.comparison.data) whole(data.file);
+  scene.folder.clear();
+  return scene;
+}
+
+/// A text of one line, which ends in dots where it is too long.
+class LessonTitle : public QLabel {
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
+  }
+};
 
 /// Returns the curve of a scene, complete, as the chart pins it.
 std::shared_ptr<const CurveUpdate> computed(const Scene& scene, const std::stop_token& stop) {
@@ -69,7 +96,7 @@ Lessons::Lessons(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       dock_(new QDockWidget),
-      title_(new QLabel),
+      title_(new LessonTitle),
       keep_(new QToolButton),
       close_(new QToolButton),
       pane_(new LessonPane),
@@ -151,8 +178,9 @@ void Lessons::addTo(Commands& commands) {
                 },
                 {Qt::ALT | Qt::Key_Right, Qt::Key_PageDown}});
   commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { end(); }});
-  commands.add({"lessonEditor", [] { return tr("Lesson editor…"); },
-                [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, {}); }});
+  commands.add(
+      {"lessonEditor", [] { return tr("Lesson editor…"); },
+       [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString()); }});
   for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
   // The usual layout has no lesson, but a lesson that runs keeps its pane.
@@ -185,7 +213,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   }
   const auto shownNow = [this] {
     LessonStep step;
-    step.scene = step.revealedScene = parts_.document.scene();
+    step.scene = step.revealedScene = withWholePaths(parts_.document.scene());
     step.show.tab = std::string(kLessonTabs[static_cast<std::size_t>(
         std::clamp(parts_.tabs.currentIndex(), 0, static_cast<int>(std::size(kLessonTabs)) - 1))]);
     step.show.quantity = std::string(entryOf(parts_.session.friction().quantity()).word.text());
@@ -202,6 +230,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
 bool Lessons::open(const QString& nameOrFile) {
   try {
     start(readNamedLesson(nameOrFile.toStdString(), readNamedScene));
+    if (QFileInfo::exists(nameOrFile)) file_ = QFileInfo(nameOrFile).absoluteFilePath();
     parts_.messages.end(MessageBar::Failure::Files);
     return true;
   } catch (const std::exception& error) {
@@ -230,6 +259,7 @@ void Lessons::start(const Lesson& lesson, int step) {
   answers_.clear();
   results_ = emptyResults(*lesson_);
   resultsFile_.clear();
+  file_.clear();
   // The lesson may have been begun with the parameters closed, of which a step frees some.
   parts_.parameters.show();
   dock_->show();
@@ -251,7 +281,10 @@ void Lessons::show(int step) {
   showScene();
   showChart();
   showPage();
-  pane_->focusStep();
+  if (point_->isVisible() && !isRevealed())
+    point_->setFocus();
+  else
+    pane_->focusStep();
   if (present().prediction && !answers_.contains(step_)) findAnswer();
   commands_->get("lessonBackStep")->setEnabled(step_ > 0);
   emit stepShown();
@@ -296,7 +329,7 @@ void Lessons::showTitle() {
 void Lessons::showScene() {
   const LessonStep& step = present();
   isOpening_ = true;
-  parts_.document.open(withoutDescription(isRevealed() ? step.revealedScene : step.scene));
+  parts_.document.open(inLesson(isRevealed() ? step.revealedScene : step.scene, step));
   parts_.document.setTrial(true);
   isOpening_ = false;
   showControls();
@@ -326,7 +359,7 @@ void Lessons::showControls() {
 void Lessons::holdControls(const Scene& scene) {
   LessonControls controls = present().controls;
   if (!isRevealed()) controls = {{}, {}, {}, ControlState::Locked};
-  const Scene shown = withoutDescription(isRevealed() ? present().revealedScene : present().scene);
+  const Scene shown = inLesson(isRevealed() ? present().revealedScene : present().scene, present());
   const std::vector<std::string_view> changed = lockedChanges(controls, shown, scene);
   if (changed.empty()) return;
   const Scene held = withinControls(controls, shown, scene);

@@ -119,6 +119,7 @@ class Lessons : public QObject {
   std::map<int, LessonAnswer> answers_;
   std::optional<GivenAnswer> waiting_;  // for the answer
   LessonResults results_;
+  QString file_;  // of the lesson; empty: a shipped one, or one that was never saved
   QString resultsFile_;
   bool isOpening_ = false;  // a scene of the lesson
 

@@ -435,7 +435,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
-  imports_->openDropped(urls.front().toLocalFile());
+  const QString file = urls.front().toLocalFile();
+  if (isLessonFile(file.toStdString()))
+    lessons_->open(file);
+  else
+    imports_->openDropped(file);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
