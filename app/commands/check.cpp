@@ -92,8 +92,7 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
                  std::vector<nlohmann::ordered_json>& answers) {
   if (!command.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
-  const Lesson lesson = readLesson(
-      text, command.scene, std::filesystem::path(command.scene).parent_path(), readNamedScene);
+  const Lesson lesson = readLessonFile(command.scene, readNamedScene);
   printSummary(command.json, command.quiet,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +

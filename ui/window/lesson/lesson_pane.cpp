@@ -24,6 +24,19 @@ namespace asperity {
 
 namespace {
 
+/// The buttons of choices in the colours of the window: those of the style are black in the dark.
+QString choiceStyle(const QPalette& palette) {
+  const auto name = [&palette](QPalette::ColorRole role) { return palette.color(role).name(); };
+  return QStringLiteral(R"(
+    QRadioButton::indicator { width: 11px; height: 11px; border: 1px solid %1; border-radius: 6px;
+                              background: %2; }
+    QRadioButton::indicator:checked { border: 4px solid %3; width: 5px; height: 5px; }
+    QRadioButton::indicator:disabled { border-color: %4; }
+    QRadioButton::indicator:focus { border-color: %3; })")
+      .arg(name(QPalette::PlaceholderText), name(QPalette::Base), name(QPalette::Highlight),
+           name(QPalette::Mid));
+}
+
 /// A choice whose text may take several lines, as a radio button's own text cannot.
 class ChoiceLine : public QWidget {
  public:
@@ -208,6 +221,7 @@ void LessonPane::clearInput() {
 /// Adds the choices; once the answer is known the right one and a wrong one are marked.
 void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage& page) {
   input_ = new QWidget;
+  input_->setStyleSheet(choiceStyle(palette()));
   auto* column = new QVBoxLayout(input_);
   column->setContentsMargins(2, 0, 0, 4);
   column->setSpacing(5);
@@ -340,6 +354,8 @@ void LessonPane::keyPressEvent(QKeyEvent* event) {
 void LessonPane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange && next_) showButtons();
+  if (event->type() == QEvent::PaletteChange && choices_)
+    input_->setStyleSheet(choiceStyle(palette()));
 }
 
 }  // namespace asperity
