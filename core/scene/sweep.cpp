@@ -14,16 +14,8 @@
 namespace asperity {
 namespace {
 
-bool isWhole(const Parameter& parameter) {
-  return std::holds_alternative<IntegerField>(parameter.field);
-}
-
 bool isNumber(const Parameter& parameter) {
   return allowedRange(parameter).has_value();
-}
-
-void setNumber(const Parameter& parameter, Scene& scene, double value) {
-  setValue(parameter, scene, isWhole(parameter) ? std::round(value) : value);
 }
 
 /// What local friction amounts to, without what has no influence on it.
@@ -100,12 +92,6 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 }
 
 }  // namespace
-
-double numberOf(const Parameter& parameter, const Scene& scene) {
-  const ParameterValue value = valueOf(parameter, scene);
-  const auto* whole = std::get_if<std::int64_t>(&value);
-  return whole ? static_cast<double>(*whole) : std::get<double>(value);
-}
 
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {
   std::vector<double> values;

@@ -38,9 +38,6 @@ std::vector<double> sweepValues(const Scene& scene);
 /// the plain sweep over velocity. Throws InputError where the key does not allow the value.
 Scene sceneAt(const Scene& scene, double value);
 
-/// Returns the number that a real or whole parameter has in a scene.
-double numberOf(const Parameter& parameter, const Scene& scene);
-
 /// Returns the number that the swept key has in the scene itself.
 double ownSweptValue(const Scene& scene);
 
