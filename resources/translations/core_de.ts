@@ -3319,20 +3319,24 @@
         <translation>die Linie ist nicht umgedreht: die Täler berühren</translation>
     </message>
     <message>
-        <source>line %1: %2 is not a unit of %3; allowed is %4, with mm, um or nm as well</source>
-        <translation>Zeile %1: %2 ist keine Einheit von %3; erlaubt ist %4, auch mit mm, um oder nm</translation>
+        <source>%1 is not a unit of %2; allowed is %3, with mm, um or nm as well</source>
+        <translation>%1 ist keine Einheit von %2; erlaubt ist %3, auch mit mm, um oder nm</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>has %1 fields; %2 are needed</source>
-        <translation>hat %1 Felder; %2 sind nötig</translation>
+        <source>%1 has no line: nowhere on this axis does it hold.</source>
+        <translation>%1 hat keine Linie: nirgends auf dieser Achse gilt die Theorie.</translation>
     </message>
     <message>
-        <source>'%1' is not a finite number</source>
-        <translation>'%1' ist keine endliche Zahl</translation>
+        <source>%1 has no line: it says nothing about this quantity in this scene.</source>
+        <translation>%1 hat keine Linie: die Theorie sagt nichts über diese Größe in dieser Szene.</translation>
+    </message>
+    <message>
+        <source>the value of %1 is missing</source>
+        <translation>der Wert von %1 fehlt</translation>
     </message>
     <message>
         <source>%1 is not above 0</source>
