@@ -161,7 +161,8 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
     return command.add_option(option, value, sentence)->group(kPictureGroup);
   };
   add("--size", arguments.size,
-      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt) (default: " +
+      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt); several panels "
+      "may need a larger height on paper (default: " +
           defaultSize + " times the scale)")
       ->type_name("WxH");
   add("--scale", arguments.scale,
@@ -241,8 +242,10 @@ PictureProperties PictureSettings::properties(const std::string& title,
 }
 
 DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText) {
-  DrawList list =
-      composeDiagrams(styled(sheet, settings.style), settings.diagramOptions(leastText));
+  const DiagramSheet shown = styled(sheet, settings.style);
+  DiagramOptions options = settings.diagramOptions(leastText);
+  if (settings.isOnPaper) options.height = heightInPrint(shown, options);
+  DrawList list = composeDiagrams(shown, options);
   if (settings.style.isGrey) removeColours(list);
   return list;
 }
