@@ -967,16 +967,8 @@
         <translation>Szenen (*.json)</translation>
     </message>
     <message>
-        <source>The scene was changed. Save the changes?</source>
-        <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
         <source>“%1” was changed. Save the changes?</source>
         <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
-        <source>They go into a new file.</source>
-        <translation>Sie kommen in eine neue Datei.</translation>
     </message>
     <message>
         <source>They go into %1.</source>
@@ -1503,6 +1495,13 @@
     <message>
         <source>Reading was stopped</source>
         <translation>Das Lesen wurde angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LastSessionText</name>
+    <message>
+        <source>The scene of last time cannot be shown: %1</source>
+        <translation>Die Szene vom letzten Mal kann nicht gezeigt werden: %1</translation>
     </message>
 </context>
 <context>
@@ -2081,6 +2080,14 @@
     <message>
         <source>Axis of the curve</source>
         <translation>Achse der Kurve</translation>
+    </message>
+    <message>
+        <source>Other scene</source>
+        <translation>Andere Szene</translation>
+    </message>
+    <message>
+        <source>Scene “%1”</source>
+        <translation>Szene „%1“</translation>
     </message>
 </context>
 <context>

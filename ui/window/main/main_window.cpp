@@ -39,6 +39,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_tabs.h"
@@ -223,7 +224,7 @@ void MainWindow::buildCommands() {
       new WindowLayout({*this, *dock_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
-  tour_ = new Tour(*document_, *documents_, *tourBar_, *hint_, this);
+  tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
@@ -247,9 +248,8 @@ void MainWindow::connectScene() {
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
-  connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
-    documents_->replace({{}, {}, scene});
-  });
+  connect(figures_, &FigurePages::sceneWanted, this,
+          [this](const Scene& scene) { document_->open(scene); });
   connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
@@ -435,7 +435,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->mayLeave()) return event->ignore();
+  if (!documents_->mayClose()) return event->ignore();
+  if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();
   QMainWindow::closeEvent(event);
 }

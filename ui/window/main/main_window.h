@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   FigurePages& figures() { return *figures_; }                 // the views, or the paper's figures
   Exports& exports() { return *exports_; }
   MessageBar& messages() { return *messages_; }
+  StatusLine& status() { return *status_; }
   MessageBar& description() { return *description_; }  // of the scene that was opened
   Tour& tour() { return *tour_; }
   Appearance& appearance() { return *appearance_; }

@@ -22,6 +22,7 @@
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/menu_keys.h"
 #include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/window_layout.h"
 
@@ -111,7 +112,7 @@ void MainWindow::fillScenes(QMenu& menu) {
         keepTranslated(*part, [part, chapter] { part->setTitle(sceneText(chapter)); });
     }
     QAction* action = part->addAction(QString(), this, [this, &entry] {
-      documents_->replace({entry.name, {}, entry.scene});
+      document_->open({entry.name, {}, entry.scene});
     });
     action->setObjectName("scene:" + entry.name);
     keepTranslated(*part, [action, &entry] {

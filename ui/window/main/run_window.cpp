@@ -23,6 +23,7 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/session.h"
@@ -85,6 +86,7 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
   auto window = std::make_unique<MainWindow>(scene ? *scene : firstScene(), options);
   window->windowLayout().remember();
+  restoreLastSession(*window, scene || start.found);
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
   window->show();
