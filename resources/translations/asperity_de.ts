@@ -1098,6 +1098,10 @@
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>Gallery…</source>
+        <translation>Galerie …</translation>
+    </message>
 </context>
 <context>
     <name>asperity::FitChoices</name>
@@ -2036,6 +2040,153 @@
     </message>
 </context>
 <context>
+    <name>asperity::SceneCardText</name>
+    <message>
+        <source>Only the highest summits touch, and the rubber comes back late behind each of them.</source>
+        <translation>Nur die höchsten Gipfel berühren, und hinter jedem kommt das Gummi verspätet zurück.</translation>
+    </message>
+    <message>
+        <source>Friction grows with the velocity, bends into a plateau and falls again.</source>
+        <translation>Die Reibung wächst mit der Geschwindigkeit, biegt in ein Plateau und fällt wieder.</translation>
+    </message>
+    <message>
+        <source>The rubber presses on the front of the summit and is not back yet behind it.</source>
+        <translation>Das Gummi drückt vorn auf den Gipfel und ist dahinter noch nicht zurück.</translation>
+    </message>
+    <message>
+        <source>Nothing slides: contact is even on both sides of each summit, and there is no friction.</source>
+        <translation>Nichts gleitet: Der Kontakt ist auf beiden Seiten jedes Gipfels gleich, und es gibt keine Reibung.</translation>
+    </message>
+    <message>
+        <source>Slow: both sides of each summit touch, and friction doubles with the velocity.</source>
+        <translation>Langsam: Beide Seiten jedes Gipfels berühren, und die Reibung verdoppelt sich mit der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Contact begins to leave the rear sides of the summits, and the straight line bends.</source>
+        <translation>Der Kontakt beginnt die Rückseiten der Gipfel zu verlassen, und die Gerade biegt sich.</translation>
+    </message>
+    <message>
+        <source>Only front sides touch: friction hardly depends on velocity, modulus or force.</source>
+        <translation>Nur Vorderseiten berühren: Die Reibung hängt kaum von Geschwindigkeit, Modul oder Kraft ab.</translation>
+    </message>
+    <message>
+        <source>A few tips carry everything, and friction falls although sliding is faster.</source>
+        <translation>Wenige Spitzen tragen alles, und die Reibung fällt, obwohl schneller geglitten wird.</translation>
+    </message>
+    <message>
+        <source>Contact moves to the front of the summit when you raise the velocity.</source>
+        <translation>Der Kontakt wandert auf die Vorderseite des Gipfels, wenn man die Geschwindigkeit erhöht.</translation>
+    </message>
+    <message>
+        <source>Many summits of one size instead of a landscape: a steeper line has more friction.</source>
+        <translation>Viele Gipfel einer Größe statt einer Landschaft: Eine steilere Linie hat mehr Reibung.</translation>
+    </message>
+    <message>
+        <source>Fine roughness on the summits counts at once, even under a light load.</source>
+        <translation>Feine Rauheit auf den Gipfeln zählt sofort, auch unter leichter Last.</translation>
+    </message>
+    <message>
+        <source>Fine roughness in the valleys counts only when the load presses the rubber into them.</source>
+        <translation>Feine Rauheit in den Tälern zählt erst, wenn die Last das Gummi hineindrückt.</translation>
+    </message>
+    <message>
+        <source>Raise the velocity: friction reaches the slope of the flank and stays there.</source>
+        <translation>Die Geschwindigkeit erhöhen: Die Reibung erreicht die Steigung der Flanke und bleibt dort.</translation>
+    </message>
+    <message>
+        <source>Without memory the rubber gives back what it took: no friction at any velocity.</source>
+        <translation>Ohne Gedächtnis gibt das Gummi zurück, was es aufnahm: keine Reibung bei jeder Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>A constant share of the interface is added to what the deformation costs.</source>
+        <translation>Ein fester Anteil der Grenzfläche kommt zu dem hinzu, was die Verformung kostet.</translation>
+    </message>
+    <message>
+        <source>One share falls with the contact while the other rises: find where they cross.</source>
+        <translation>Ein Anteil fällt mit dem Kontakt, während der andere steigt: Wo kreuzen sie sich?</translation>
+    </message>
+    <message>
+        <source>Each arm of the rubber makes a shoulder in the friction curve.</source>
+        <translation>Jeder Arm des Gummis macht eine Schulter in der Reibungskurve.</translation>
+    </message>
+    <message>
+        <source>One arm makes one broad peak: fast rubber is as elastic as slow rubber, only stiffer.</source>
+        <translation>Ein Arm macht einen breiten Gipfel: Schnelles Gummi ist so elastisch wie langsames, nur steifer.</translation>
+    </message>
+    <message>
+        <source>Cold rubber has its friction at lower velocities; the shape of the curve stays.</source>
+        <translation>Kaltes Gummi hat seine Reibung bei kleineren Geschwindigkeiten; die Form der Kurve bleibt.</translation>
+    </message>
+    <message>
+        <source>Move the temperature: the whole curve slides along the velocity.</source>
+        <translation>Die Temperatur bewegen: Die ganze Kurve gleitet entlang der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Warm rubber needs a higher velocity for the same friction.</source>
+        <translation>Warmes Gummi braucht für dieselbe Reibung eine höhere Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Thirteen arms spread the rise of friction over twelve decades of velocity.</source>
+        <translation>Dreizehn Arme verteilen den Anstieg der Reibung über zwölf Dekaden der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Friction vanishes for slow and for fast sliding: there the rubber is elastic.</source>
+        <translation>Die Reibung verschwindet bei langsamem und bei schnellem Gleiten: Dort ist das Gummi elastisch.</translation>
+    </message>
+    <message>
+        <source>At the same velocity, friction on the way up differs from friction on the way down.</source>
+        <translation>Bei derselben Geschwindigkeit ist die Reibung hinauf eine andere als hinab.</translation>
+    </message>
+    <message>
+        <source>The line turns back into its own dents: friction is first too small, then settles.</source>
+        <translation>Die Linie kehrt in ihre eigenen Dellen zurück: Die Reibung ist erst zu klein und pendelt sich ein.</translation>
+    </message>
+    <message>
+        <source>Friction begins above its steady value and settles while the line is lifted.</source>
+        <translation>Die Reibung beginnt über ihrem stationären Wert und sinkt, während die Linie angehoben wird.</translation>
+    </message>
+    <message>
+        <source>Friction shoots to more than twice its steady value before the rubber relaxes.</source>
+        <translation>Die Reibung schießt auf mehr als das Doppelte, bevor das Gummi relaxiert.</translation>
+    </message>
+    <message>
+        <source>The line stops at half time, but the force needs a relaxation time to vanish.</source>
+        <translation>Die Linie hält zur halben Zeit an, aber die Kraft braucht eine Relaxationszeit, um zu verschwinden.</translation>
+    </message>
+    <message>
+        <source>At twice the velocity friction first jumps and then relaxes.</source>
+        <translation>Bei doppelter Geschwindigkeit springt die Reibung zuerst und relaxiert dann.</translation>
+    </message>
+    <message>
+        <source>A single contact relaxes along one exponential curve.</source>
+        <translation>Ein einzelner Kontakt relaxiert entlang einer einzigen Exponentialkurve.</translation>
+    </message>
+    <message>
+        <source>Two models of the same rubber: see where they agree and where they do not.</source>
+        <translation>Zwei Modelle desselben Gummis: Wo stimmen sie überein und wo nicht?</translation>
+    </message>
+    <message>
+        <source>The rubber fills every valley, and friction is known exactly.</source>
+        <translation>Das Gummi füllt jedes Tal, und die Reibung ist genau bekannt.</translation>
+    </message>
+    <message>
+        <source>The friction curve of a single wave is the loss modulus of the rubber.</source>
+        <translation>Die Reibungskurve einer einzelnen Welle ist der Verlustmodul des Gummis.</translation>
+    </message>
+    <message>
+        <source>Raise the velocity and watch the rubber leave the rear of each grain.</source>
+        <translation>Die Geschwindigkeit erhöhen und zusehen, wie das Gummi die Rückseite jedes Korns verlässt.</translation>
+    </message>
+    <message>
+        <source>Beyond the maximum, a foot that begins to slip has less and less friction.</source>
+        <translation>Jenseits des Maximums hat ein Fuß, der zu rutschen beginnt, immer weniger Reibung.</translation>
+    </message>
+    <message>
+        <source>Each stone is touched on its front only: that is the friction of a tyre.</source>
+        <translation>Jeder Stein wird nur vorn berührt: Das ist die Reibung eines Reifens.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::SceneDocument</name>
     <message>
         <source>Velocity</source>
@@ -2088,6 +2239,37 @@
     <message>
         <source>Scene “%1”</source>
         <translation>Szene „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SceneGallery</name>
+    <message>
+        <source>Back to the contact (Esc)</source>
+        <translation type="unfinished">Zurück zum Kontakt (Esc)</translation>
+    </message>
+    <message>
+        <source>back to the contact</source>
+        <translation type="unfinished">zurück zum Kontakt</translation>
+    </message>
+    <message>
+        <source>Choose a scene to begin with; everything in it can be changed</source>
+        <translation>Eine Szene für den Anfang wählen; alles darin lässt sich ändern</translation>
+    </message>
+    <message>
+        <source>Filter ( / )</source>
+        <translation>Filter ( / )</translation>
+    </message>
+    <message>
+        <source>filter of the scenes</source>
+        <translation>Filter der Szenen</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation type="unfinished">Szenen</translation>
+    </message>
+    <message>
+        <source>No scene has these words.</source>
+        <translation>Keine Szene enthält diese Wörter.</translation>
     </message>
 </context>
 <context>

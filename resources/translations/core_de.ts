@@ -5322,8 +5322,8 @@
         <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
     </message>
     <message>
-        <source>Correlated roughness</source>
-        <translation>Korrelierte Rauheit</translation>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
     </message>
     <message>
         <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
@@ -5350,8 +5350,8 @@
         <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
     </message>
     <message>
-        <source>Full contact</source>
-        <translation>Vollkontakt</translation>
+        <source>Limits and checks</source>
+        <translation>Grenzfälle und Proben</translation>
     </message>
     <message>
         <source>Full contact on a sine: one wave, one frequency</source>
@@ -5406,8 +5406,8 @@
         <translation>Bereich IV: Die Reibung fällt wieder</translation>
     </message>
     <message>
-        <source>Regions I to IV</source>
-        <translation>Bereiche I bis IV</translation>
+        <source>Regions of Eq. (11)</source>
+        <translation>Bereiche von Gl. (11)</translation>
     </message>
     <message>
         <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
@@ -5418,8 +5418,8 @@
         <translation>Umkehr</translation>
     </message>
     <message>
-        <source>Rheology</source>
-        <translation>Rheologie</translation>
+        <source>Materials and temperature</source>
+        <translation>Materialien und Temperatur</translation>
     </message>
     <message>
         <source>Rougher summits</source>
@@ -5434,8 +5434,8 @@
         <translation>Rauheit mit Roll-off</translation>
     </message>
     <message>
-        <source>Single asperities</source>
-        <translation>Einzelne Rauheitsspitzen</translation>
+        <source>The basics</source>
+        <translation>Die Grundlagen</translation>
     </message>
     <message>
         <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
@@ -5460,10 +5460,6 @@
     <message>
         <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
         <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
@@ -5498,8 +5494,8 @@
         <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
     </message>
     <message>
-        <source>Transients</source>
-        <translation>Übergänge</translation>
+        <source>Motions</source>
+        <translation>Bewegungen</translation>
     </message>
     <message>
         <source>Two arms and a dashpot</source>
@@ -5552,10 +5548,6 @@
     <message>
         <source>Foundation and half-space</source>
         <translation>Bettung und Halbraum</translation>
-    </message>
-    <message>
-        <source>What the model leaves out</source>
-        <translation>Was das Modell auslässt</translation>
     </message>
     <message>
         <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>

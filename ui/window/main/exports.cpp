@@ -277,11 +277,12 @@ void Exports::addTo(Commands& commands) {
 
 /// Shows the commands for what is visible: the contact, or the figure that is shown instead.
 void Exports::showCommands(Commands& commands) const {
-  const bool figures = parts_.figures.isShowingFigures();
+  const bool views = parts_.figures.isShowingViews();
+  const bool figure = parts_.figures.isShowingFigures() && parts_.figures.gallery().hasFigure();
   for (QAction* action : commands.get({"copyPicture", "savePicture"}))
-    action->setEnabled(!figures || parts_.figures.gallery().hasFigure());
+    action->setEnabled(views || figure);
   for (QAction* action : commands.get({"copyCommand", "copyCurveCommand"}))
-    action->setEnabled(!figures);
+    action->setEnabled(views);
 }
 
 /// Returns the present picture as a still; none before the first.

@@ -42,6 +42,7 @@
 #include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
@@ -250,6 +251,8 @@ void MainWindow::connectScene() {
           [this](const Scene& scene) { document_->edit(scene); });
   connect(figures_, &FigurePages::sceneWanted, this,
           [this](const Scene& scene) { document_->open(scene); });
+  connect(figures_, &FigurePages::shippedWanted, this, &MainWindow::openShipped);
+  connect(figures_, &FigurePages::galleryWanted, this, &MainWindow::openGallery);
   connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
@@ -270,6 +273,15 @@ void MainWindow::connectScene() {
     description_->setVisible(isDescribed);
     if (session_->frame()) showFrame();
   });
+}
+
+void MainWindow::openShipped(const QString& name) {
+  for (const LibraryScene& entry : libraryScenes())
+    if (entry.name == name) document_->open({entry.name, {}, entry.scene});
+}
+
+void MainWindow::openGallery() {
+  figures_->openScenes(document_->origin().shipped);
 }
 
 void MainWindow::showScene(const Scene& scene) {
@@ -341,7 +353,7 @@ void MainWindow::connectFrames() {
 
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
-  if (!figures_->isShowingFigures()) canvas_->setFrame(frame);
+  if (figures_->isShowingViews()) canvas_->setFrame(frame);
   status_->showFrame(*frame, readCurve(*frame, session_->curve()));
   tabs_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
@@ -350,7 +362,7 @@ void MainWindow::showFrame() {
 /// Pauses the moving picture while the window is hidden; curves are still computed.
 void MainWindow::followVisibility() {
   poll_->setInterval(visibility_->isSeen() ? kPollInterval : kUnseenPoll);
-  session_->setSeen(visibility_->isSeen() && !figures_->isShowingFigures());
+  session_->setSeen(visibility_->isSeen() && figures_->isShowingViews());
 }
 
 /// Requests only the optional values that the contact shows and the statistics count.

@@ -22,7 +22,6 @@
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/menu_keys.h"
 #include "ui/window/main/run_window.h"
-#include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/window_layout.h"
 
@@ -47,7 +46,7 @@ void MainWindow::buildMenus() {
     menu.addActions(commands_->get(names));
   };
   QMenu& file = *addMenu([] { return tr("&File"); });
-  add(file, {"open"});
+  add(file, {"gallery", "open"});
   documents_->addRecentMenu(file);
   add(file, {"openSurface", "openMaterial"});
   file.addSeparator();
@@ -63,6 +62,8 @@ void MainWindow::buildMenus() {
   add(edit, {"revert", "resetAll"});
 
   QMenu& scenes = *addMenu([] { return tr("&Scenes"); });
+  add(scenes, {"gallery"});
+  scenes.addSeparator();
   fillScenes(scenes);
 
   figures_->fillMenu(*addMenu([] { return tr("Fi&gures"); }));
@@ -111,9 +112,7 @@ void MainWindow::fillScenes(QMenu& menu) {
       if (part != &menu)
         keepTranslated(*part, [part, chapter] { part->setTitle(sceneText(chapter)); });
     }
-    QAction* action = part->addAction(QString(), this, [this, &entry] {
-      document_->open({entry.name, {}, entry.scene});
-    });
+    QAction* action = part->addAction(QString(), this, [this, &entry] { openShipped(entry.name); });
     action->setObjectName("scene:" + entry.name);
     keepTranslated(*part, [action, &entry] {
       const QString title = sceneText(entry.scene.title);

@@ -86,7 +86,9 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
   auto window = std::make_unique<MainWindow>(scene ? *scene : firstScene(), options);
   window->windowLayout().remember();
-  restoreLastSession(*window, scene || start.found);
+  const bool isWanted = scene || start.found;
+  if (restoreLastSession(*window, isWanted) == LastSession::None && !isWanted)
+    window->openGallery();
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
   window->show();
