@@ -15,11 +15,12 @@ namespace {
 
 enum Role { kName = Qt::UserRole, kTitle, kSentence };
 
-constexpr int kGap = 10;         // pixels between cards
-constexpr int kInside = 10;      // between the edge of a card and its texts
-constexpr int kLeastCard = 290;  // width of a card, pixels
-constexpr double kShape = 0.6;   // height of a picture, relative to its width
-constexpr double kCorner = 8;    // radius, pixels
+constexpr int kGap = 10;                          // pixels between cards
+constexpr int kInside = 10;                       // between the edge of a card and its texts
+constexpr int kLeastCard = 236, kMostCard = 400;  // width of a card, pixels
+constexpr int kUsualColumns = 4;                  // more only where cards would be too wide
+constexpr double kShape = 0.6;                    // height of a picture, relative to its width
+constexpr double kCorner = 8;                     // radius, pixels
 
 QFont boldOf(QFont font) {
   font.setBold(true);
@@ -207,7 +208,9 @@ void CardList::layOut() {
   const int room = viewport()->width() - 2 * kGap;
   const int letters = QFontMetrics(font()).averageCharWidth();
   const int least = std::max(kLeastCard, 30 * letters);
-  const int columns = std::max(1, (room + kGap) / (least + kGap));
+  const int most = std::max(kMostCard, 50 * letters);
+  const int fitting = std::max(1, (room + kGap) / (least + kGap));
+  const int columns = std::max(std::min(kUsualColumns, fitting), (room + most - 1) / most);
   const int width = std::max(80, (room - (columns - 1) * kGap) / columns - 1);
   int texts = 0;
   const int inside = width - 2 * kInside - 3;

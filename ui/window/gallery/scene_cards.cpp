@@ -22,7 +22,7 @@ constexpr std::array kCards{
               QT_TRANSLATE_NOOP(
                   "asperity::SceneCardText",
                   "Friction grows with the velocity, bends into a plateau and falls again.")},
-    SceneCard{"one_sided", SceneView::CloseUp,
+    SceneCard{"one_sided", SceneView::Contact,
               QT_TRANSLATE_NOOP(
                   "asperity::SceneCardText",
                   "The rubber presses on the front of the summit and is not back yet behind it.")},

@@ -58,7 +58,8 @@ ContactView closeUp(const Frame& frame) {
 }
 
 QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
-  constexpr int kLabel = 34;  // height of the label at the lower edge, which is cut off; pixels
+  // Height of the labels' plates at the upper and lower edge, which are cut off; pixels.
+  constexpr int kLabel = 34;
   const Frame frame = SteadyFrames(std::make_shared<const Scene>(scene), {},
                                    isClose ? 0.1 * scene.surface.length : 0)
                           .frameAt(0, 0, 0);
@@ -69,7 +70,7 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
   options.view = isClose ? closeUp(frame) : fittedView(frame);
   // The axes around the plot take a part of the picture, which grows until the plot is as large as
   // the result.
-  const QSizeF wanted = QSizeF(kScenePicture) + QSizeF(0, kLabel);
+  const QSizeF wanted = QSizeF(kScenePicture) + QSizeF(0, 2 * kLabel);
   options.width = static_cast<int>(wanted.width());
   options.height = static_cast<int>(wanted.height());
   for (int i = 0; i < 3; ++i) {
@@ -80,7 +81,8 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
         static_cast<int>(std::lround(wanted.height() - static_cast<double>(plot.height)));
   }
   const Clip plot = contactPlotArea(frame, options);
-  return cutOut(composeContact(frame, options), {plot.x, plot.y, plot.width, plot.height - kLabel});
+  return cutOut(composeContact(frame, options),
+                {plot.x, plot.y + kLabel, plot.width, plot.height - 2 * kLabel});
 }
 
 /// Draws the first diagram of a sheet, with thick curves.

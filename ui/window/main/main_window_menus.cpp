@@ -50,7 +50,9 @@ void MainWindow::buildMenus() {
   documents_->addRecentMenu(file);
   add(file, {"openSurface", "openMaterial"});
   file.addSeparator();
-  add(file, {"save", "saveAs", "savePicture"});
+  add(file, {"save", "saveAs"});
+  file.addSeparator();
+  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable"});
   file.addSeparator();
   add(file, {"quit"});
 
