@@ -691,6 +691,17 @@
     </message>
 </context>
 <context>
+    <name>asperity::CommandRun</name>
+    <message>
+        <source>The program %1 cannot be started</source>
+        <translation>Das Programm %1 kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>The program ended without a reason</source>
+        <translation>Das Programm endete ohne Angabe eines Grundes</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ComparisonBox</name>
     <message>
         <source>Compare the curve with</source>
@@ -996,6 +1007,323 @@
     </message>
 </context>
 <context>
+    <name>asperity::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>No preview.</source>
+        <translation>Keine Vorschau.</translation>
+    </message>
+    <message>
+        <source>File &amp;name</source>
+        <translation>Datei&amp;name</translation>
+    </message>
+    <message>
+        <source>file name</source>
+        <translation>Dateiname</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Du&amp;rchsuchen …</translation>
+    </message>
+    <message>
+        <source>The same in a shell</source>
+        <translation>Dasselbe in einer Shell</translation>
+    </message>
+    <message>
+        <source>command line that writes the same file</source>
+        <translation>Befehlszeile, die dieselbe Datei schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>The preview is being made…</source>
+        <translation>Die Vorschau wird erstellt …</translation>
+    </message>
+    <message>
+        <source>One picture of the film.</source>
+        <translation>Ein Bild des Films.</translation>
+    </message>
+    <message>
+        <source>The curve of the preview is the mean of %1 lines, that of the file of %2.</source>
+        <translation>Die Kurve der Vorschau ist das Mittel über %1 Linien, die der Datei über %2.</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Ab&amp;brechen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ExportForm</name>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>In&amp;halt</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>Forma&amp;t</translation>
+    </message>
+    <message>
+        <source>St&amp;yle</source>
+        <translation>St&amp;il</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution (dpi)</source>
+        <translation>A&amp;uflösung (dpi)</translation>
+    </message>
+    <message>
+        <source>Pixels per inch. More of them make texts and lines of a picture in pixels larger, and a picture on paper finer.</source>
+        <translation>Pixel je Zoll. Mehr davon machen Texte und Linien eines Bildes in Pixeln größer und ein Bild auf Papier feiner.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>paper, in light tints</source>
+        <translation>Papier, in hellen Tönen</translation>
+    </message>
+    <message>
+        <source>Trans&amp;parent background</source>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Duration (s)</source>
+        <translation>Dauer (&amp;s)</translation>
+    </message>
+    <message>
+        <source>Length of the film in seconds</source>
+        <translation>Länge des Films in Sekunden</translation>
+    </message>
+    <message>
+        <source>0.001 to 1000</source>
+        <translation>0,001 bis 1000</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>the whole motion</source>
+        <translation>die ganze Bewegung</translation>
+    </message>
+    <message>
+        <source>periods of the line</source>
+        <translation>Perioden der Linie</translation>
+    </message>
+    <message>
+        <source>times slower</source>
+        <translation>Mal langsamer</translation>
+    </message>
+    <message>
+        <source>value of the speed</source>
+        <translation>Wert des Tempos</translation>
+    </message>
+    <message>
+        <source>Co&amp;lumns</source>
+        <translation>Spa&amp;lten</translation>
+    </message>
+    <message>
+        <source>Names of columns, separated by commas; empty: all</source>
+        <translation>Namen von Spalten, durch Kommas getrennt; leer: alle</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>S&amp;ize</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>unit of width and height</source>
+        <translation>Einheit von Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Motion in time</source>
+        <translation>Bewegung in der Zeit</translation>
+    </message>
+    <message>
+        <source>Contact, point by point</source>
+        <translation>Kontakt, Punkt für Punkt</translation>
+    </message>
+    <message>
+        <source>List of contacts</source>
+        <translation>Liste der Kontakte</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact and friction curve</source>
+        <translation>Kontakt und Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Contact and motion in time</source>
+        <translation>Kontakt und Bewegung in der Zeit</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, Pixel</translation>
+    </message>
+    <message>
+        <source>SVG, vectors</source>
+        <translation>SVG, Vektoren</translation>
+    </message>
+    <message>
+        <source>PDF, vectors</source>
+        <translation>PDF, Vektoren</translation>
+    </message>
+    <message>
+        <source>GIF, animated</source>
+        <translation>GIF, bewegt</translation>
+    </message>
+    <message>
+        <source>WebP, animated</source>
+        <translation>WebP, bewegt</translation>
+    </message>
+    <message>
+        <source>Usual size</source>
+        <translation>Übliche Größe</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>As the style says</source>
+        <translation>Wie der Stil es sagt</translation>
+    </message>
+    <message>
+        <source>Slide, 1280 × 720</source>
+        <translation>Folie, 1280 × 720</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>Full HD, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Column of a journal, 86 × 62 mm</source>
+        <translation>Spalte einer Zeitschrift, 86 × 62 mm</translation>
+    </message>
+    <message>
+        <source>Page of a journal, 178 × 100 mm</source>
+        <translation>Seite einer Zeitschrift, 178 × 100 mm</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Eigene Größe</translation>
+    </message>
+    <message>
+        <source>P&amp;art of the line and moment as in the window</source>
+        <translation>Ausschnitt und Zeitpunkt &amp;wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Fra&amp;mes per s</source>
+        <translation>Bilder &amp;je s</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>Tem&amp;po</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ExportPreview</name>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>first lines of the table</source>
+        <translation>erste Zeilen der Tabelle</translation>
+    </message>
+</context>
+<context>
     <name>asperity::Exports</name>
     <message>
         <source>Copy picture</source>
@@ -1032,6 +1360,18 @@
     <message>
         <source>On the clipboard: %1</source>
         <translation>In der Zwischenablage: %1</translation>
+    </message>
+    <message>
+        <source>Export picture…</source>
+        <translation>Bild exportieren …</translation>
+    </message>
+    <message>
+        <source>Export film…</source>
+        <translation>Film exportieren …</translation>
+    </message>
+    <message>
+        <source>Export table…</source>
+        <translation>Tabelle exportieren …</translation>
     </message>
 </context>
 <context>
@@ -2245,11 +2585,11 @@
     <name>asperity::SceneGallery</name>
     <message>
         <source>Back to the contact (Esc)</source>
-        <translation type="unfinished">Zurück zum Kontakt (Esc)</translation>
+        <translation>Zurück zum Kontakt (Esc)</translation>
     </message>
     <message>
         <source>back to the contact</source>
-        <translation type="unfinished">zurück zum Kontakt</translation>
+        <translation>zurück zum Kontakt</translation>
     </message>
     <message>
         <source>Choose a scene to begin with; everything in it can be changed</source>
@@ -2265,7 +2605,7 @@
     </message>
     <message>
         <source>scenes</source>
-        <translation type="unfinished">Szenen</translation>
+        <translation>Szenen</translation>
     </message>
     <message>
         <source>No scene has these words.</source>

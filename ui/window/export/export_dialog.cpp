@@ -30,19 +30,26 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 250;           // ms without a change before the preview is requested
-constexpr double kPreview = 640;      // largest width or height of a preview, pixels
-constexpr double kLeast = 160;        // smallest side of a picture that a command draws
-constexpr double kLeastDensity = 24;  // smallest density, pixels per inch
-constexpr std::int64_t kLines = 8;    // of the curve in a preview
-constexpr int kSteps = 1000;          // of the progress bar
-constexpr qint64 kTableBytes = 6000;  // of a table that are shown
+constexpr int kPause = 250;            // ms without a change before the preview is requested
+constexpr double kPreview = 640;       // largest width or height of a preview, pixels
+constexpr double kLeast = 160;         // smallest side of a picture that a command draws
+constexpr double kLeastDensity = 24;   // smallest density, pixels per inch
+constexpr std::int64_t kLines = 8;     // of the curve in a preview
+constexpr int kSteps = 1000;           // of the progress bar
+constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 const QString kFolder = QStringLiteral("export/folder");
 
 QString usualFolder() {
   const QString last = QSettings().value(kFolder).toString();
   if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
   return QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
+}
+
+/// Returns the beginning of a table, up to the end of a line.
+QString firstLines(QFile& table) {
+  QByteArray text = table.read(kTableBytes);
+  if (!table.atEnd()) text.truncate(text.lastIndexOf('\n') + 1);
+  return QString::fromUtf8(text);
 }
 
 }  // namespace
@@ -69,7 +76,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(form_);
-  scroll->setMinimumWidth(330);
+  scroll->setMinimumWidth(form_->minimumWidth() + 16);
   auto* middle = new QHBoxLayout;
   middle->setSpacing(14);
   middle->addWidget(scroll, 2);
@@ -263,8 +270,7 @@ void ExportDialog::takePreview() {
   showFailure({});
   QFile made(previewFile_);
   if (form_->kind() == ExportKind::Table) {
-    if (made.open(QIODevice::ReadOnly))
-      preview_->showTable(QString::fromUtf8(made.read(kTableBytes)), previewNote_);
+    if (made.open(QIODevice::ReadOnly)) preview_->showTable(firstLines(made), previewNote_);
   } else {
     preview_->showPicture(QImage(previewFile_), previewNote_);
   }
@@ -310,7 +316,7 @@ void ExportDialog::showRunning(bool isRunning) {
   progress_->setVisible(isRunning);
   failure_->setVisible(!isRunning);
   progress_->setRange(0, 0);
-  close_->setText(isRunning ? tr("&Cancel") : tr("Close"));
+  close_->setText(isRunning ? tr("Cance&l") : tr("Close"));
 }
 
 /// Escape first cancels the export.

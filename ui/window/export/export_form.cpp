@@ -67,7 +67,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
     style_->addItem(fromUtf8(name), fromUtf8(name));
   addSize();
   density_ = addEntry(
-      "exportDensity", [] { return tr("&Resolution"); },
+      "exportDensity", [] { return tr("&Resolution (dpi)"); },
       [] {
         return tr(
             "Pixels per inch. More of them make texts and lines of a picture in pixels "
@@ -82,7 +82,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   transparent_ = new QCheckBox(tr("Trans&parent background"));
   transparent_->setObjectName("exportTransparent");
   rows_->addRow(transparent_);
-  asShown_ = new QCheckBox(tr("&Part of the line and moment as in the window"));
+  asShown_ = new QCheckBox(tr("P&art of the line and moment as in the window"));
   asShown_->setObjectName("exportAsShown");
   asShown_->setChecked(true);
   rows_->addRow(asShown_);
@@ -91,7 +91,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       [] { return tr("Length of the film in seconds"); });
   duration_->setText("6");
   rate_ = addEntry(
-      "exportRate", [] { return tr("Frames per &second"); }, [] { return tr("0.001 to 1000"); });
+      "exportRate", [] { return tr("Fra&mes per s"); }, [] { return tr("0.001 to 1000"); });
   rate_->setText("25");
   speedRow_ = new QWidget;
   auto* speed = new QHBoxLayout(speedRow_);
@@ -110,7 +110,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   speedValue_->setMaximumWidth(90);
   speed->addWidget(speedValue_);
   speed->addWidget(speed_, 1);
-  rows_->addRow(tr("Sp&eed"), speedRow_);
+  rows_->addRow(tr("&Speed"), speedRow_);
   columns_ = addEntry(
       "exportColumns", [] { return tr("Co&lumns"); },
       [] { return tr("Names of columns, separated by commas; empty: all"); });
@@ -139,6 +139,8 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   for (QCheckBox* box : {transparent_, asShown_})
     connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
   takePreset();
+  // The widest kind of export sets the width, so that nothing moves with the kind.
+  setMinimumWidth(rows_->minimumSize().width());
   showRows();
 }
 

@@ -50,7 +50,7 @@ void Exports::addTo(Commands& commands) {
   commands.add({"exportPicture",
                 [] { return tr("Export picture…"); },
                 [this] { openDialog(ExportKind::Picture); },
-                {Qt::CTRL | Qt::SHIFT | Qt::Key_E}});
+                {Qt::CTRL | Qt::SHIFT | Qt::Key_P}});
   commands.add(
       {"exportFilm", [] { return tr("Export film…"); }, [this] { openDialog(ExportKind::Film); }});
   commands.add({"exportTable", [] { return tr("Export table…"); },
