@@ -5326,10 +5326,6 @@
         <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
     </message>
     <message>
-        <source>Correlated roughness</source>
-        <translation>Korrelierte Rauheit</translation>
-    </message>
-    <message>
         <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
         <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
     </message>
@@ -5352,10 +5348,6 @@
     <message>
         <source>Friction over velocity, averaged over 200 lines: it grows, bends into a plateau, and falls. The curve of Eq. (11) lies on it up to the plateau.</source>
         <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
-    </message>
-    <message>
-        <source>Full contact</source>
-        <translation>Vollkontakt</translation>
     </message>
     <message>
         <source>Full contact on a sine: one wave, one frequency</source>
@@ -5410,20 +5402,12 @@
         <translation>Bereich IV: Die Reibung fällt wieder</translation>
     </message>
     <message>
-        <source>Regions I to IV</source>
-        <translation>Bereiche I bis IV</translation>
-    </message>
-    <message>
         <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
         <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>
         <translation>Umkehr</translation>
-    </message>
-    <message>
-        <source>Rheology</source>
-        <translation>Rheologie</translation>
     </message>
     <message>
         <source>Rougher summits</source>
@@ -5436,10 +5420,6 @@
     <message>
         <source>Roughness with a roll-off</source>
         <translation>Rauheit mit Roll-off</translation>
-    </message>
-    <message>
-        <source>Single asperities</source>
-        <translation>Einzelne Rauheitsspitzen</translation>
     </message>
     <message>
         <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
@@ -5464,10 +5444,6 @@
     <message>
         <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
         <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
@@ -5500,10 +5476,6 @@
     <message>
         <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
         <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
-    </message>
-    <message>
-        <source>Transients</source>
-        <translation>Übergänge</translation>
     </message>
     <message>
         <source>Two arms and a dashpot</source>
@@ -5558,10 +5530,6 @@
         <translation>Bettung und Halbraum</translation>
     </message>
     <message>
-        <source>What the model leaves out</source>
-        <translation>Was das Modell auslässt</translation>
-    </message>
-    <message>
         <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
         <translation>Dieselbe Rauheit, derselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
@@ -5588,6 +5556,30 @@
     <message>
         <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
         <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Limits and checks</source>
+        <translation>Grenzfälle und Proben</translation>
+    </message>
+    <message>
+        <source>Regions of Eq. (11)</source>
+        <translation>Bereiche von Gl. (11)</translation>
+    </message>
+    <message>
+        <source>Materials and temperature</source>
+        <translation>Materialien und Temperatur</translation>
+    </message>
+    <message>
+        <source>The basics</source>
+        <translation>Die Grundlagen</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Bewegungen</translation>
     </message>
 </context>
 </TS>

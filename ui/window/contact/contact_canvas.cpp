@@ -237,6 +237,11 @@ void ContactCanvas::setOverlay(ContactOverlay overlay) {
   changed();
 }
 
+void ContactCanvas::setNavigation(const ViewNavigation& navigation) {
+  viewer_.setNavigation(navigation);
+  changed();
+}
+
 void ContactCanvas::showCrosshair(const QPointF& position) {
   viewer_.pointAt(placeAt(position));
   changed();

@@ -62,6 +62,7 @@ class ContactCanvas : public QWidget {
   void follow(bool follows);
   void magnify(bool magnifies);
   void setOverlay(ContactOverlay overlay);
+  void setNavigation(const ViewNavigation& navigation);
 
   /// Returns the optional values that frames need for the present view.
   FrameFields fields() const { return viewer_.fields(); }

@@ -39,8 +39,10 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
@@ -223,7 +225,7 @@ void MainWindow::buildCommands() {
       new WindowLayout({*this, *dock_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
-  tour_ = new Tour(*document_, *documents_, *tourBar_, *hint_, this);
+  tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
@@ -248,9 +250,10 @@ void MainWindow::connectScene() {
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
-  connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
-    documents_->replace({{}, {}, scene});
-  });
+  connect(figures_, &FigurePages::sceneWanted, this,
+          [this](const Scene& scene) { document_->open(scene); });
+  connect(figures_, &FigurePages::shippedWanted, this, &MainWindow::openShipped);
+  connect(figures_, &FigurePages::galleryWanted, this, &MainWindow::openGallery);
   connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
@@ -271,6 +274,15 @@ void MainWindow::connectScene() {
     description_->setVisible(isDescribed);
     if (session_->frame()) showFrame();
   });
+}
+
+void MainWindow::openShipped(const QString& name) {
+  for (const LibraryScene& entry : libraryScenes())
+    if (entry.name == name) document_->open({entry.name, {}, entry.scene});
+}
+
+void MainWindow::openGallery() {
+  figures_->openScenes(document_->origin().shipped);
 }
 
 void MainWindow::showScene(const Scene& scene) {
@@ -342,7 +354,7 @@ void MainWindow::connectFrames() {
 
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
-  if (!figures_->isShowingFigures()) canvas_->setFrame(frame);
+  if (figures_->isShowingViews()) canvas_->setFrame(frame);
   status_->showFrame(*frame, readCurve(*frame, session_->curve()));
   tabs_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
@@ -351,7 +363,7 @@ void MainWindow::showFrame() {
 /// Pauses the moving picture while the window is hidden; curves are still computed.
 void MainWindow::followVisibility() {
   poll_->setInterval(visibility_->isSeen() ? kPollInterval : kUnseenPoll);
-  session_->setSeen(visibility_->isSeen() && !figures_->isShowingFigures());
+  session_->setSeen(visibility_->isSeen() && figures_->isShowingViews());
 }
 
 /// Requests only the optional values that the contact shows and the statistics count.
@@ -436,7 +448,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->mayLeave()) return event->ignore();
+  if (!documents_->mayClose()) return event->ignore();
+  if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();
   QMainWindow::closeEvent(event);
 }

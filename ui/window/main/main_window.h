@@ -1,5 +1,6 @@
 // The main window: contact view above, friction diagram below it, parameters at the right, bars for
-// commands and readings; or the page of the paper's figures in place of the views. It makes the
+// commands and readings; or, in place of the views, the page of the
+// paper's figures or the gallery of scenes. It makes the
 // parts, each of which has its own header, and connects them: the document holds the scene, the
 // session runs it, and everything shown about a state comes from the session's frame. GUI thread.
 // Failure: messages appear in a bar over the views and the window stays usable.
@@ -60,10 +61,16 @@ class MainWindow : public QMainWindow {
   FigurePages& figures() { return *figures_; }                 // the views, or the paper's figures
   Exports& exports() { return *exports_; }
   MessageBar& messages() { return *messages_; }
+  StatusLine& status() { return *status_; }
   MessageBar& description() { return *description_; }  // of the scene that was opened
   Tour& tour() { return *tour_; }
   Appearance& appearance() { return *appearance_; }
   WindowLayout& windowLayout() { return *windowLayout_; }
+
+  /// Shows the gallery of scenes in place of the views.
+  void openGallery();
+  /// Opens the shipped scene of this name; an unknown name changes nothing.
+  void openShipped(const QString& name);
 
   /// Changes the language of all texts at once: Qt informs every part (QEvent::LanguageChange),
   /// which sets its own texts; nothing else changes. An unknown code changes nothing.

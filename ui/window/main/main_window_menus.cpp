@@ -49,11 +49,13 @@ void MainWindow::buildMenus() {
     menu.addActions(commands_->get(names));
   };
   QMenu& file = *addMenu([] { return tr("&File"); });
-  add(file, {"open"});
+  add(file, {"gallery", "open"});
   documents_->addRecentMenu(file);
   add(file, {"openSurface", "openMaterial"});
   file.addSeparator();
-  add(file, {"save", "saveAs", "savePicture"});
+  add(file, {"save", "saveAs"});
+  file.addSeparator();
+  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable"});
   file.addSeparator();
   add(file, {"quit"});
 
@@ -65,6 +67,8 @@ void MainWindow::buildMenus() {
   add(edit, {"revert", "resetAll"});
 
   QMenu& scenes = *addMenu([] { return tr("&Scenes"); });
+  add(scenes, {"gallery"});
+  scenes.addSeparator();
   fillScenes(scenes);
 
   figures_->fillMenu(*addMenu([] { return tr("Fi&gures"); }));
@@ -113,9 +117,7 @@ void MainWindow::fillScenes(QMenu& menu) {
       if (part != &menu)
         keepTranslated(*part, [part, chapter] { part->setTitle(sceneText(chapter)); });
     }
-    QAction* action = part->addAction(QString(), this, [this, &entry] {
-      documents_->replace({entry.name, {}, entry.scene});
-    });
+    QAction* action = part->addAction(QString(), this, [this, &entry] { openShipped(entry.name); });
     action->setObjectName("scene:" + entry.name);
     keepTranslated(*part, [action, &entry] {
       const QString title = sceneText(entry.scene.title);

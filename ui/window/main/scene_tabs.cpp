@@ -177,6 +177,11 @@ void SceneTabs::bringToFront(int index) {
   if (isTabVisible(index)) setCurrentIndex(index);
 }
 
+void SceneTabs::bringToFront(const QString& name) {
+  for (int i = 0; i < count(); ++i)
+    if (widget(i)->objectName() == name && isTabVisible(i)) setCurrentIndex(i);
+}
+
 QStringList SceneTabs::hiddenTabs() const {
   QStringList names;
   for (int i = 0; i < wanted_.size(); ++i)

@@ -50,6 +50,9 @@ class SceneTabs : public QTabWidget {
   QStringList hiddenTabs() const;
   void hideTabs(const QStringList& names);
 
+  /// Brings the tab of this object name to the front, if it is shown.
+  void bringToFront(const QString& name);
+
   /// Updates the tabs. A new motion comes to the front; its tab leaves with it.
   void showScene(const Scene& scene);
   void showFrame(const Frame& frame);

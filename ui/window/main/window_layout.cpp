@@ -91,13 +91,13 @@ void WindowLayout::setFullScreen(bool full) {
   showScreenMode();
 }
 
-/// While the figures are shown, Escape closes their page instead of the presentation.
+/// While another page covers the views, Escape closes that page instead of the presentation.
 void WindowLayout::showScreenMode() {
   const bool isFull = parts_.window.isFullScreen();
   commands_->get("fullScreen")->setChecked(isFull);
   commands_->get("present")->setChecked(isPresenting());
   commands_->get("leave")->setEnabled((isFull || isPresenting()) &&
-                                      !parts_.figures.isShowingFigures());
+                                      parts_.figures.isShowingViews());
 }
 
 /// Hides the parameters and readings of the contact while the figures are shown.

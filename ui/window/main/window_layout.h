@@ -53,6 +53,7 @@ class WindowLayout : public QObject {
   /// Restores size, docks, tabs and colours from the settings, as far as the screen has room for
   /// them. From then on closing the window saves its own. Call before the window is shown.
   void remember();
+  bool remembers() const { return remembers_; }
   /// Saves the layout to the settings when the window closes, if remember() was called.
   void save();
 
