@@ -23,6 +23,7 @@
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/lesson/lesson_file.h"
 #include "core/material/material_library.h"
 #include "core/paper/figure.h"
 #include "core/scene/parameter_help.h"
@@ -69,6 +70,7 @@ class CommandLine {
     addAccuracy();
     addExplain();
     addColumns();
+    addLesson();
     app_.footer(fmt::format(
         "Exit status: {} done, {} the run failed, {} bad input or usage, {} interrupted, {} "
         "terminated.\n{}",
@@ -582,6 +584,19 @@ class CommandLine {
     command->remove_option(command->get_option("--set"));  // this command has no scene
     command->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
   }
+  void addLesson() {
+    CLI::App* command = app_.add_subcommand(
+        "lesson", "Lessons: what they ask, and handouts of them for students and teachers");
+    command->add_option("LESSON", lesson_.common.scene,
+                        "Name of a shipped lesson, or a file (default: lists the shipped ones)");
+    addShared(*command, lesson_.common);
+    command->remove_option(command->get_option("--set"));  // its scenes are the lesson's own
+    addOutputs(command, lesson_.outputs, "Handout FILE.html or FILE.pdf; may be repeated");
+    command->add_flag("--teacher", lesson_.forTeacher,
+                      "The handout has the answers, as computed, and the teacher's notes");
+    command->footer(kLessonFormat);
+    command->callback([this] { selected_ = [this] { return runLesson(lesson_); }; });
+  }
   static void addColumnChoice(CLI::App* command, std::string& columns) {
     command
         ->add_option("--columns", columns,
@@ -639,6 +654,7 @@ class CommandLine {
   std::vector<CommonOptions*> allCommon_;
   CommonOptions window_, columns_;
   CheckCommand check_;
+  LessonCommand lesson_;
   CurveCommand curve_;
   MapCommand map_;
   SheetCommand sensitivity_, cutoff_;

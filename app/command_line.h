@@ -146,6 +146,12 @@ struct OpenCommand {
   std::vector<std::string> others;  // options of the command that made the file
 };
 
+struct LessonCommand {
+  CommonOptions common;  // its scene: the name or file of a lesson; empty: lists all
+  std::vector<std::string> outputs;
+  bool forTeacher = false;
+};
+
 struct CheckCommand {
   CommonOptions common;
   std::vector<std::string> scenes;
@@ -202,8 +208,9 @@ int runFigure(const FigureCommand& command);
 int runWindowCommand(const CommonOptions& command);
 /// Opens the window with this scene. Throws std::runtime_error where there is no display. `found`:
 /// a scene from inside the file options.scene; the window asks before it shows that scene.
+/// `lesson`: the file of a lesson that begins at once; empty: none.
 int showWindow(const std::optional<Scene>& scene, const CommonOptions& options,
-               const FoundScene* found = nullptr);
+               const FoundScene* found = nullptr, const std::string& lesson = {});
 int runBatch(const BatchCommand& command);
 int runStudyRun(const StudyCommand& command);
 int runStudyMerge(const StudyCommand& command);
@@ -211,6 +218,7 @@ int runStudyTable(const StudyCommand& command);
 int runStudyShow(const StudyCommand& command);
 int runStudyAnalyse(const StudyCommand& command);
 int runOpen(const OpenCommand& command);
+int runLesson(const LessonCommand& command);
 
 /// Parses and runs the command line. Returns the exit status; errors are one line on stderr.
 int runCommandLine(int argc, char** argv);

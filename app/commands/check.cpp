@@ -1,4 +1,4 @@
-// asperity check: reads and validates a scene, and prints a summary of a few lines.
+// asperity check: reads and validates scenes and lessons, and prints a summary of a few lines.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -10,12 +10,15 @@
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
+#include "core/lesson/lesson_file.h"
 #include "core/material/element_law.h"
 #include "core/scene/provenance.h"
 #include "core/surface/line_source.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -84,6 +87,28 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
   });
 }
 
+/// Does the same for a lesson: all its scenes are read.
+void checkLesson(const CommonOptions& command, bool isOneOfMany,
+                 std::vector<nlohmann::ordered_json>& answers) {
+  if (!command.assignments.empty())
+    throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
+  const Lesson lesson = readLesson(
+      text, command.scene, std::filesystem::path(command.scene).parent_path(), readNamedScene);
+  printSummary(command.json, command.quiet,
+               (isOneOfMany ? command.scene + ": " : "") +
+                   printable(lesson.title.in(presentLanguage())) + "\n  " +
+                   filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
+                          {std::to_string(lesson.minutes), std::to_string(lesson.steps.size()),
+                           std::to_string(predictionsOf(lesson))}) +
+                   "\n");
+  answers.push_back({{"schema", "asperity-check/1"}});
+  if (isOneOfMany) answers.back()["file"] = command.scene;
+  answers.back()["lesson"] = lesson.title.english;
+  answers.back()["steps"] = lesson.steps.size();
+  answers.back()["sha256"] = lesson.digest;
+  answers.back()["valid"] = true;
+}
+
 }  // namespace
 
 int runCheck(const CheckCommand& command) {
@@ -94,7 +119,10 @@ int runCheck(const CheckCommand& command) {
   for (const std::string& scene : command.scenes) {
     common.scene = scene;
     try {
-      checkScene(common, isOneOfMany, answers);
+      if (isLessonFile(scene))
+        checkLesson(common, isOneOfMany, answers);
+      else
+        checkScene(common, isOneOfMany, answers);
     } catch (const InputError& error) {
       if (!isOneOfMany) throw;
       std::fputs(("asperity: " + printable(error.what()) + "\n").c_str(), stderr);

@@ -1,4 +1,4 @@
-// asperity [SCENE]: opens the window.
+// asperity [SCENE or LESSON]: opens the window.
 #include <QApplication>
 #include <cstdio>
 #include <cstdlib>
@@ -6,8 +6,10 @@
 #include <stdexcept>
 
 #include "app/command_line.h"
+#include "core/lesson/lesson_file.h"
 #include "core/run/runner.h"
 #include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -32,7 +34,7 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
 }  // namespace
 
 int showWindow(const std::optional<Scene>& scene, const CommonOptions& command,
-               const FoundScene* found) {
+               const FoundScene* found, const std::string& lesson) {
   if (!hasDisplay())
     throw std::runtime_error(
         "there is no display for the window; 'asperity render SCENE -o DIR' needs none");
@@ -45,10 +47,14 @@ int showWindow(const std::optional<Scene>& scene, const CommonOptions& command,
   RunnerOptions options;
   options.threads = command.threads;
   return runWindow(application, scene, options,
-                   {command.language, command.timing, found, command.scene});
+                   {command.language, command.timing, found, command.scene, lesson});
 }
 
 int runWindowCommand(const CommonOptions& command) {
+  if (command.assignments.empty() && isLessonFile(command.scene)) {
+    readLessonFile(command.scene, readNamedScene);  // what is wrong is said before the window opens
+    return showWindow(std::nullopt, command, nullptr, command.scene);
+  }
   const bool isDefault = command.scene.empty() && command.assignments.empty();
   return showWindow(isDefault ? std::nullopt : std::optional(sceneOf(command)), command);
 }

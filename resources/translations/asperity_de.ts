@@ -482,6 +482,10 @@
         <source>some simulations failed: &apos;asperity study show&apos; says why</source>
         <translation>einige Simulationen sind gescheitert: &apos;asperity study show&apos; sagt, warum</translation>
     </message>
+    <message>
+        <source>%1 minutes, %2 steps, %3 predictions</source>
+        <translation>%1 Minuten, %2 Schritte, %3 Vorhersagen</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -1860,6 +1864,490 @@
     </message>
 </context>
 <context>
+    <name>asperity::LessonEditor</name>
+    <message>
+        <source>Lesson editor</source>
+        <translation>Lektionen schreiben</translation>
+    </message>
+    <message>
+        <source>language of the texts</source>
+        <translation>Sprache der Texte</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>&amp;Add step from what is shown</source>
+        <translation>Schritt aus dem &amp;Gezeigten hinzufügen</translation>
+    </message>
+    <message>
+        <source>The scene, the tab and the quantity of the chart, as they are now</source>
+        <translation>Szene, Reiter und Größe des Diagramms, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>&amp;Hinauf</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>Hi&amp;nab</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>Notes for teachers</source>
+        <translation>Für Lehrende</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>An empty line begins a paragraph; *word* and **word** emphasize; a line that begins with “- ” is an item</source>
+        <translation>Eine leere Zeile beginnt einen Absatz; *Wort* und **Wort** heben hervor; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
+    </message>
+    <message>
+        <source>Change of keys</source>
+        <translation>Geänderte Schlüssel</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Reiter</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Free controls</source>
+        <translation>Freie Regler</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>a choice</source>
+        <translation>eine Auswahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a point on the chart</source>
+        <translation>ein Punkt im Diagramm</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>choices</source>
+        <translation>Antworten zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Tick the right one; or leave all unticked, give the range of the computed answer for which each is right, and say below what is computed</source>
+        <translation>Haken Sie die richtige an; oder lassen Sie alle ohne Haken, geben Sie für jede an, in welchem Bereich der berechneten Antwort sie richtig ist, und unten, was berechnet wird</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Computed answer</source>
+        <translation>Berechnete Antwort</translation>
+    </message>
+    <message>
+        <source>the value with these keys</source>
+        <translation>der Wert mit diesen Schlüsseln</translation>
+    </message>
+    <message>
+        <source>its ratio to the value of the step</source>
+        <translation>sein Verhältnis zum Wert des Schritts</translation>
+    </message>
+    <message>
+        <source>the place of the largest value</source>
+        <translation>die Stelle des größten Werts</translation>
+    </message>
+    <message>
+        <source>of the column</source>
+        <translation>der Spalte</translation>
+    </message>
+    <message>
+        <source>with the keys</source>
+        <translation>mit den Schlüsseln</translation>
+    </message>
+    <message>
+        <source>Place on the axis</source>
+        <translation>Stelle auf der Achse</translation>
+    </message>
+    <message>
+        <source>empty: the largest value is asked</source>
+        <translation>leer: nach dem größten Wert wird gefragt</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>If right</source>
+        <translation>Wenn richtig</translation>
+    </message>
+    <message>
+        <source>If wrong</source>
+        <translation>Wenn falsch</translation>
+    </message>
+    <message>
+        <source>{answer} and {given} stand for the two answers</source>
+        <translation>{answer} und {given} stehen für die beiden Antworten</translation>
+    </message>
+    <message>
+        <source>The curve is hidden until the answer</source>
+        <translation>Die Kurve ist bis zur Antwort verborgen</translation>
+    </message>
+    <message>
+        <source>Change when revealed</source>
+        <translation>Änderung beim Auflösen</translation>
+    </message>
+    <message>
+        <source>What is revealed</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>&amp;Try this step</source>
+        <translation>Schritt &amp;probieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Save lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Lektionen (*.json)</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>The lesson</source>
+        <translation>Die Lektion</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>(no title)</source>
+        <translation>(ohne Titel)</translation>
+    </message>
+    <message>
+        <source>%1 controls</source>
+        <translation>%1 Regler</translation>
+    </message>
+    <message>
+        <source>free controls: %1</source>
+        <translation>freie Regler: %1</translation>
+    </message>
+    <message>
+        <source>step %1, </source>
+        <translation>Schritt %1, </translation>
+    </message>
+    <message>
+        <source>What is to be seen here?</source>
+        <translation>Was ist hier zu sehen?</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>The lesson was changed and not saved. Close it and lose the changes?</source>
+        <translation>Die Lektion wurde geändert und nicht gespeichert. Schließen und die Änderungen verlieren?</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonList</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>Datei ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Handout…</source>
+        <translation>&amp;Arbeitsblatt…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit a copy…</source>
+        <translation>&amp;Kopie bearbeiten…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>%1 minutes, %2 steps</source>
+        <translation>%1 Minuten, %2 Schritte</translation>
+    </message>
+    <message>
+        <source>For teachers</source>
+        <translation>Für Lehrende</translation>
+    </message>
+    <message>
+        <source>Open lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json);;All files (*)</source>
+        <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Handout</source>
+        <translation>Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>A handout for students has the questions; one for teachers has the answers and the notes, too.</source>
+        <translation>Ein Arbeitsblatt für Lernende hat die Fragen; eines für Lehrende hat auch die Antworten und die Hinweise.</translation>
+    </message>
+    <message>
+        <source>For &amp;students</source>
+        <translation>Für &amp;Lernende</translation>
+    </message>
+    <message>
+        <source>For &amp;teachers</source>
+        <translation>Für L&amp;ehrende</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save handout</source>
+        <translation>Arbeitsblatt speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;Web page (*.html)</source>
+        <translation>PDF (*.pdf);;Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>The program draws the pictures and computes the answers…</source>
+        <translation>Das Programm zeichnet die Bilder und berechnet die Antworten…</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonPane</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Zeig es mir</translation>
+    </message>
+    <message>
+        <source>Shows the answer without a guess</source>
+        <translation>Zeigt die Antwort, ohne dass du rätst</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>The program finds %1.</source>
+        <translation>Das Programm findet %1.</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>Not quite</source>
+        <translation>Nicht ganz</translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation>deine Antwort</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>A number is needed, such as 0.5.</source>
+        <translation>Hier muss eine Zahl stehen, etwa 0,5.</translation>
+    </message>
+    <message>
+        <source>A number is needed, in %1.</source>
+        <translation>Hier muss eine Zahl stehen, in %1.</translation>
+    </message>
+    <message>
+        <source>The program computes the answer…</source>
+        <translation>Das Programm berechnet die Antwort…</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::Lessons</name>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Results…</source>
+        <translation>Ergebnisse…</translation>
+    </message>
+    <message>
+        <source>Keeps your answers in a file of your choice</source>
+        <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
+    </message>
+    <message>
+        <source>keep results</source>
+        <translation>Ergebnisse aufbewahren</translation>
+    </message>
+    <message>
+        <source>Ends the lesson; your own scene comes back</source>
+        <translation>Beendet die Lektion; deine eigene Szene kommt zurück</translation>
+    </message>
+    <message>
+        <source>end the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Lessons…</source>
+        <translation>Lektionen…</translation>
+    </message>
+    <message>
+        <source>Lesson: back</source>
+        <translation>Lektion: zurück</translation>
+    </message>
+    <message>
+        <source>Lesson: next</source>
+        <translation>Lektion: weiter</translation>
+    </message>
+    <message>
+        <source>End the lesson</source>
+        <translation>Lektion beenden</translation>
+    </message>
+    <message>
+        <source>Lesson editor…</source>
+        <translation>Lektion schreiben…</translation>
+    </message>
+    <message>
+        <source>You were right in %1 of %2 predictions.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht.</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>“%1” is locked in this step.</source>
+        <translation>„%1“ ist in diesem Schritt gesperrt.</translation>
+    </message>
+    <message>
+        <source>First make your guess; then you can try it.</source>
+        <translation>Erst rate; dann kannst du es probieren.</translation>
+    </message>
+    <message>
+        <source>%1 results.json</source>
+        <translation>%1 Ergebnisse.json</translation>
+    </message>
+    <message>
+        <source>File of your results</source>
+        <translation>Datei deiner Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Results (*.json)</source>
+        <translation>Ergebnisse (*.json)</translation>
+    </message>
+    <message>
+        <source>Your answers are kept in %1.</source>
+        <translation>Deine Antworten werden in %1 aufbewahrt.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::MainWindow</name>
     <message>
         <source>Parameters</source>
@@ -2392,6 +2880,29 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PredictionPoint</name>
+    <message>
+        <source>Drag up and down, or use the arrow keys (with Shift finer)</source>
+        <translation>Ziehe hinauf und hinunter, oder nimm die Pfeiltasten (mit Umschalt feiner)</translation>
+    </message>
+    <message>
+        <source>Drag, or use the arrow keys (with Shift finer)</source>
+        <translation>Ziehe, oder nimm die Pfeiltasten (mit Umschalt feiner)</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>your answer</source>
+        <translation>deine Antwort</translation>
+    </message>
+    <message>
+        <source>drag me</source>
+        <translation>zieh mich</translation>
     </message>
 </context>
 <context>
@@ -3609,6 +4120,46 @@
     <message>
         <source>no Sobol indices: they need sampling saltelli</source>
         <translation>keine Sobol-Indizes: sie verlangen sampling saltelli</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>%1 minutes</source>
+        <translation>%1 Minuten</translation>
+    </message>
+    <message>
+        <source>Notes for the teacher</source>
+        <translation>Hinweise für Lehrende</translation>
+    </message>
+    <message>
+        <source>the contact of the rough line and the rubber</source>
+        <translation>der Kontakt der rauen Linie mit dem Gummi</translation>
+    </message>
+    <message>
+        <source>an empty chart of friction, to draw into</source>
+        <translation>ein leeres Diagramm der Reibung, zum Hineinzeichnen</translation>
+    </message>
+    <message>
+        <source>the friction curve</source>
+        <translation>die Reibungskurve</translation>
+    </message>
+    <message>
+        <source>My answer</source>
+        <translation>Meine Antwort</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>%1 minutes, %2 steps, %3 predictions</source>
+        <translation>%1 Minuten, %2 Schritte, %3 Vorhersagen</translation>
     </message>
 </context>
 </TS>

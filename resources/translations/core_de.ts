@@ -5222,6 +5222,222 @@
         <source>is of another study than %1: %2</source>
         <translation>ist von einer anderen Studie als %1: %2</translation>
     </message>
+    <message>
+        <source>needs a text, or a list of paragraphs</source>
+        <translation>braucht einen Text oder eine Liste von Absätzen</translation>
+    </message>
+    <message>
+        <source>is missing; it needs a text</source>
+        <translation>fehlt; es braucht einen Text</translation>
+    </message>
+    <message>
+        <source>needs a value; allowed is %1</source>
+        <translation>braucht einen Wert; erlaubt ist %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is unknown; known are %2</source>
+        <translation>„%1“ ist unbekannt; bekannt sind %2</translation>
+    </message>
+    <message>
+        <source>needs the name of a column</source>
+        <translation>braucht den Namen einer Spalte</translation>
+    </message>
+    <message>
+        <source>needs one of quantity, peak, exponent</source>
+        <translation>braucht quantity, peak oder exponent</translation>
+    </message>
+    <message>
+        <source>is missing; an exponent needs key, from and to</source>
+        <translation>fehlt; ein Exponent braucht key, from und to</translation>
+    </message>
+    <message>
+        <source>has no meaning here; it belongs to an exponent</source>
+        <translation>hat hier keine Bedeutung; es gehört zu einem Exponenten</translation>
+    </message>
+    <message>
+        <source>needs two different values above 0 in from and to</source>
+        <translation>braucht in from und to zwei verschiedene Werte über 0</translation>
+    </message>
+    <message>
+        <source>stands only in the outer value</source>
+        <translation>steht nur im äußeren Wert</translation>
+    </message>
+    <message>
+        <source>speaks of a value %1 that the step does not have; known are %2</source>
+        <translation>spricht von einem Wert %1, den der Schritt nicht hat; bekannt sind %2</translation>
+    </message>
+    <message>
+        <source>needs two values above 0, of which to is the larger one</source>
+        <translation>braucht zwei Werte über 0, von denen to der größere ist</translation>
+    </message>
+    <message>
+        <source>needs a list of at most %1 objects of keys</source>
+        <translation>braucht eine Liste von höchstens %1 Objekten mit Schlüsseln</translation>
+    </message>
+    <message>
+        <source>has another axis than the curve beside which it stands</source>
+        <translation>hat eine andere Achse als die Kurve, neben der es steht</translation>
+    </message>
+    <message>
+        <source>needs a list of keys</source>
+        <translation>braucht eine Liste von Schlüsseln</translation>
+    </message>
+    <message>
+        <source>needs an object of at most %1 values</source>
+        <translation>braucht ein Objekt mit höchstens %1 Werten</translation>
+    </message>
+    <message>
+        <source>needs a name of small letters, digits and _, which is not answer or given</source>
+        <translation>braucht einen Namen aus kleinen Buchstaben, Ziffern und _, der nicht answer oder given ist</translation>
+    </message>
+    <message>
+        <source>has no meaning here; it belongs to %1</source>
+        <translation>hat hier keine Bedeutung; es gehört zu %1</translation>
+    </message>
+    <message>
+        <source>a choice</source>
+        <translation>einer Auswahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>einer Zahl</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>einem Punkt</translation>
+    </message>
+    <message>
+        <source>a number or a choice</source>
+        <translation>einer Zahl oder einer Auswahl</translation>
+    </message>
+    <message>
+        <source>a number or a point</source>
+        <translation>einer Zahl oder einem Punkt</translation>
+    </message>
+    <message>
+        <source>a point without x</source>
+        <translation>einem Punkt ohne x</translation>
+    </message>
+    <message>
+        <source>is missing; a number is computed</source>
+        <translation>fehlt; eine Zahl wird berechnet</translation>
+    </message>
+    <message>
+        <source>above 0 to %1</source>
+        <translation>über 0 bis %1</translation>
+    </message>
+    <message>
+        <source>needs a list of %1 to %2 choices</source>
+        <translation>braucht eine Liste von %1 bis %2 Antworten</translation>
+    </message>
+    <message>
+        <source>needs true or false</source>
+        <translation>braucht true oder false</translation>
+    </message>
+    <message>
+        <source>has above or below, which need a computed answer</source>
+        <translation>hat above oder below, die eine berechnete Antwort brauchen</translation>
+    </message>
+    <message>
+        <source>follows from the computed answer; give above or below</source>
+        <translation>folgt aus der berechneten Antwort; zu nennen ist above oder below</translation>
+    </message>
+    <message>
+        <source>needs above or below, where the answer is computed</source>
+        <translation>braucht above oder below, da die Antwort berechnet wird</translation>
+    </message>
+    <message>
+        <source>needs above to be less than below</source>
+        <translation>braucht ein above, das kleiner als below ist</translation>
+    </message>
+    <message>
+        <source>overlaps choice %1; one answer would make both right</source>
+        <translation>überlappt Antwort %1; ein Ergebnis würde beide richtig machen</translation>
+    </message>
+    <message>
+        <source>has %1 right choices; it needs one, or a computed answer</source>
+        <translation>hat %1 richtige Antworten; es braucht eine, oder eine berechnete Antwort</translation>
+    </message>
+    <message>
+        <source>needs show.tab curve, on which the point stands</source>
+        <translation>braucht show.tab curve, auf dem der Punkt steht</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2, the axis of the curve</source>
+        <translation>%1 liegt außerhalb von %2, der Achse der Kurve</translation>
+    </message>
+    <message>
+        <source>needs a list of 1 to %1 steps</source>
+        <translation>braucht eine Liste von 1 bis %1 Schritten</translation>
+    </message>
+    <message>
+        <source>is larger than %1 bytes, the most that a lesson may have</source>
+        <translation>ist größer als %1 Bytes, mehr darf eine Lektion nicht haben</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a shipped lesson; those are %1</source>
+        <translation>ist weder eine Datei noch eine mitgelieferte Lektion; diese sind %1</translation>
+    </message>
+    <message>
+        <source>is missing; the first step needs a scene</source>
+        <translation>fehlt; der erste Schritt braucht eine Szene</translation>
+    </message>
+    <message>
+        <source>needs the name of a scene, or a scene</source>
+        <translation>braucht den Namen einer Szene oder eine Szene</translation>
+    </message>
+    <message>
+        <source>has no meaning without a prediction</source>
+        <translation>hat ohne eine Vorhersage keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>a lesson is one JSON object</source>
+        <translation>eine Lektion ist ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a lesson is JSON in UTF-8</source>
+        <translation>eine Lektion ist JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>results of a lesson are JSON in UTF-8</source>
+        <translation>Ergebnisse einer Lektion sind JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>belongs to another lesson, or to another version of it (%1); its answers stay as they are</source>
+        <translation>gehört zu einer anderen Lektion oder zu einer anderen Fassung davon (%1); die Antworten darin bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>has no value in this scene</source>
+        <translation>hat in dieser Szene keinen Wert</translation>
+    </message>
+    <message>
+        <source>is not above 0, so that it has no exponent</source>
+        <translation>ist nicht über 0 und hat darum keinen Exponenten</translation>
+    </message>
+    <message>
+        <source>none of them covers the computed answer, %1</source>
+        <translation>keine davon deckt die berechnete Antwort %1 ab</translation>
+    </message>
+    <message>
+        <source>is 0, so that it has no ratio</source>
+        <translation>ist 0 und hat darum kein Verhältnis</translation>
+    </message>
+    <message>
+        <source>needs a number or null</source>
+        <translation>braucht eine Zahl oder null</translation>
+    </message>
+    <message>
+        <source>needs a lesson; without one the shipped lessons are listed</source>
+        <translation>braucht eine Lektion; ohne eine werden die mitgelieferten aufgezählt</translation>
+    </message>
+    <message>
+        <source>is of a handout; give -o as well</source>
+        <translation>gehört zu einem Arbeitsblatt; es braucht auch -o</translation>
+    </message>
+    <message>
+        <source>sets keys of a scene, and this file is a lesson</source>
+        <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

@@ -90,7 +90,8 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setPen(QPen(look_.background(), 2));
   painter->setBrush(look_.marker());
   const QPointF dot = geometry_.at(marker_->x, marker_->y);
-  if (area.adjusted(-1, -1, 1, 1).contains(dot)) {
+  const bool hasPlace = std::isfinite(dot.x()) && std::isfinite(dot.y());
+  if (hasPlace && area.adjusted(-1, -1, 1, 1).contains(dot)) {
     const double radius = kDot * geometry_.scale;
     painter->drawEllipse(dot, radius, radius);
   }

@@ -290,7 +290,21 @@ DiagramSheet FrictionChartModel::sheet() const {
     }
   diagram.marker = marker();
   sheet.status = status();
+  if (concealed_) hideCurve(sheet);
   return sheet;
+}
+
+void FrictionChartModel::hideCurve(DiagramSheet& sheet) const {
+  sheet.diagrams.resize(1);
+  sheet.note = {};
+  Diagram& diagram = sheet.diagrams.front();
+  std::erase_if(diagram.series,
+                [](const DiagramSeries& series) { return series.id <= kPresentCurve; });
+  diagram.spans.clear();
+  diagram.shades.clear();
+  diagram.blank = {};
+  diagram.y.from = concealed_->from;
+  diagram.y.to = concealed_->to;
 }
 
 double FrictionChartModel::progress() const {
@@ -307,6 +321,10 @@ std::optional<DiagramMarker> FrictionChartModel::marker() const {
       axes_ == CurveAxes::Physical ? marker_ : dimensionlessMarker_;
   if (!marker || markedKey_ != sweptKey_) return std::nullopt;
   marker->isFaded = isMarkFaded_;
+  if (concealed_) {
+    marker->y = std::numeric_limits<double>::quiet_NaN();
+    marker->trace.clear();
+  }
   if (isMarkFaded_)
     marker->name = "before the change";
   else if (!marker->isFixed && curve_ && isOneLine(*curve_))

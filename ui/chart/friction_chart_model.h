@@ -65,6 +65,11 @@ class FrictionChartModel {
   void setLinearY(bool isLinear);
   bool isLinearY() const { return isLinearY_; }
 
+  /// Hides the present curve and all that tells of it, with these ends of the vertical axis, as
+  /// long as somebody is to guess it; none: shows it. Pinned curves stay.
+  void conceal(std::optional<AxisRange> ends) { concealed_ = ends; }
+  bool isConcealed() const { return concealed_.has_value(); }
+
   /// Pins the present curve. Returns its number, or 0 where there is none or it is pinned already.
   int pin();
   /// Pins another curve over the same key.
@@ -116,6 +121,7 @@ class FrictionChartModel {
   CurveSet view() const;
   bool isOnThisAxis(const Scene& scene) const;
   Message status() const;
+  void hideCurve(DiagramSheet& sheet) const;
   void fitRanges(bool newCurve);
   AxisRange neededCoefficients(const AxisRange& data) const;
 
@@ -135,6 +141,7 @@ class FrictionChartModel {
   double markerFactor_ = 1;  // for the frame's line, from m/s to the dimensionless axis
   double fastest_ = 0;       // m/s, of the marked motion
   bool isMarkFaded_ = false;
+  std::optional<AxisRange> concealed_;   // ends of the vertical axis
   AxisRange velocities_, coefficients_;  // decades, or values of a linear axis
 };
 

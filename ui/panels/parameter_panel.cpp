@@ -140,6 +140,26 @@ void ParameterPanel::showLine(const LineSize& line) {
   if (line == line_ || !(scene_ == passedOn_)) return;
   line_ = line;
   showRows(nullptr);
+  applyAccess();
+}
+
+void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access) {
+  access_ = access;
+  showRows(nullptr);
+  showMissing();
+}
+
+void ParameterPanel::applyAccess() {
+  const auto others = access_.find("*");
+  for (ParameterRow* row : std::as_const(rows_)) {
+    const auto found = access_.find(std::string(row->parameter().key));
+    const auto& chosen = found != access_.end() ? found : others;
+    const RowAccess access = chosen != access_.end() ? chosen->second : RowAccess::Free;
+    if (access == RowAccess::Hidden) row->hide();
+    if (access == RowAccess::Locked) row->setEnabled(false);
+  }
+  for (const auto& [label, title] : headings_)
+    label->setVisible(others == access_.end() || others->second != RowAccess::Hidden);
 }
 
 void ParameterPanel::setFileChooser(FileChooser chooser) {
@@ -247,6 +267,7 @@ void ParameterPanel::showMissing() {
   const Missing missing = missingOf(scene_);
   for (ParameterRow* row : std::as_const(rows_))
     row->showNote(row->parameter().key == missing.key ? missing.text : QString());
+  applyAccess();
 }
 
 void ParameterPanel::changeEvent(QEvent* event) {

@@ -8,6 +8,8 @@
 #include <QSet>
 #include <QWidget>
 #include <functional>
+#include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -36,6 +38,9 @@ struct ParameterGroup {
   bool isInFirstRow = true;  // whether the heading is that of a choice that comes first
 };
 
+/// What a user may do with a row.
+enum class RowAccess { Free, Locked, Hidden };
+
 class ParameterPanel : public QWidget {
   Q_OBJECT
 
@@ -60,6 +65,10 @@ class ParameterPanel : public QWidget {
   /// Shows values of the present line where the scene takes them from a file.
   void showLine(const LineSize& line);
 
+  /// Sets what a user may do with rows: by key ("load.normal_force") or for all others ("*"). An
+  /// empty map frees everything.
+  void setRowAccess(const std::map<std::string, RowAccess>& access);
+
   /// Replaces the usual file dialog.
   void setFileChooser(FileChooser chooser);
 
@@ -83,6 +92,7 @@ class ParameterPanel : public QWidget {
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
   void showMissing();
+  void applyAccess();
   void chooseFile(ParameterRow& row);
   void showTexts();
   void applyStyle();
@@ -92,6 +102,7 @@ class ParameterPanel : public QWidget {
   KeptSizes sizes_;
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
+  std::map<std::string, RowAccess> access_;
   QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
   /// Titles of groups: with a line of their own, or in the group's first row.

@@ -35,6 +35,7 @@
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/import/import_commands.h"
+#include "ui/window/lesson/lessons.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
@@ -227,6 +228,9 @@ void MainWindow::buildCommands() {
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
+  lessons_ = new Lessons({*this, *document_, *session_, *panel_, *dock_, *tabs_,
+                          *messages_, *appearance_});
+  lessons_->addTo(*commands_);
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
@@ -444,11 +448,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.size() != 1 || !urls.front().isLocalFile()) return;
   event->acceptProposedAction();
-  imports_->openDropped(urls.front().toLocalFile());
+  const QString file = urls.front().toLocalFile();
+  if (isLessonFile(file.toStdString()))
+    lessons_->open(file);
+  else
+    imports_->openDropped(file);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!documents_->mayClose()) return event->ignore();
+  lessons_->end();
   if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();
   QMainWindow::closeEvent(event);

@@ -29,6 +29,7 @@ class DocumentCommands;
 class Exports;
 class FigurePages;
 class ImportCommands;
+class Lessons;
 class MessageBar;
 class ParameterPanel;
 class ChartView;
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   StatusLine& status() { return *status_; }
   MessageBar& description() { return *description_; }  // of the scene that was opened
   Tour& tour() { return *tour_; }
+  Lessons& lessons() { return *lessons_; }
   Appearance& appearance() { return *appearance_; }
   WindowLayout& windowLayout() { return *windowLayout_; }
 
@@ -126,6 +128,7 @@ class MainWindow : public QMainWindow {
   ComparisonCommands* comparisons_ = nullptr;
   WindowLayout* windowLayout_ = nullptr;
   Tour* tour_ = nullptr;
+  Lessons* lessons_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
   std::optional<std::string> described_;  // last text in the bar of the description

@@ -90,6 +90,8 @@ void MainWindow::buildMenus() {
   QMenu& help = *addMenu([] { return tr("&Help"); });
   add(help, {"tour", "tourStepBack", "tourStepNext"});
   help.addSeparator();
+  add(help, {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor"});
+  help.addSeparator();
   add(help, {"guide", "shortcuts"});
   help.addSeparator();
   add(help, {"about"});

@@ -23,6 +23,7 @@
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/lesson/lessons.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/last_session.h"
@@ -119,6 +120,10 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   if (start.found)
     QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
       shown->documentCommands().showFound(QString::fromStdString(start.file), *start.found);
+    });
+  if (!start.lesson.empty())
+    QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {
+      shown->lessons().open(QString::fromStdString(start.lesson));
     });
   return runUntilClosed(application, std::move(window));
 }

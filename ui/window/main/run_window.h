@@ -39,6 +39,7 @@ struct WindowStart {
   bool timing = false;                // prints to stderr how long the start takes
   const FoundScene* found = nullptr;  // shown as DocumentCommands::showFound() does; null: none
   std::string file{};                 // the file in which it was found, or the scene was read
+  std::string lesson{};               // name or file of a lesson to begin; empty: none
 };
 
 /// Shows the scene, or the first of the library, until the window is closed; returns the exit code.

@@ -1,0 +1,56 @@
+#include "core/lesson/lesson.h"
+
+#include <algorithm>
+
+#include "core/base/input_error.h"
+#include "core/scene/parameters.h"
+#include "core/scene/scene_file.h"
+
+namespace asperity {
+
+ControlState LessonControls::of(std::string_view key) const {
+  if (std::ranges::find(free, key) != free.end()) return ControlState::Free;
+  if (std::ranges::find(locked, key) != locked.end()) return ControlState::Locked;
+  if (std::ranges::find(hidden, key) != hidden.end()) return ControlState::Hidden;
+  return others;
+}
+
+int predictionsOf(const Lesson& lesson) {
+  return static_cast<int>(std::ranges::count_if(
+      lesson.steps, [](const LessonStep& step) { return step.prediction.has_value(); }));
+}
+
+std::string_view keyOf(std::string_view assignment) {
+  return assignment.substr(0, assignment.find('='));
+}
+
+Scene withKeys(const Scene& scene, const std::vector<std::string>& assignments) {
+  if (assignments.empty()) return scene;
+  return readScene(writeScene(scene), "", scene.folder, assignments);
+}
+
+std::vector<std::string_view> lockedChanges(const LessonControls& controls, const Scene& step,
+                                            const Scene& given) {
+  std::vector<std::string_view> keys;
+  for (const Parameter& row : parameters())
+    if (controls.of(row.key) != ControlState::Free && valueOf(row, step) != valueOf(row, given))
+      keys.push_back(row.key);
+  return keys;
+}
+
+Scene withinControls(const LessonControls& controls, const Scene& step, const Scene& given) {
+  Scene scene = step;
+  for (const Parameter& row : parameters()) {
+    if (controls.of(row.key) != ControlState::Free) continue;
+    const ParameterValue value = valueOf(row, given);
+    if (value == valueOf(row, step)) continue;
+    try {
+      setValue(row, scene, value);
+    } catch (const InputError&) {
+      // A value that belongs to a kind which is locked stays as the step has it.
+    }
+  }
+  return scene;
+}
+
+}  // namespace asperity

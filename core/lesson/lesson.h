@@ -1,0 +1,167 @@
+// A lesson: steps of text, scenes, free controls and predictions, with which a person learns at the
+// running program. Expected answers are not written in a lesson: they are computed from its scenes
+// (core/lesson/lesson_answers.h), so that a lesson cannot say what the program does not find. The
+// exception is a choice that no number decides. Plain values; any thread.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+/// A text in English and German. Paragraphs are separated by an empty line; "*word*" is emphasized,
+/// "**word**" strong, and a line that begins with "- " is an item of a list. In texts that are
+/// shown after the answer, "{name}" stands for a value of the step, "{answer}" and "{given}" for
+/// the expected and the given answer.
+struct LessonText {
+  std::string english{}, german{};
+
+  bool empty() const { return english.empty() && german.empty(); }
+  /// Returns the text in a language ("de"); in the other one where it has none.
+  const std::string& in(std::string_view language) const {
+    const std::string& wanted = language == "de" ? german : english;
+    return !wanted.empty() ? wanted : language == "de" ? english : german;
+  }
+
+  bool operator==(const LessonText&) const = default;
+};
+
+/// A number that the program computes in steady sliding from the scene of a step with other keys:
+/// a column of the friction curve at `sliding.velocity` (State); the place on the axis of the curve
+/// at which the column is largest (Peak); or d ln column / d ln key between two values of a key
+/// (Exponent). With `over` it is the ratio of two such numbers.
+struct LessonValue {
+  enum class Kind { State, Peak, Exponent };
+
+  Kind kind = Kind::State;
+  std::string column = "mu";        // of a friction curve
+  std::vector<std::string> set{};   // KEY=VALUE over the step's scene
+  std::string key{};                // of an exponent
+  double from = 0, to = 0;          // of its values, both above 0
+  std::vector<LessonValue> over{};  // none or one
+  bool operator==(const LessonValue&) const = default;
+};
+
+/// A value with the name by which texts speak of it.
+struct NamedLessonValue {
+  std::string name;
+  LessonValue value;
+
+  bool operator==(const NamedLessonValue&) const = default;
+};
+
+/// One of the answers to choose from. With a computed answer it is right where that lies in
+/// [above, below).
+struct LessonChoice {
+  LessonText text;
+  bool isRight = false;  // where nothing is computed
+  double above = -std::numeric_limits<double>::infinity();
+  double below = std::numeric_limits<double>::infinity();
+
+  bool isRange() const {
+    return above > -std::numeric_limits<double>::infinity() ||
+           below < std::numeric_limits<double>::infinity();
+  }
+  bool operator==(const LessonChoice&) const = default;
+};
+
+enum class PredictionKind { Choice, Number, Point };
+
+/// What the student says before it is seen.
+struct LessonPrediction {
+  PredictionKind kind = PredictionKind::Choice;
+  LessonText question{};
+  std::vector<LessonChoice> choices{};  // of a choice
+  std::optional<LessonValue> answer{};  // of a number, and of a choice that a number decides
+  /// Relative, above 0: right is what differs by at most this part of the answer; of a point, a
+  /// value up to (1 + tolerance) times as large or small.
+  double tolerance = 0.1;
+  /// Of a point, which is placed on the friction chart of the step's scene: its place on the axis,
+  /// where only its height is asked; none: the largest value of the curve is asked, at its place.
+  std::optional<double> x{};
+  double placeTolerance = 1;  // of the place of a largest value, as `tolerance`
+  LessonText right{}, wrong{};
+
+  bool operator==(const LessonPrediction&) const = default;
+};
+
+enum class ControlState { Free, Locked, Hidden };
+
+/// Which controls a step leaves to the student, by the keys of the table of parameters.
+struct LessonControls {
+  std::vector<std::string> free{}, locked{}, hidden{};
+  ControlState others = ControlState::Hidden;
+
+  ControlState of(std::string_view key) const;
+  bool operator==(const LessonControls&) const = default;
+};
+
+/// What the window shows in a step.
+struct LessonView {
+  std::string tab = "curve";    // a word of lessonTabs()
+  std::string quantity = "mu";  // of the vertical axis of the friction curve
+  bool hidesCurve = false;      // until the prediction is made
+  /// Ends of the vertical axis while the curve is hidden, which must not give the answer away.
+  double hiddenFrom = 1e-4, hiddenTo = 10;
+  /// Curves to compare with: each is the step's scene with other keys, KEY=VALUE.
+  std::vector<std::vector<std::string>> beside{};
+
+  bool operator==(const LessonView&) const = default;
+};
+
+/// The tabs that a step may bring to the front.
+inline constexpr std::string_view kLessonTabs[] = {"curve",    "motion",   "spectrum", "statistics",
+                                                   "material", "accuracy", "plan",     "map"};
+
+struct LessonStep {
+  LessonText title{}, text{};
+  /// Where the step begins anew: the name of a shipped scene or a file, or the scene itself as
+  /// JSON. Both empty: it goes on from the scene of the step before.
+  std::string sceneName{}, sceneJson{};
+  std::vector<std::string> set{};    // KEY=VALUE over it
+  std::vector<std::string> after{};  // KEY=VALUE, done when the answer is revealed
+  LessonView show{};
+  LessonControls controls{};
+  std::optional<LessonPrediction> prediction{};
+  LessonText reveal{};                     // shown when the answer is revealed
+  std::vector<NamedLessonValue> values{};  // for texts that are shown then
+
+  // Made by reading: the scene of the step, and the one after its reveal.
+  Scene scene{}, revealedScene{};
+
+  bool operator==(const LessonStep&) const = default;
+};
+
+struct Lesson {
+  std::string name{};                   // of its file, without folder and extension; not part of it
+  LessonText title{}, goal{}, notes{};  // goal: what is learnt; notes: for the teacher
+  int minutes = 15;
+  std::vector<LessonStep> steps{};
+  std::string digest{};  // SHA-256 of the canonical text, by which results know the lesson
+
+  bool operator==(const Lesson&) const = default;
+};
+
+/// Returns how many steps ask for a prediction.
+int predictionsOf(const Lesson& lesson);
+
+/// Returns the name of the key of an assignment KEY=VALUE.
+std::string_view keyOf(std::string_view assignment);
+
+/// Returns the scene with these keys, KEY=VALUE. Throws InputError with the key.
+Scene withKeys(const Scene& scene, const std::vector<std::string>& assignments);
+
+/// Returns the keys that are not free and have another value than in the step's scene.
+std::vector<std::string_view> lockedChanges(const LessonControls& controls, const Scene& step,
+                                            const Scene& given);
+
+/// Returns the given scene with the values of the step in all keys that are not free.
+Scene withinControls(const LessonControls& controls, const Scene& step, const Scene& given);
+
+}  // namespace asperity

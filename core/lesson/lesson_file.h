@@ -1,0 +1,56 @@
+// Lessons as files (JSON, "schema": "asperity-lesson/1"). Reading checks everything that can be
+// checked without a simulation: every scene of every step, every key, every choice.
+// Pure but for reading the scenes that a lesson names. Failure: InputError with file, place
+// ("steps[2].prediction.answer"), what is wrong and what is allowed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/lesson/lesson.h"
+
+namespace asperity {
+
+/// Finds a scene that a lesson names: a file in the lesson's folder, or a shipped one.
+using LessonSceneReader =
+    std::function<Scene(const std::string& name, const std::filesystem::path& folder,
+                        const std::vector<std::string>& assignments)>;
+
+inline constexpr std::string_view kLessonSchema = "asperity-lesson/1";
+inline constexpr std::size_t kLargestLesson = std::size_t{4} << 20;  // bytes
+inline constexpr std::size_t kMostLessonSteps = 200;
+
+/// Describes for users what a file may contain.
+extern const char* const kLessonFormat;
+
+/// readNamed: null means files relative to the folder of the lesson.
+Lesson readLessonFile(const std::filesystem::path& file, const LessonSceneReader& readNamed = {});
+
+/// Reads the same from a text; `file` is named in errors.
+Lesson readLesson(std::string_view json, const std::string& file,
+                  const std::filesystem::path& folder = {},
+                  const LessonSceneReader& readNamed = {});
+
+/// Returns the canonical text, which reads back to the same lesson.
+std::string writeLesson(const Lesson& lesson);
+
+/// Whether a text is, or is meant to be, a lesson: its outermost object says so, or has steps.
+bool isLesson(std::string_view json);
+
+/// Whether that holds for a regular file; false where it cannot be read.
+bool isLessonFile(const std::filesystem::path& file);
+
+/// The shipped lessons: the files of resources/lessons as they are.
+struct ShippedLesson {
+  std::string_view name, json;
+};
+std::span<const ShippedLesson> shippedLessons();  // in the order of a course
+
+/// Returns the lesson of a file or, where there is none, the shipped one of this name, with or
+/// without ".json". Throws InputError, which names the shipped ones where there is neither.
+Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed = {});
+
+}  // namespace asperity

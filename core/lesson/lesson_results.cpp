@@ -1,0 +1,150 @@
+#include "core/lesson/lesson_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/regular_file.h"
+#include "core/study/study_members.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kSchema = "asperity-lesson-results/1";
+constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
+constexpr int kDeepest = 6;
+
+constexpr StudyChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
+                                                  {"number", PredictionKind::Number},
+                                                  {"point", PredictionKind::Point}}};
+
+Json numberJson(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json answerJson(PredictionKind kind, int choice, double number, double place) {
+  if (kind == PredictionKind::Choice) return choice < 0 ? Json(nullptr) : Json(choice + 1);
+  if (kind == PredictionKind::Number) return numberJson(number);
+  if (!std::isfinite(number)) return nullptr;
+  return {{"x", numberJson(place)}, {"y", numberJson(number)}};
+}
+
+double numberOrNone(const Json& json, const std::string& place) {
+  if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (!json.is_number()) refuseStudy(place, "needs a number or null");
+  return json.get<double>();
+}
+
+void readAnswer(const Json& json, const std::string& place, PredictionKind kind, int& choice,
+                double& number, double& x) {
+  if (json.is_null()) return;
+  if (kind == PredictionKind::Choice) {
+    const Json one = {{"choice", json}};
+    choice = static_cast<int>(wholeIn(one, "choice", 1, 9, place)) - 1;
+  } else if (kind == PredictionKind::Number) {
+    number = numberOrNone(json, place);
+  } else {
+    checkMembers(json, place, {"x", "y"});
+    x = json.contains("x") ? numberOrNone(json["x"], place + ".x") : x;
+    number = json.contains("y") ? numberOrNone(json["y"], place + ".y") : number;
+  }
+}
+
+LessonResult resultFrom(const Json& json, const std::string& place) {
+  checkMembers(json, place, {"step", "kind", "given", "expected", "unit", "right"});
+  for (const char* member : {"step", "kind", "given", "expected", "right"})
+    if (!json.contains(member)) refuseStudy(place + "." + member, "is missing");
+  LessonResult result;
+  result.step =
+      static_cast<int>(wholeIn(json, "step", 1, static_cast<std::int64_t>(1) << 20, place)) - 1;
+  result.kind = chosen(kKinds, textIn(json, "kind", "", place), place + ".kind");
+  GivenAnswer& given = result.given;
+  LessonAnswer& expected = result.expected;
+  readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number, given.place);
+  readAnswer(json["expected"], place + ".expected", result.kind, expected.choice,
+             expected.number.value, expected.place.value);
+  expected.number.unit = textIn(json, "unit", "", place);
+  if (!json["right"].is_boolean()) refuseStudy(place + ".right", "needs true or false");
+  result.isRight = json["right"].get<bool>();
+  return result;
+}
+
+}  // namespace
+
+void LessonResults::set(const LessonResult& result) {
+  std::erase_if(results, [&](const LessonResult& one) { return one.step == result.step; });
+  results.insert(std::ranges::upper_bound(results, result.step, {}, &LessonResult::step), result);
+}
+
+const LessonResult* LessonResults::of(int step) const {
+  const auto found = std::ranges::find(results, step, &LessonResult::step);
+  return found == results.end() ? nullptr : &*found;
+}
+
+int LessonResults::right() const {
+  return static_cast<int>(std::ranges::count_if(results, &LessonResult::isRight));
+}
+
+LessonResults emptyResults(const Lesson& lesson) {
+  return {lesson.name, lesson.title.english, lesson.digest, {}};
+}
+
+std::string resultsJson(const LessonResults& results) {
+  Json json = {{"schema", kSchema},        {"lesson", results.lesson}, {"title", results.title},
+               {"sha256", results.digest}, {"right", results.right()}, {"steps", Json::array()}};
+  for (const LessonResult& one : results.results) {
+    Json step = {
+        {"step", one.step + 1},
+        {"kind", wordOf(kKinds, one.kind)},
+        {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.place)},
+        {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
+                                one.expected.place.value)}};
+    if (!one.expected.number.unit.empty()) step["unit"] = one.expected.number.unit;
+    step["right"] = one.isRight;
+    json["steps"].push_back(std::move(step));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+LessonResults resultsFrom(std::string_view text, const std::string& file) {
+  try {
+    const Json json = parseJson(text, kDeepest, "results of a lesson are JSON in UTF-8");
+    checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
+    if (textIn(json, "schema") != kSchema) refuseStudy("schema", message("is not {}", kSchema));
+    LessonResults results{
+        textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"), {}};
+    const auto steps = json.find("steps");
+    if (steps == json.end() || !steps->is_array()) refuseStudy("steps", "needs a list");
+    for (std::size_t i = 0; i < steps->size(); ++i)
+      results.set(resultFrom((*steps)[i], fmt::format("steps[{}]", i)));
+    return results;
+  } catch (const InputError& error) {
+    throw error.in(file);
+  }
+}
+
+LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return emptyResults(lesson);
+  LessonResults results = resultsFrom(readRegularFile(file, kLargestResults), file.string());
+  if (results.digest != lesson.digest)
+    throw InputError(file.string(), "sha256",
+                     message("belongs to another lesson, or to another version of it ({}); its "
+                             "answers stay as they are",
+                             results.title));
+  return results;
+}
+
+void writeResults(const std::filesystem::path& file, const LessonResults& results,
+                  const Lesson& lesson) {
+  readResults(file, lesson);
+  writeFileAtomically(file, resultsJson(results));
+}
+
+}  // namespace asperity

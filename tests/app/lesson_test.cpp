@@ -1,0 +1,80 @@
+// asperity lesson and the check of lessons, as typed in a shell.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program_test.h"
+#include "tests/core/lesson/lesson_samples.h"
+
+namespace asperity {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class LessonProgramTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    program.folder.write("lesson.json", sampleLesson().dump());
+  }
+  std::string read(const char* name) { return TemporaryFolder::read(program.folder / name); }
+};
+
+TEST_F(LessonProgramTest, ListsTheShippedLessons) {
+  const Said said = program.run("lesson");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("rubber_is_not_coulomb"));
+  const auto json = nlohmann::json::parse(program.run("lesson --json --quiet").out);
+  EXPECT_EQ(json.size(), 6U);
+}
+
+TEST_F(LessonProgramTest, SaysWhatIsAskedAndWhatIsRight) {
+  const Said said = program.run("lesson lesson.json --json");
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto json = nlohmann::json::parse(said.out);
+  EXPECT_EQ(json["schema"], "asperity-lesson-summary/1");
+  EXPECT_EQ(json["steps"][0]["answer"]["choice"], 2);
+  EXPECT_NEAR(json["steps"][0]["answer"]["computed"]["value"].get<double>(), 2, 0.1);
+  EXPECT_EQ(json["steps"][1]["answer"]["unit"], "m");
+  EXPECT_EQ(program.run("lesson lesson.json --json --threads 1").out, said.out);
+}
+
+TEST_F(LessonProgramTest, WritesHandouts) {
+  Said said = program.run("lesson lesson.json -o page.html -o page.pdf");
+  ASSERT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("wrote page.pdf"));
+  EXPECT_THAT(read("page.pdf"), StartsWith("%PDF"));
+  EXPECT_THAT(read("page.html"), Not(HasSubstr("Answer:")));
+  const std::string first = read("page.pdf");
+  said = program.run("lesson lesson.json -o page.html -o page.pdf --threads 1");
+  EXPECT_EQ(read("page.pdf"), first);
+  said = program.run("lesson lesson.json -o page.html --teacher --language de");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(read("page.html"), HasSubstr("Antwort:"));
+  EXPECT_THAT(read("page.html"), HasSubstr("lang=\"de\""));
+}
+
+TEST_F(LessonProgramTest, IsChecked) {
+  const Said said = program.run("check lesson.json s.json");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("2 steps, 2 predictions"));
+  auto json = sampleLesson();
+  json["steps"][1]["set"]["load.normal_forc"] = 1;
+  program.folder.write("lesson.json", json.dump());
+  expectRefused("check lesson.json", 2, "lesson.json: steps[1].set.load.normal_forc: ");
+}
+
+TEST_F(LessonProgramTest, RefusesWhatCannotBe) {
+  expectRefused("lesson none", 2, "rubber_is_not_coulomb");
+  expectRefused("lesson lesson.json -o page.txt", 2, ".html");
+  expectRefused("lesson lesson.json -o none/page.html", 2, "none");
+  expectRefused("lesson lesson.json --teacher", 2, "--teacher");
+  expectRefused("lesson --teacher", 2, "--teacher");
+  expectRefused("lesson s.json", 2, "asperity-lesson/1");
+  expectRefused("check lesson.json --set load.normal_force=1", 2, "--set");
+}
+
+}  // namespace
+}  // namespace asperity

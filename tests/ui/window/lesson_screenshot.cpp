@@ -1,0 +1,105 @@
+// Walks through a lesson on a real display and saves a picture of the screen of every step, before
+// and after its answer. Usage: lesson_screenshot FOLDER --lesson NAME [--dark] [--size WxH]
+// [--language CODE] [--only STEP] [--list] [--editor STEP]
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPixmap>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScreen>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cstdio>
+
+#include "ui/chart/chart_view.h"
+#include "ui/language/language.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lesson_list.h"
+#include "ui/window/lesson/lessons.h"
+#include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/run_window.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/session.h"
+
+namespace {
+
+using namespace asperity;
+
+bool save(MainWindow& window, const QString& file) {
+  if (!QTest::qWaitFor([&] { return window.session().friction().progress() >= 1; }, 20000))
+    std::fputs("the curve does not come\n", stderr);
+  QTest::qWait(700);
+  return window.screen()->grabWindow(0).toImage().save(file, nullptr, 80);
+}
+
+/// Answers as a student would: the first choice, a number, a point somewhere.
+void answer(MainWindow& window) {
+  if (auto* choice = window.findChild<QRadioButton*>("lessonChoice:0")) choice->click();
+  if (auto* number = window.findChild<QLineEdit*>("lessonNumber")) QTest::keyClicks(number, "2");
+  PredictionPoint& point = window.lessons().point();
+  if (point.isVisible()) QTest::mouseClick(&point, Qt::LeftButton, {}, point.rect().center());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  const QTemporaryDir settings;  // never the user's own
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QCommandLineParser parser;
+  parser.addPositionalArgument("FOLDER", "where the pictures go");
+  parser.addOptions({{"lesson", "name or file", "NAME"},
+                     {"dark", "dark colours"},
+                     {"size", "of the window, WxH", "WxH"},
+                     {"language", "of all texts", "CODE"},
+                     {"only", "one step, from 1", "STEP"},
+                     {"list", "the page of all lessons"},
+                     {"editor", "the editor at a step, from 1", "STEP"}});
+  parser.process(application);
+  const QString folder = parser.positionalArguments().value(0);
+  prepareApplication(application);
+  useLanguage(parser.value("language").toStdString());
+  MainWindow window(libraryScenes().front().scene);
+  window.appearance().setDark(parser.isSet("dark"));
+  const QStringList sides = parser.value("size").split('x');
+  if (sides.size() == 2) window.resize(sides[0].toInt(), sides[1].toInt());
+  window.show();
+  if (!QTest::qWaitForWindowExposed(&window)) return std::fputs("never exposed\n", stderr), 1;
+  if (parser.isSet("list")) {
+    window.lessons().showList();
+    return save(window, folder + "/list.png") ? 0 : 1;
+  }
+  if (!window.lessons().open(parser.value("lesson"))) return 1;
+  if (parser.isSet("editor")) {
+    LessonEditor& editor = window.lessons().showEditor(*window.lessons().lesson(), {});
+    editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(parser.value("editor").toInt());
+    return save(window, folder + "/editor.png") ? 0 : 1;
+  }
+  const int only = parser.value("only").toInt();
+  const auto steps = static_cast<int>(window.lessons().lesson()->steps.size());
+  for (int step = 0; step < steps; ++step) {
+    const bool isWanted = only == 0 || only == step + 1;
+    const QString name = QStringLiteral("%1/%2").arg(folder).arg(step + 1, 2, 10, QChar('0'));
+    auto* next = window.findChild<QPushButton*>("lessonNext");
+    if (!window.lessons().isRevealed()) {
+      if (isWanted) {
+        save(window, name + "a.png");
+        answer(window);
+        next->click();
+      } else {
+        window.findChild<QPushButton*>("lessonShow")->click();
+      }
+      if (!QTest::qWaitFor([&] { return window.lessons().isRevealed(); }, 30000))
+        return std::fputs("no answer\n", stderr), 1;
+    }
+    if (isWanted && !save(window, name + "b.png")) return 1;
+    if (only == step + 1) break;
+    next->click();
+  }
+  return 0;
+}

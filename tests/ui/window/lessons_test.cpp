@@ -1,0 +1,377 @@
+// Lessons in the window, as a student and a teacher use them: by mouse and by keyboard, from the
+// first step to the last, with the user's own scene back at the end.
+#include "ui/window/lesson/lessons.h"
+
+#include <gmock/gmock.h>
+
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include "tests/core/lesson/lesson_samples.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "tests/ui/window/window_in.h"
+#include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lesson_list.h"
+#include "ui/window/lesson/lesson_pane.h"
+#include "ui/window/lesson/lesson_text.h"
+#include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/scene_tabs.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A third step with a point, at a place or free.
+Lesson sampleWithPoint(bool hasPlace) {
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"tolerance", 0.5}};
+  if (hasPlace) json["steps"][1]["prediction"]["x"] = 0.1;
+  return lessonOf(json);
+}
+
+class LessonsTest : public MainWindowTest {
+ protected:
+  Lessons& lessons() { return window_.lessons(); }
+  QPushButton& button(const char* name) { return control<QPushButton>(name); }
+  void click(const char* name) { QTest::mouseClick(&button(name), Qt::LeftButton); }
+  QString said(const char* name) { return control<QLabel>(name).text(); }
+  bool waitForAnswer() {
+    return waitFor([&] { return lessons().isRevealed(); });
+  }
+  /// Whether the friction curve itself is on the chart.
+  bool showsCurve() {
+    for (const DiagramSeries& series : chart().series)
+      if (series.id == kPresentCurve && !series.points.empty()) return true;
+    return false;
+  }
+};
+
+TEST_F(LessonsTest, AsksRevealsAndFreesWhatTheStepSays) {
+  lessons().start(lessonOf(sampleLesson()));
+  EXPECT_TRUE(control<QDockWidget>("lessonDock").isVisible());
+  EXPECT_EQ(said("lessonProgress"), "1 of 2");
+  EXPECT_EQ(said("lessonStepTitle"), "First");
+  EXPECT_EQ(session().scene().sliding.velocity, 1e-4);
+  EXPECT_FALSE(button("lessonNext").isEnabled());
+  EXPECT_FALSE(control<QWidget>("row:sliding.velocity").isEnabled());
+  EXPECT_TRUE(control<QWidget>("row:load.normal_force").isVisibleTo(&window_));
+  EXPECT_TRUE(control<QWidget>("row:surface.hurst").isHidden());
+
+  QTest::mouseClick(&control<QLabel>("lessonChoiceText:0"), Qt::LeftButton);
+  EXPECT_TRUE(control<QRadioButton>("lessonChoice:0").isChecked());
+  control<QRadioButton>("lessonChoice:1").setFocus();
+  QTest::keyClick(&control<QRadioButton>("lessonChoice:1"), Qt::Key_Space);
+  EXPECT_TRUE(button("lessonNext").isEnabled());
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_TRUE(said("lessonVerdict").contains("Yes, 1.9") ||
+              said("lessonVerdict").contains("Yes, 2"));
+  EXPECT_TRUE(said("lessonReveal").contains("twice"));
+  EXPECT_FALSE(said("lessonReveal").contains("{"));
+  EXPECT_EQ(session().scene().sliding.velocity, 2e-4);
+  EXPECT_TRUE(control<QWidget>("row:sliding.velocity").isEnabled());
+  EXPECT_EQ(lessons().results().right(), 1);
+}
+
+TEST_F(LessonsTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
+  lessons().start(lessonOf(sampleLesson()));
+  const Scene shown = session().scene();
+  Scene changed = shown;
+  changed.sliding.velocity = 3;
+  window_.document().edit(changed);  // as the marker of the chart does
+  ASSERT_TRUE(waitFor([&] { return session().scene() == shown; }));
+  EXPECT_TRUE(said("lessonNote").contains("guess"));
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_FALSE(lessons().results().of(0)->given.isGiven());
+  press("sliding.velocity");
+  EXPECT_NE(session().scene().sliding.velocity, 2e-4);
+  changed = session().scene();
+  const double velocity = changed.sliding.velocity;
+  changed.load.normalForce = 9;
+  window_.document().edit(changed);
+  ASSERT_TRUE(
+      waitFor([&] { return session().scene().load.normalForce == shown.load.normalForce; }));
+  EXPECT_EQ(session().scene().sliding.velocity, velocity);
+}
+
+TEST_F(LessonsTest, TheUsersOwnSceneComesBackWithItsChanges) {
+  type("load.normal_force", "5 mN");
+  const Scene own = session().scene();
+  ASSERT_TRUE(window_.document().isChanged());
+  lessons().start(lessonOf(sampleLesson()));
+  EXPECT_TRUE(window_.document().isTrial());
+  EXPECT_NE(session().scene(), own);
+  QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
+  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_EQ(session().scene(), own);
+  EXPECT_TRUE(window_.document().isChanged());
+  EXPECT_FALSE(control<QDockWidget>("lessonDock").isVisible());
+  EXPECT_TRUE(control<QWidget>("row:surface.hurst").isEnabled());
+}
+
+TEST_F(LessonsTest, AnotherSceneEndsTheLessonAndUndoBringsTheOwnOneBack) {
+  type("load.normal_force", "5 mN");
+  const Scene own = session().scene();
+  lessons().start(lessonOf(sampleLesson()));
+  action("scene:figure_2").trigger();
+  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_NE(session().scene(), own);
+  action("undo").trigger();
+  EXPECT_EQ(session().scene(), own);
+}
+
+TEST_F(LessonsTest, ANumberIsTypedWithOrWithoutItsUnit) {
+  lessons().start(lessonOf(sampleLesson()), 1);
+  auto& number = control<QLineEdit>("lessonNumber");
+  EXPECT_FALSE(showsCurve());
+  QTest::keyClicks(&number, "much");
+  click("lessonNext");
+  EXPECT_FALSE(lessons().isRevealed());
+  EXPECT_TRUE(said("lessonNote").contains("number"));
+  number.selectAll();
+  QTest::keyClicks(&number, "0.3 um");
+  QTest::keyClick(&number, Qt::Key_Return);
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_DOUBLE_EQ(lessons().results().of(1)->given.number, 3e-7);
+  ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
+}
+
+TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
+  for (const bool hasPlace : {true, false}) {
+    lessons().start(sampleWithPoint(hasPlace), 1);
+    PredictionPoint& point = lessons().point();
+    ASSERT_TRUE(waitFor([&] {
+      return point.isVisible() && session().friction().progress() >= 1 && chart().y.from == 1e-6 &&
+             chart().y.to == 1;
+    }));
+    EXPECT_FALSE(showsCurve());
+    EXPECT_FALSE(button("lessonNext").isEnabled());
+    const QPoint place = window_.plotView().positionOf(0.1, 1e-3).toPoint();
+    QTest::mousePress(&point, Qt::LeftButton, {}, place + QPoint(20, 30));
+    QTest::mouseMove(&point, place + QPoint(10, 5));
+    QTest::mouseRelease(&point, Qt::LeftButton, {}, place);
+    ASSERT_TRUE(point.point());
+    QTest::mouseClick(&point, Qt::LeftButton, {}, place);
+    EXPECT_NEAR(std::log10(point.point()->y()), -3, 0.1);
+    EXPECT_NEAR(std::log10(point.point()->x()), -1, hasPlace ? 1e-12 : 0.1);
+    const double before = point.point()->y();
+    QTest::keyClick(&point, Qt::Key_Up);
+    EXPECT_GT(point.point()->y(), before);
+    QTest::keyClick(&point, Qt::Key_Down);
+    QTest::keyClick(&point, Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_EQ(point.point()->x() > 0.1 * 1.0001, !hasPlace);
+    EXPECT_TRUE(point.accessibleName().contains("Where?"));
+    const double placed = point.point()->y();
+    click("lessonNext");
+    ASSERT_TRUE(waitForAnswer());
+    EXPECT_EQ(lessons().results().of(1)->given.number, placed);
+    ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
+    lessons().end();
+    EXPECT_FALSE(point.isVisible());
+  }
+}
+
+TEST_F(LessonsTest, ResultsAreKeptInAFileOfTheStudentsChoice) {
+  TemporaryFolder folder;
+  const Lesson lesson = lessonOf(sampleLesson());
+  const std::filesystem::path file = folder / "mine.json";
+  lessons().start(lesson);
+  ASSERT_TRUE(lessons().keepResults(QString::fromStdString(file.string())));
+  control<QRadioButton>("lessonChoice:0").click();
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_EQ(readResults(file, lesson).results.size(), 1U);
+  EXPECT_EQ(readResults(file, lesson).right(), 0);
+  // Another day: what was answered is seen again.
+  lessons().start(lesson);
+  EXPECT_FALSE(lessons().isRevealed());
+  ASSERT_TRUE(lessons().keepResults(QString::fromStdString(file.string())));
+  EXPECT_TRUE(lessons().isRevealed());
+  // A file of somebody else's stays as it is.
+  folder.write("thesis.txt", "my thesis");
+  EXPECT_FALSE(lessons().keepResults(QString::fromStdString((folder / "thesis.txt").string())));
+  EXPECT_TRUE(window_.messages().isVisible());
+  EXPECT_EQ(TemporaryFolder::read(folder / "thesis.txt"), "my thesis");
+}
+
+TEST_F(LessonsTest, EveryShippedLessonIsWalkedThrough) {
+  for (const ShippedLesson& shipped : shippedLessons()) {
+    SCOPED_TRACE(std::string(shipped.name));
+    ASSERT_TRUE(lessons().open(
+        QString::fromUtf8(shipped.name.data(), static_cast<qsizetype>(shipped.name.size()))));
+    const auto steps = static_cast<int>(lessons().lesson()->steps.size());
+    for (int step = 0; step < steps; ++step) {
+      EXPECT_EQ(lessons().step(), step);
+      ASSERT_TRUE(waitForFrame());
+      EXPECT_EQ(troubleOf(*frame()), QString()) << step;
+      if (!lessons().isRevealed()) {
+        click("lessonShow");
+        ASSERT_TRUE(waitForAnswer()) << step;
+      }
+      for (const char* text : {"lessonText", "lessonReveal", "lessonVerdict"})
+        EXPECT_FALSE(said(text).contains('{')) << said(text).toStdString();
+      EXPECT_FALSE(window_.messages().isVisible()) << window_.messages().text().toStdString();
+      click("lessonNext");
+    }
+    EXPECT_FALSE(lessons().isRunning());
+  }
+}
+
+TEST_F(LessonsTest, GoesForwardAndBackByKeys) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  lessons().start(lessonOf(sampleLesson()));
+  QTest::keyClick(&window_, Qt::Key_Right, Qt::AltModifier);
+  EXPECT_EQ(lessons().step(), 0);  // first the guess
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  QTest::keyClick(&window_, Qt::Key_Right, Qt::AltModifier);
+  EXPECT_EQ(lessons().step(), 1);
+  QTest::keyClick(&window_, Qt::Key_Left, Qt::AltModifier);
+  EXPECT_EQ(lessons().step(), 0);
+  EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
+}
+
+TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
+  action("lessons").trigger();
+  auto& list = control<LessonList>("lessonList");
+  auto& names = *list.findChild<QListWidget*>("lessonNames");
+  EXPECT_EQ(names.count(), static_cast<int>(shippedLessons().size()));
+  names.setCurrentRow(1);
+  EXPECT_EQ(list.chosen(), "load_and_friction");
+  EXPECT_TRUE(list.findChild<QLabel*>("lessonAbout")->text().contains("15 minutes"));
+  QTest::keyClick(&names, Qt::Key_Return);
+  ASSERT_TRUE(lessons().isRunning());
+  EXPECT_EQ(lessons().lesson()->name, "load_and_friction");
+}
+
+TEST_F(LessonsTest, AWrongFileIsOneMessage) {
+  TemporaryFolder folder;
+  folder.write("wrong.json", "{\"schema\": \"asperity-lesson/1\"}");
+  EXPECT_FALSE(lessons().open(QString::fromStdString((folder / "wrong.json").string())));
+  EXPECT_TRUE(window_.messages().text().contains("title"));
+  EXPECT_FALSE(lessons().isRunning());
+}
+
+TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
+  TemporaryFolder folder;
+  type("load.normal_force", "5 mN");
+  LessonEditor& editor = lessons().showEditor({}, {});
+  EXPECT_FALSE(editor.complaint().isEmpty());  // there is no step yet
+  EXPECT_FALSE(editor.findChild<QPushButton*>("editorSave")->isEnabled());
+  auto& title = *editor.findChild<QLineEdit*>("editorTitle");
+  QTest::keyClicks(&title, "Mine");
+  editor.addShownStep();
+  auto& text = *editor.findChild<QPlainTextEdit*>("editorText");
+  text.setPlainText("Look at this.");
+  type("load.normal_force", "7 mN");
+  editor.addShownStep();
+  EXPECT_EQ(editor.complaint(), QString());
+  ASSERT_EQ(editor.lesson().steps.size(), 2U);
+  EXPECT_EQ(editor.lesson().steps[1].set, std::vector<std::string>{"load.normal_force=0.007"});
+  const std::string file = (folder / "mine.json").string();
+  ASSERT_TRUE(editor.saveTo(QString::fromStdString(file)));
+  const Lesson read = readLessonFile(file);
+  EXPECT_EQ(read.title.english, "Mine");
+  EXPECT_EQ(read.steps[0].text.english, "Look at this.");
+  EXPECT_EQ(read.steps[0].scene.load.normalForce, 0.005);
+  EXPECT_EQ(read.steps[1].scene.load.normalForce, 0.007);
+  EXPECT_TRUE(editor.mayClose());
+}
+
+/// Reordering keeps the scene that each step shows.
+TEST_F(LessonsTest, StepsKeepTheirScenesWhereTheyAreMovedAndRemoved) {
+  const Lesson lesson = lessonOf(sampleLesson());
+  LessonEditor& editor = lessons().showEditor(lesson, {});
+  auto& steps = *editor.findChild<QListWidget*>("editorSteps");
+  steps.setCurrentRow(2);
+  editor.moveStep(-1);
+  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.lesson().steps[0].scene.load.normalForce, 0.02);
+  EXPECT_EQ(editor.lesson().steps[1].scene.load.normalForce,
+            lesson.steps[0].scene.load.normalForce);
+  editor.moveStep(1);
+  steps.setCurrentRow(1);
+  editor.removeStep();
+  ASSERT_EQ(editor.lesson().steps.size(), 1U);
+  EXPECT_EQ(editor.lesson().steps[0].scene.load.normalForce, 0.02);
+  EXPECT_EQ(editor.lesson().steps[0].scene.sliding.velocity, 2e-4);
+}
+
+TEST_F(LessonsTest, TheEditorSaysWhatIsWrongAndWhere) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(2);
+  auto& set = *editor.findChild<QLineEdit*>("editorSet");
+  set.selectAll();
+  QTest::keyClicks(&set, "load.normal_forc=1");
+  EXPECT_TRUE(editor.complaint().contains("step 2"));
+  EXPECT_TRUE(editor.complaint().contains("load.normal_force"));
+  EXPECT_FALSE(editor.findChild<QPushButton*>("editorTry")->isEnabled());
+  set.selectAll();
+  QTest::keyClicks(&set, "load.normal_force=30mN");
+  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.lesson().steps[1].scene.load.normalForce, 0.03);
+  QTest::mouseClick(editor.findChild<QPushButton*>("editorTry"), Qt::LeftButton);
+  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_EQ(session().scene().load.normalForce, 0.03);
+}
+
+/// What the editor does not show (values, hidden ranges, other curves) is kept.
+TEST_F(LessonsTest, TheEditorLosesNothingOfALesson) {
+  for (const ShippedLesson& shipped : shippedLessons()) {
+    const Lesson lesson = readNamedLesson(std::string(shipped.name), readNamedScene);
+    LessonEditor& editor = lessons().showEditor(lesson, {});
+    auto& steps = *editor.findChild<QListWidget*>("editorSteps");
+    for (int row = 0; row < steps.count(); ++row) steps.setCurrentRow(row);
+    EXPECT_EQ(writeLesson(editor.lesson()), writeLesson(lesson)) << shipped.name;
+    EXPECT_TRUE(editor.mayClose());
+  }
+}
+
+TEST(LessonTexts, MarkupBecomesHtmlAndNothingElseDoes) {
+  EXPECT_EQ(richText("A *b* and **c**.\n\nD < 2 * 3 * 4"),
+            "<p>A <i>b</i> and <b>c</b>.</p><p>D &lt; 2 * 3 * 4</p>");
+  EXPECT_EQ(richText("See:\n- one\n- *two*"),
+            "<p>See:</p><ul><li>one</li><li><i>two</i></li></ul>");
+  EXPECT_EQ(richText("<b>x</b>"), "<p>&lt;b&gt;x&lt;/b&gt;</p>");
+}
+
+TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
+  const Lesson lesson = lessonOf(sampleLesson());
+  HandoutOptions options;
+  const QByteArray students = handoutHtml(lesson, options);
+  options.forTeacher = true;
+  const QByteArray teachers = handoutHtml(lesson, options);
+  for (const QByteArray& page : {students, teachers}) {
+    EXPECT_TRUE(page.contains("Twice as fast?"));
+    EXPECT_TRUE(page.contains("data:image/png;base64,"));
+    EXPECT_FALSE(page.contains("http"));
+  }
+  EXPECT_FALSE(students.contains("Answer:"));
+  EXPECT_FALSE(students.contains("<p>One.</p>"));
+  EXPECT_TRUE(teachers.contains("Answer:"));
+  EXPECT_TRUE(teachers.contains("<p>One.</p>"));
+  EXPECT_GT(teachers.count("<img"), students.count("<img"));
+  EXPECT_EQ(handoutHtml(lesson, options), teachers);
+}
+
+TEST(Handouts, PdfIsWholeAndTheSameEveryTime) {
+  const Lesson lesson = lessonOf(sampleLesson());
+  const QByteArray pdf = handoutPdf(lesson);
+  EXPECT_TRUE(pdf.startsWith("%PDF-"));
+  EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
+  EXPECT_FALSE(pdf.contains("CreationDate"));
+  EXPECT_EQ(handoutPdf(lesson), pdf);
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,321 @@
+#include "ui/window/lesson/handout.h"
+
+#include <QBuffer>
+#include <QHashFunctions>
+#include <QImage>
+#include <QPageSize>
+#include <QPdfWriter>
+#include <QStringList>
+#include <QTextDocument>
+#include <QUrl>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/accuracy/compute_curve.h"
+#include "core/base/atomic_file.h"
+#include "core/base/input_error.h"
+#include "core/chart/curve_diagram.h"
+#include "core/chart/curve_set.h"
+#include "core/friction/curve_quantity.h"
+#include "core/friction/study.h"
+#include "core/lesson/lesson_answers.h"
+#include "core/run/simulation.h"
+#include "core/run/steady_frames.h"
+#include "core/scene/sweep.h"
+#include "ui/chart/diagram_picture.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/pdf_file.h"
+#include "ui/draw/pixel_context.h"
+#include "ui/draw/png_file.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
+#include "ui/window/lesson/lesson_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kContactWidth = 1500, kContactHeight = 520, kChartWidth = 1300, kChartHeight = 820;
+constexpr float kPictureScale = 2;
+constexpr int kShownWidth = 620;  // pixels at 96 per inch, of the text's column
+
+QString utf(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+struct Picture {
+  QImage image;
+  QString name;  // what a person who cannot see it is told
+};
+
+/// A block of the page: HTML, or a picture.
+struct Block {
+  QString html;
+  std::optional<Picture> picture{};
+};
+
+Scene untitled(Scene scene) {
+  scene.title.clear();
+  scene.description.clear();
+  return scene;
+}
+
+class HandoutMaker {
+ public:
+  HandoutMaker(const Lesson& lesson, const HandoutOptions& options)
+      : lesson_(lesson), options_(options) {}
+
+  std::vector<Block> make() {
+    addHead();
+    for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
+      if (options_.stop.stop_requested()) throw StudyStopped{};
+      addStep(static_cast<int>(i));
+      if (options_.progress)
+        options_.progress(static_cast<double>(i + 1) / static_cast<double>(lesson_.steps.size()));
+    }
+    return std::move(blocks_);
+  }
+
+ private:
+  void add(const QString& html) { blocks_.push_back({html}); }
+
+  void addHead() {
+    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>");
+    add("<p><b>" + utf(Words::tr("Goal")) + ":</b> " + plainText(lesson_.goal).toHtmlEscaped() +
+        " (" + utf(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
+    if (options_.forTeacher && !lesson_.notes.empty())
+      add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>" +
+          richText(shown(lesson_.notes)));
+  }
+
+  void addStep(int number) {
+    const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
+    add(QStringLiteral("<h2>%1. %2</h2>")
+            .arg(number + 1)
+            .arg(plainText(step.title).toHtmlEscaped()));
+    add(richText(shown(step.text)));
+    addContact(step.scene);
+    addChart(step, step.scene, isHidden(step));
+    if (!step.prediction) return;
+    addQuestion(*step.prediction);
+    if (options_.forTeacher) addAnswer(step);
+  }
+
+  /// Whether the students are to guess what the curve is, or draw it.
+  static bool isHidden(const LessonStep& step) { return step.show.hidesCurve; }
+
+  /// A contact is shown where it differs from the one before.
+  void addContact(const Scene& given) {
+    const Scene scene = untitled(given);
+    const bool isSame = contact_ && contact_->surface == scene.surface &&
+                        contact_->elastomer == scene.elastomer && contact_->load == scene.load &&
+                        contact_->sliding == scene.sliding;
+    if (isSame) return;
+    contact_ = scene;
+    const auto shared = std::make_shared<const Scene>(scene);
+    const Frame frame = scene.sliding.kind == SlidingKind::Steady
+                            ? SteadyFrames(shared).frameAt(0, 0, 0)
+                            : Simulation(shared, 1).frame();
+    ContactPictureOptions options;
+    options.width = kContactWidth;
+    options.height = kContactHeight;
+    options.scale = kPictureScale;
+    options.theme = printTheme();
+    addPicture(composeContact(frame, options),
+               utf(Words::tr("the contact of the rough line and the rubber")));
+  }
+
+  void addChart(const LessonStep& step, const Scene& scene, bool isHidden) {
+    if (step.show.tab != "curve" || (isHidden && !step.prediction)) return;
+    const QString key = QString::number(isHidden) + QString::fromStdString(step.show.quantity);
+    const bool isNew = !chart_ || !(sceneOf(*chart_) == sceneOf(scene)) || key != chartKey_ ||
+                       !step.show.beside.empty();
+    if (!isNew) return;
+    chart_ = scene;
+    chartKey_ = key;
+    CurveSet set;
+    set.present = {{}, untitled(scene), curveOf(scene)};
+    set.y = *quantityNamed(step.show.quantity);
+    for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
+      const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
+      std::string names;
+      for (const std::string& text : step.show.beside[i])
+        names += (names.empty() ? "" : ", ") + text;
+      set.pinned.push_back({Message::name(names), other, curveOf(other), static_cast<int>(i),
+                            static_cast<int>(i) + 1});
+    }
+    DiagramSheet sheet = curveSheet(set);
+    sheet.title = sheet.subtitle = sheet.note = {};
+    if (isHidden) {
+      Diagram& diagram = sheet.diagrams.front();
+      std::erase_if(diagram.series,
+                    [](const DiagramSeries& series) { return series.id <= kPresentCurve; });
+      diagram.spans.clear();
+      diagram.shades.clear();
+      diagram.y.from = step.show.hiddenFrom;
+      diagram.y.to = step.show.hiddenTo;
+      if (diagram.x.from == diagram.x.to) {
+        diagram.x.from = set.present.points.front().velocity;
+        diagram.x.to = set.present.points.back().velocity;
+        if (!scene.sweep.isOfVelocity()) {
+          diagram.x.from = set.present.points.front().swept;
+          diagram.x.to = set.present.points.back().swept;
+        }
+      }
+    }
+    DiagramOptions options;
+    options.width = kChartWidth;
+    options.height = kChartHeight;
+    options.scale = kPictureScale;
+    options.theme = printTheme();
+    addPicture(composeDiagrams(sheet, options),
+               isHidden ? utf(Words::tr("an empty chart of friction, to draw into"))
+                        : utf(Words::tr("the friction curve")));
+  }
+
+  static Scene sceneOf(const Scene& scene) { return sceneOfCurve(scene); }
+
+  std::vector<CurvePoint> curveOf(const Scene& scene) const {
+    CurveOptions options = curveOptions();
+    Curve curve = computeCurve(scene, options);
+    if (!curve.isComplete) throw StudyStopped{};
+    return std::move(curve.points);
+  }
+
+  CurveOptions curveOptions() const {
+    CurveOptions options;
+    options.threads = options_.threads;
+    options.stop = options_.stop;
+    return options;
+  }
+
+  void addPicture(const DrawList& list, const QString& name) {
+    if (!context_) context_ = makePixelContext();
+    blocks_.push_back({{}, Picture{renderImage(*context_, list), name}});
+  }
+
+  void addQuestion(const LessonPrediction& prediction) {
+    QString html = "<p><b>" + plainText(prediction.question).toHtmlEscaped() + "</b></p>";
+    if (prediction.kind == PredictionKind::Choice) {
+      for (const LessonChoice& choice : prediction.choices)
+        html += "<p>☐ " + plainText(choice.text).toHtmlEscaped() + "</p>";
+    } else {
+      html += "<p>" + utf(Words::tr("My answer")) + ": ____________________</p>";
+    }
+    add(html);
+  }
+
+  void addAnswer(const LessonStep& step) {
+    const LessonPrediction& prediction = *step.prediction;
+    const LessonAnswer answer = lessonAnswer(step, curveOptions());
+    QString said;
+    if (answer.choice >= 0)
+      said = plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
+    else
+      said = QString::fromStdString(numberInWords(answer.number));
+    if (prediction.kind == PredictionKind::Point && !prediction.x)
+      said +=
+          " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.place)));
+    if (answer.choice >= 0 && prediction.answer)
+      said += QStringLiteral(" (%1)").arg(QString::fromStdString(numberInWords(answer.number)));
+    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>");
+    if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
+    if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
+    if (step.show.hidesCurve) addChart(step, step.revealedScene, false);
+  }
+
+  const Lesson& lesson_;
+  const HandoutOptions& options_;
+  std::vector<Block> blocks_;
+  std::unique_ptr<PixelContext> context_;
+  std::optional<Scene> contact_, chart_;  // shown last
+  QString chartKey_;
+};
+
+constexpr const char* kStyle =
+    "body{font-family:'DejaVu Sans',sans-serif;line-height:1.45;color:#222;max-width:46em;"
+    "margin:2em auto;padding:0 1em}h1{font-size:1.6em}h2{font-size:1.15em;margin-top:1.8em}"
+    "img{max-width:100%;border:1px solid #ddd}@media print{h2{break-after:avoid}"
+    "img{break-inside:avoid}body{margin:0}}";
+
+QByteArray pngBytes(const QImage& image) {
+  const std::string bytes = pngOf(image);
+  return {bytes.data(), static_cast<qsizetype>(bytes.size())};
+}
+
+void blankDate(QByteArray& bytes) {
+  const QByteArray key("/CreationDate (");
+  const qsizetype from = bytes.indexOf(key);
+  const qsizetype to = from < 0 ? -1 : bytes.indexOf(')', from);
+  for (qsizetype i = from; i >= 0 && i <= to; ++i) bytes[i] = ' ';
+}
+
+}  // namespace
+
+QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
+  loadFonts();
+  QByteArray html = "<!DOCTYPE html>\n<html lang=\"";
+  html += presentLanguage() == "de" ? "de" : "en";
+  html += "\">\n<head><meta charset=\"utf-8\"><title>" +
+          plainText(lesson.title).toHtmlEscaped().toUtf8() +
+          "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
+          "</style></head>\n<body>\n";
+  for (const Block& block : HandoutMaker(lesson, options).make()) {
+    html += block.html.toUtf8();
+    if (block.picture)
+      html += "<p><img alt=\"" + block.picture->name.toHtmlEscaped().toUtf8() +
+              "\" src=\"data:image/png;base64," + pngBytes(block.picture->image).toBase64() +
+              "\"></p>";
+    html += "\n";
+  }
+  return html + "</body>\n</html>\n";
+}
+
+QByteArray handoutPdf(const Lesson& lesson, const HandoutOptions& options) {
+  loadFonts();
+  QHashSeed::setDeterministicGlobalSeed();  // of the order of fonts in the file
+  QTextDocument document;
+  document.setDefaultFont(QFont(QStringLiteral("DejaVu Sans"), 10));
+  document.setDefaultStyleSheet(
+      QStringLiteral("h1{font-size:18pt} h2{font-size:13pt} p{margin-bottom:6px}"));
+  QString html;
+  int count = 0;
+  for (const Block& block : HandoutMaker(lesson, options).make()) {
+    html += block.html;
+    if (!block.picture) continue;
+    const QString name = QStringLiteral("picture:%1").arg(count++);
+    document.addResource(QTextDocument::ImageResource, QUrl(name), block.picture->image);
+    html += QStringLiteral("<p><img src=\"%1\" width=\"%2\"></p>").arg(name).arg(kShownWidth);
+  }
+  document.setHtml(html);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    writer.setResolution(300);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins({18, 16, 18, 16}, QPageLayout::Millimeter);
+    writer.setTitle(plainText(lesson.title));
+    writer.setCreator(QStringLiteral("Asperity " ASPERITY_VERSION));
+    document.print(&writer);
+  }
+  blankDate(bytes);
+  return bytes;
+}
+
+void writeHandout(const std::filesystem::path& file, const Lesson& lesson,
+                  const HandoutOptions& options) {
+  const std::string extension = file.extension().string();
+  if (extension != ".html" && extension != ".pdf")
+    throw unknownExtension(file.string(), extension, {".html", ".pdf"});
+  checkWritable(file);
+  const QByteArray bytes =
+      extension == ".pdf" ? handoutPdf(lesson, options) : handoutHtml(lesson, options);
+  writeFileAtomically(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+}  // namespace asperity

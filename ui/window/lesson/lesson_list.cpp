@@ -1,0 +1,199 @@
+#include "ui/window/lesson/lesson_list.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "core/lesson/lesson_file.h"
+#include "ui/language/language.h"
+#include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/lesson_text.h"
+#include "ui/window/main/picture_files.h"
+#include "ui/window/main/scene_library.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kUsual(820, 460);  // pixels
+constexpr int kAround = 60;        // pixels of the screen that stay free
+
+/// The shipped lessons, read once.
+const std::vector<Lesson>& shippedOnes() {
+  static const std::vector<Lesson> lessons = [] {
+    std::vector<Lesson> read;
+    for (const ShippedLesson& lesson : shippedLessons())
+      read.push_back(readNamedLesson(std::string(lesson.name), readNamedScene));
+    return read;
+  }();
+  return lessons;
+}
+
+}  // namespace
+
+LessonList::LessonList(QWidget* parent)
+    : QDialog(parent), list_(new QListWidget), about_(new QLabel), status_(new QLabel) {
+  setObjectName("lessonList");
+  list_->setObjectName("lessonNames");
+  list_->setWordWrap(true);
+  for (const Lesson& lesson : shippedOnes()) {
+    auto* item = new QListWidgetItem;
+    item->setData(Qt::UserRole, QString::fromStdString(lesson.name));
+    list_->addItem(item);
+  }
+  about_->setObjectName("lessonAbout");
+  about_->setWordWrap(true);
+  about_->setTextFormat(Qt::RichText);
+  about_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  about_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(about_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* halves = new QHBoxLayout;
+  halves->setSpacing(16);
+  halves->addWidget(list_, 4);
+  halves->addWidget(scroll, 6);
+  status_->setObjectName("lessonStatus");
+  status_->setWordWrap(true);
+  status_->setMinimumHeight(fontMetrics().lineSpacing());
+  const auto button = [](const char* name) {
+    auto* made = new QPushButton;
+    made->setObjectName(name);
+    made->setAutoDefault(false);
+    return made;
+  };
+  start_ = button("lessonStart");
+  open_ = button("lessonOpen");
+  handout_ = button("lessonHandout");
+  edit_ = button("lessonEdit");
+  close_ = button("lessonClose");
+  start_->setDefault(true);
+  auto* foot = new QHBoxLayout;
+  for (QPushButton* one : {open_, edit_, handout_}) foot->addWidget(one);
+  foot->addStretch(1);
+  foot->addWidget(close_);
+  foot->addWidget(start_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(14, 12, 14, 12);
+  all->addLayout(halves, 1);
+  all->addWidget(status_);
+  all->addLayout(foot);
+  const QSize room = (parent ? parent->screen() : screen())->availableSize();
+  resize(kUsual.boundedTo(room - QSize(kAround, kAround)));
+
+  connect(list_, &QListWidget::currentRowChanged, this, &LessonList::showChosen);
+  connect(list_, &QListWidget::itemActivated, this, &LessonList::begin);
+  connect(start_, &QPushButton::clicked, this, &LessonList::begin);
+  connect(open_, &QPushButton::clicked, this, &LessonList::askFile);
+  connect(handout_, &QPushButton::clicked, this, &LessonList::askHandout);
+  connect(edit_, &QPushButton::clicked, this, [this] {
+    emit editorWanted(chosen());
+    accept();
+  });
+  connect(close_, &QPushButton::clicked, this, &QDialog::reject);
+  list_->setCurrentRow(0);
+  keepTranslated(*this, [this] { showTexts(); });
+  list_->setFocus();
+}
+
+void LessonList::showTexts() {
+  setWindowTitle(tr("Lessons"));
+  list_->setAccessibleName(tr("lessons"));
+  for (int i = 0; i < list_->count(); ++i) {
+    const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(i)];
+    list_->item(i)->setText(QStringLiteral("%1. ").arg(i + 1) + plainText(lesson.title));
+  }
+  start_->setText(tr("&Begin"));
+  open_->setText(tr("&Open file…"));
+  handout_->setText(tr("&Handout…"));
+  edit_->setText(tr("&Edit a copy…"));
+  close_->setText(tr("&Close"));
+  showChosen();
+}
+
+QString LessonList::chosen() const {
+  const QListWidgetItem* item = list_->currentItem();
+  return item ? item->data(Qt::UserRole).toString() : QString();
+}
+
+void LessonList::showChosen() {
+  const int row = list_->currentRow();
+  for (QPushButton* button : {start_, handout_, edit_})
+    button->setEnabled(row >= 0 && !(button == handout_ && isSaving_));
+  if (row < 0) return about_->clear();
+  const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(row)];
+  about_->setText("<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
+                  tr("%1 minutes, %2 steps").arg(lesson.minutes).arg(lesson.steps.size()) + "</p>" +
+                  richText(shown(lesson.goal)) + "<h4>" + tr("For teachers") + "</h4>" +
+                  richText(shown(lesson.notes)));
+}
+
+void LessonList::begin() {
+  const QString name = chosen();
+  if (name.isEmpty()) return;
+  accept();
+  emit lessonWanted(name);
+}
+
+void LessonList::askFile() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open lesson"), {},
+                                                    tr("Lessons (*.json);;All files (*)"));
+  if (file.isEmpty()) return;
+  accept();
+  emit lessonWanted(file);
+}
+
+void LessonList::askHandout() {
+  QMessageBox box(QMessageBox::Question, tr("Handout"),
+                  tr("A handout for students has the questions; one for teachers has the answers "
+                     "and the notes, too."),
+                  QMessageBox::Cancel, this);
+  box.setObjectName("handoutQuestion");
+  auto* students = box.addButton(tr("For &students"), QMessageBox::AcceptRole);
+  auto* teachers = box.addButton(tr("For &teachers"), QMessageBox::AcceptRole);
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  box.setDefaultButton(students);
+  box.exec();
+  if (box.clickedButton() != students && box.clickedButton() != teachers) return;
+  const QString file =
+      askSaveFile(this, tr("Save handout"), QDir::home().filePath(chosen() + ".pdf"),
+                  tr("PDF (*.pdf);;Web page (*.html)"));
+  if (!file.isEmpty()) saveHandout(file, box.clickedButton() == teachers);
+}
+
+void LessonList::saveHandout(const QString& file, bool forTeacher) {
+  const int row = list_->currentRow();
+  if (row < 0 || isSaving_) return;
+  isSaving_ = true;
+  status_->setText(tr("The program draws the pictures and computes the answers…"));
+  showChosen();
+  const auto done = [this](const QString& text) {
+    isSaving_ = false;
+    status_->setText(text);
+    showChosen();
+  };
+  work_.request(
+      [lesson = shippedOnes()[static_cast<std::size_t>(row)], file,
+       forTeacher](const BackgroundWork::Run& run) {
+        HandoutOptions options;
+        options.forTeacher = forTeacher;
+        options.stop = run.stop();
+        writeHandout(file.toStdString(), lesson, options);
+      },
+      [this, file, done] {
+        done(tr("Saved %1").arg(QFileInfo(file).fileName()));
+        emit handoutSaved(file);
+      },
+      done);
+}
+
+}  // namespace asperity

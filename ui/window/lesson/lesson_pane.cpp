@@ -1,0 +1,345 @@
+#include "ui/window/lesson/lesson_pane.h"
+
+#include <QButtonGroup>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTextDocumentFragment>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "core/base/units.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/lesson/lesson_text.h"
+
+namespace asperity {
+
+namespace {
+
+/// A choice whose text may take several lines, as a radio button's own text cannot.
+class ChoiceLine : public QWidget {
+ public:
+  ChoiceLine(QRadioButton* button, const QString& text) {
+    auto* line = new QHBoxLayout(this);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(6);
+    label_ = new QLabel(text);
+    label_->setWordWrap(true);
+    label_->setTextFormat(Qt::PlainText);
+    label_->installEventFilter(this);
+    button_ = button;
+    line->addWidget(button, 0, Qt::AlignTop);
+    line->addWidget(label_, 1);
+    button->setAccessibleName(text);
+  }
+  QLabel& label() { return *label_; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::MouseButtonRelease && button_->isEnabled()) {
+      button_->setFocus(Qt::MouseFocusReason);
+      button_->click();
+    }
+    return QWidget::eventFilter(watched, event);
+  }
+
+ private:
+  QLabel* label_;
+  QRadioButton* button_;
+};
+
+}  // namespace
+
+LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollArea) {
+  setObjectName("lessonPane");
+  auto* content = new QWidget;
+  content->setObjectName("lessonContent");
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(14, 8, 14, 8);
+  column->setSpacing(6);
+  title_ = addText(*column, "lessonStepTitle");
+  text_ = addText(*column, "lessonText");
+  question_ = addText(*column, "lessonQuestion");
+  inputPlace_ = new QVBoxLayout;
+  column->addLayout(inputPlace_);
+  verdict_ = addText(*column, "lessonVerdict");
+  reveal_ = addText(*column, "lessonReveal");
+  note_ = addText(*column, "lessonNote");
+  column->addStretch(1);
+  QFont heading = title_->font();
+  heading.setBold(true);
+  heading.setPointSizeF(heading.pointSizeF() * 1.12);
+  title_->setFont(heading);
+  QFont strong = question_->font();
+  strong.setBold(true);
+  question_->setFont(strong);
+
+  scroll_->setWidget(content);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);  // its texts take the focus
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+
+  progress_ = new QLabel;
+  progress_->setObjectName("lessonProgress");
+  const auto button = [](const char* name) {
+    auto* made = new QPushButton;
+    made->setObjectName(name);
+    made->setAutoDefault(false);
+    return made;
+  };
+  back_ = button("lessonBack");
+  show_ = button("lessonShow");
+  next_ = button("lessonNext");
+  auto* foot = new QHBoxLayout;
+  foot->setContentsMargins(14, 6, 14, 8);
+  foot->setSpacing(6);
+  foot->addWidget(progress_, 1);
+  for (QPushButton* one : {back_, show_, next_}) foot->addWidget(one);
+  QSizePolicy kept = show_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  show_->setSizePolicy(kept);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addWidget(scroll_, 1);
+  all->addLayout(foot);
+
+  connect(back_, &QPushButton::clicked, this, &LessonPane::backWanted);
+  connect(show_, &QPushButton::clicked, this, &LessonPane::surrendered);
+  connect(next_, &QPushButton::clicked, this, [this] {
+    if (isAsking_)
+      check();
+    else
+      emit nextWanted();
+  });
+  keepTranslated(*this, [this] {
+    back_->setText(tr("Back"));
+    show_->setText(tr("Show me"));
+    show_->setToolTip(tr("Shows the answer without a guess"));
+    showButtons();
+  });
+}
+
+QLabel* LessonPane::addText(QVBoxLayout& column, const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::RichText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  label->setFocusPolicy(Qt::TabFocus);
+  column.addWidget(label);
+  return label;
+}
+
+void LessonPane::showStep(const LessonPage& page) {
+  const LessonStep& step = page.lesson->steps[static_cast<std::size_t>(page.step)];
+  const auto fill = [](QLabel& label, const QString& html) {
+    label.setText(html);
+    label.setVisible(!html.isEmpty());
+  };
+  const int count = static_cast<int>(page.lesson->steps.size());
+  isFirst_ = page.step == 0;
+  isLast_ = page.step + 1 == count;
+  isWaiting_ = false;
+  isPointPlaced_ = false;
+  unit_ = page.unit;
+  progress_->setText(tr("%1 of %2").arg(page.step + 1).arg(count));
+  fill(*title_, plainText(step.title).toHtmlEscaped());
+  fill(*text_, richText(shown(step.text)) + (page.remark.isEmpty() ? QString() : page.remark));
+  fill(*note_, {});
+  clearInput();
+  isAsking_ = step.prediction && !page.answer;
+  kind_.reset();
+  if (step.prediction) kind_ = step.prediction->kind;
+  fill(*question_,
+       step.prediction ? plainText(step.prediction->question).toHtmlEscaped() : QString());
+  if (step.prediction && step.prediction->kind == PredictionKind::Choice)
+    addChoices(*step.prediction, page);
+  if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
+  QString verdict, reveal;
+  if (step.prediction && page.answer) {
+    const LessonPrediction& prediction = *step.prediction;
+    const bool isGiven = page.given->isGiven();
+    const LessonText& said = page.isRight ? prediction.right : prediction.wrong;
+    if (isGiven && !said.empty())
+      verdict = richText(said, prediction, *page.answer, *page.given);
+    else if (prediction.kind != PredictionKind::Choice)
+      verdict = "<p>" +
+                tr("The program finds %1.")
+                    .arg(QString::fromStdString(numberInWords(page.answer->number)))
+                    .toHtmlEscaped() +
+                "</p>";
+    if (isGiven)
+      verdict = (page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
+                              : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("Not quite"))) +
+                verdict;
+    reveal = richText(step.reveal, prediction, *page.answer, *page.given);
+  }
+  fill(*verdict_, verdict);
+  // The focus goes on to the button, which tells a screen reader what was right.
+  next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
+  fill(*reveal_, reveal);
+  showButtons();
+  QTimer::singleShot(0, this, [this, isRevealed = page.answer != nullptr] {
+    QScrollBar& bar = *scroll_->verticalScrollBar();
+    bar.setValue(isRevealed ? bar.maximum() : 0);
+  });
+}
+
+void LessonPane::clearInput() {
+  choices_ = nullptr;
+  number_ = nullptr;
+  if (!input_) return;
+  inputPlace_->removeWidget(input_);
+  input_->setParent(nullptr);
+  input_->deleteLater();
+  input_ = nullptr;
+}
+
+/// Adds the choices; once the answer is known the right one and a wrong one are marked.
+void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage& page) {
+  input_ = new QWidget;
+  auto* column = new QVBoxLayout(input_);
+  column->setContentsMargins(2, 0, 0, 4);
+  column->setSpacing(5);
+  choices_ = new QButtonGroup(input_);
+  for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
+    const int number = static_cast<int>(i);
+    auto* button = new QRadioButton;
+    button->setObjectName(QStringLiteral("lessonChoice:%1").arg(number));
+    QString text = plainText(prediction.choices[i].text);
+    if (page.answer) {
+      const bool isRight = number == page.answer->choice;
+      const bool isGiven = number == page.given->choice;
+      if (isRight) text += QStringLiteral("  ✓");
+      if (isGiven && !isRight) text += QStringLiteral("  ✗");
+      button->setChecked(isGiven);
+      button->setEnabled(false);
+    }
+    auto* line = new ChoiceLine(button, text);
+    line->label().setObjectName(QStringLiteral("lessonChoiceText:%1").arg(number));
+    line->label().setEnabled(!page.answer || number == page.answer->choice);
+    choices_->addButton(button, number);
+    column->addWidget(line);
+    connect(button, &QRadioButton::toggled, this, &LessonPane::showButtons);
+  }
+  inputPlace_->addWidget(input_);
+}
+
+void LessonPane::addNumber(const LessonPage& page) {
+  input_ = new QWidget;
+  auto* line = new QHBoxLayout(input_);
+  line->setContentsMargins(2, 0, 0, 4);
+  number_ = new QLineEdit;
+  number_->setObjectName("lessonNumber");
+  number_->setAccessibleName(tr("your answer"));
+  number_->setPlaceholderText(tr("a number"));
+  number_->setMaximumWidth(16 * fontMetrics().horizontalAdvance('0'));
+  line->addWidget(number_);
+  line->addWidget(new QLabel(QString::fromStdString(page.unit)));
+  line->addStretch(1);
+  connect(number_, &QLineEdit::textChanged, this, [this] {
+    showNote({});
+    showButtons();
+  });
+  connect(number_, &QLineEdit::returnPressed, this, [this] {
+    if (next_->isEnabled()) next_->click();
+  });
+  inputPlace_->addWidget(input_);
+}
+
+/// Returns what was chosen or typed; empty where nothing can be read.
+std::optional<GivenAnswer> LessonPane::typedAnswer() const {
+  GivenAnswer given;
+  if (choices_) {
+    if (choices_->checkedId() < 0) return std::nullopt;
+    given.choice = choices_->checkedId();
+  } else if (number_) {
+    QString text = withPoint(number_->text().trimmed());
+    text.replace(QStringLiteral("−"), QStringLiteral("-"));
+    const TypedQuantity typed = typedQuantity(text.toStdString(), {unit_, unit_ == "K", false});
+    if (!typed.value) return std::nullopt;
+    given.number = *typed.value;
+  }
+  return given;
+}
+
+void LessonPane::check() {
+  const std::optional<GivenAnswer> given = typedAnswer();
+  if (!given) {
+    const QString unit = QString::fromStdString(unit_);
+    showNote(unit.isEmpty() ? tr("A number is needed, such as 0.5.")
+                            : tr("A number is needed, in %1.").arg(unit));
+    if (number_) number_->setFocus();
+    return;
+  }
+  emit answered(*given);
+}
+
+void LessonPane::setWaiting(bool isWaiting) {
+  isWaiting_ = isWaiting;
+  showButtons();
+  showNote(isWaiting ? tr("The program computes the answer…") : QString());
+}
+
+void LessonPane::setPointPlaced(bool isPlaced) {
+  isPointPlaced_ = isPlaced;
+  showButtons();
+}
+
+void LessonPane::showNote(const QString& text) {
+  note_->setText(text.toHtmlEscaped());
+  note_->setVisible(!text.isEmpty());
+}
+
+void LessonPane::showButtons() {
+  bool isAnswered = true;
+  if (isAsking_) {
+    if (kind_ == PredictionKind::Point) isAnswered = isPointPlaced_;
+    if (choices_) isAnswered = choices_->checkedId() >= 0;
+    if (number_) isAnswered = !number_->text().trimmed().isEmpty();
+  }
+  back_->setEnabled(!isFirst_ && !isWaiting_);
+  show_->setVisible(isAsking_);
+  show_->setEnabled(!isWaiting_);
+  next_->setText(isAsking_ ? tr("Check") : isLast_ ? tr("Finish") : tr("Next"));
+  next_->setEnabled(isAnswered && !isWaiting_);
+  const QFontMetrics metrics(font());
+  int width = 0;
+  for (const QString& text : {tr("Check"), tr("Finish"), tr("Next")})
+    width = std::max(width, metrics.horizontalAdvance(text));
+  next_->setMinimumWidth(width + 30);
+}
+
+void LessonPane::focusStep() {
+  if (isAsking_ && choices_ && !choices_->buttons().isEmpty())
+    choices_->buttons().constFirst()->setFocus();
+  else if (isAsking_ && number_)
+    number_->setFocus();
+  else if (next_->isEnabled())
+    next_->setFocus();
+  else
+    text_->setFocus();
+}
+
+void LessonPane::keyPressEvent(QKeyEvent* event) {
+  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (isEnter && next_->isEnabled()) return next_->click();
+  QWidget::keyPressEvent(event);
+}
+
+void LessonPane::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && next_) showButtons();
+}
+
+}  // namespace asperity

@@ -1,0 +1,70 @@
+#include "ui/window/lesson/lesson_text.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+
+namespace asperity {
+
+namespace {
+
+QString inlineHtml(const QString& text) {
+  static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
+  static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
+  QString html = text.toHtmlEscaped();
+  html.replace(strong, QStringLiteral("<b>\\1</b>"));
+  html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
+  return html;
+}
+
+}  // namespace
+
+const std::string& shown(const LessonText& text) {
+  return text.in(presentLanguage());
+}
+
+QString plainText(const LessonText& text) {
+  return QString::fromStdString(shown(text));
+}
+
+QString richText(const std::string& text) {
+  QString html;
+  const QStringList paragraphs = QString::fromStdString(text).split(QStringLiteral("\n\n"));
+  for (const QString& paragraph : paragraphs) {
+    const QStringList lines = paragraph.split('\n');
+    QStringList words;
+    bool isInList = false;
+    const auto endText = [&] {
+      if (!words.isEmpty()) html += "<p>" + inlineHtml(words.join(' ')) + "</p>";
+      words.clear();
+    };
+    for (const QString& line : lines) {
+      const bool isItem = line.startsWith(QStringLiteral("- "));
+      if (isItem) endText();
+      if (isItem != isInList) html += isItem ? QStringLiteral("<ul>") : QStringLiteral("</ul>");
+      isInList = isItem;
+      if (isItem)
+        html += "<li>" + inlineHtml(line.mid(2)) + "</li>";
+      else if (!line.isEmpty())
+        words += line;
+    }
+    if (isInList) html += QStringLiteral("</ul>");
+    endText();
+  }
+  return html;
+}
+
+std::string numberInWords(const LessonNumber& number) {
+  return number.unit.empty() ? shortNumber(number.value, 3)
+                             : quantity(number.value, number.unit, 3);
+}
+
+QString richText(const LessonText& text, const LessonPrediction& prediction,
+                 const LessonAnswer& answer, const GivenAnswer& given) {
+  return richText(
+      withValues(shown(text), prediction, answer, given, presentLanguage(), numberInWords));
+}
+
+}  // namespace asperity

@@ -1,0 +1,26 @@
+// The texts of lessons as people read them: markup as rich text, numbers with their units, in the
+// language of the window. Pure once the language is chosen; any thread.
+#pragma once
+
+#include <QString>
+
+#include "core/lesson/lesson_answers.h"
+
+namespace asperity {
+
+/// Returns a text in the current language.
+const std::string& shown(const LessonText& text);
+QString plainText(const LessonText& text);
+
+/// Returns HTML of paragraphs and lists: "*word*" in italics, "**word**" in bold, "- " items.
+/// Everything else is plain text.
+QString richText(const std::string& text);
+
+/// Returns a number as a sentence has it: "1.97", "0.25 µm".
+std::string numberInWords(const LessonNumber& number);
+
+/// Returns a text shown after the answer, as rich text with the values in it.
+QString richText(const LessonText& text, const LessonPrediction& prediction,
+                 const LessonAnswer& answer, const GivenAnswer& given);
+
+}  // namespace asperity

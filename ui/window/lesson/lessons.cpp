@@ -1,0 +1,543 @@
+#include "ui/window/lesson/lessons.h"
+
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPainter>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "core/accuracy/compute_curve.h"
+#include "core/base/input_error.h"
+#include "core/friction/study.h"
+#include "core/material/material_library.h"
+#include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
+#include "ui/chart/chart_view.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lesson_list.h"
+#include "ui/window/lesson/lesson_pane.h"
+#include "ui/window/lesson/lesson_text.h"
+#include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/appearance.h"
+#include "ui/window/main/commands.h"
+#include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/scene_tabs.h"
+#include "ui/window/main/session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kUsualHeight = 420;  // pixels of the pane, above the parameters
+constexpr int kLeastHeight = 260;
+
+/// Returns the scene under the step's name: what a scene says of itself may be the answer.
+Scene inLesson(Scene scene, const LessonStep& step) {
+  scene.title = shown(step.title);
+  scene.description.clear();
+  return scene;
+}
+
+/// Returns the scene with the whole paths of its files, which a lesson elsewhere can find.
+Scene withWholePaths(Scene scene) {
+  const auto whole = [&scene](std::string& name) {
+    if (!name.empty()) name = std::filesystem::absolute(scene.folder / name).string();
+  };
+  whole(scene.surface.file);
+  if (!materialFile(scene.elastomer.material, scene.folder).empty())
+    whole(scene.elastomer.material);
+  for (DataFile& data : scene.comparison.data) whole(data.file);
+  scene.folder.clear();
+  return scene;
+}
+
+/// A text of one line, which ends in dots where it is too long.
+class LessonTitle : public QLabel {
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.drawText(contentsRect(), Qt::AlignVCenter | Qt::AlignLeft,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()));
+  }
+};
+
+/// Returns the curve of a scene, complete, as the chart pins it.
+std::shared_ptr<const CurveUpdate> computed(const Scene& scene, const std::stop_token& stop) {
+  CurveOptions options;
+  options.stop = stop;
+  Curve curve = computeCurve(scene, options);
+  if (!curve.isComplete) throw StudyStopped{};
+  auto update = std::make_shared<CurveUpdate>();
+  update->scene = std::make_shared<const Scene>(scene);
+  update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;
+  update->points = std::move(curve.points);
+  update->isComplete = true;
+  return update;
+}
+
+}  // namespace
+
+Lessons::Lessons(const Parts& parts)
+    : QObject(&parts.window),
+      parts_(parts),
+      dock_(new QDockWidget),
+      title_(new LessonTitle),
+      keep_(new QToolButton),
+      close_(new QToolButton),
+      pane_(new LessonPane),
+      point_(new PredictionPoint(parts.tabs.plot())) {
+  buildDock();
+  connect(pane_, &LessonPane::backWanted, this, [this] { show(step_ - 1); });
+  connect(pane_, &LessonPane::nextWanted, this, &Lessons::next);
+  connect(pane_, &LessonPane::answered, this,
+          [this](const GivenAnswer& given) { answer(given, false); });
+  connect(pane_, &LessonPane::surrendered, this, [this] { answer({}, true); });
+  connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
+  // Another scene was opened, or the tour begins.
+  connect(&parts_.document, &SceneDocument::trialEnded, this, &Lessons::end);
+  connect(&parts_.document, &SceneDocument::sceneChanged, this,
+          [this](const Scene& scene, SceneChange change) {
+            if (isRunning() && change == SceneChange::Edited) holdControls(scene);
+          });
+}
+
+Lessons::~Lessons() = default;
+
+void Lessons::buildDock() {
+  dock_->setObjectName("lessonDock");
+  dock_->setFeatures(QDockWidget::DockWidgetClosable);
+  pane_->setMinimumHeight(kLeastHeight);
+  dock_->setWidget(pane_);
+  auto* bar = new QWidget;
+  bar->setObjectName("dockTitle");
+  bar->setAttribute(Qt::WA_StyledBackground);
+  auto* line = new QHBoxLayout(bar);
+  line->setContentsMargins(14, 5, 8, 5);
+  title_->setObjectName("lessonTitle");
+  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  keep_->setObjectName("lessonKeep");
+  close_->setObjectName("lessonEnd");
+  close_->setText(QStringLiteral("✕"));
+  line->addWidget(title_, 1);
+  line->addWidget(keep_);
+  line->addWidget(close_);
+  dock_->setTitleBarWidget(bar);
+  connect(keep_, &QToolButton::clicked, this, &Lessons::askResultsFile);
+  connect(close_, &QToolButton::clicked, this, &Lessons::end);
+  parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
+  parts_.window.splitDockWidget(dock_, &parts_.parameters, Qt::Vertical);
+  dock_->hide();
+  dock_->toggleViewAction()->setVisible(false);  // it comes and goes with a lesson
+  keepTranslated(*dock_, [this] {
+    dock_->setWindowTitle(tr("Lesson"));
+    keep_->setText(tr("Results…"));
+    keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
+    keep_->setAccessibleName(tr("keep results"));
+    close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
+    close_->setAccessibleName(tr("end the lesson"));
+    if (isRunning()) showPage();
+    showTitle();
+  });
+}
+
+void Lessons::addTo(Commands& commands) {
+  commands_ = &commands;
+  commands.add(
+      {"lessons", [] { return tr("Lessons…"); }, [this] { showList(); }, {Qt::CTRL | Qt::Key_L}});
+  commands.add({"lessonBackStep",
+                [] { return tr("Lesson: back"); },
+                [this] {
+                  if (isRunning() && step_ > 0) show(step_ - 1);
+                },
+                {Qt::ALT | Qt::Key_Left, Qt::Key_PageUp}});
+  commands.add({"lessonNextStep",
+                [] { return tr("Lesson: next"); },
+                [this] {
+                  if (isRunning() && isRevealed()) next();
+                },
+                {Qt::ALT | Qt::Key_Right, Qt::Key_PageDown}});
+  commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { end(); }});
+  commands.add(
+      {"lessonEditor", [] { return tr("Lesson editor…"); },
+       [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString()); }});
+  for (QAction* action : commands.get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
+    action->setEnabled(false);
+  // The usual layout has no lesson, but a lesson that runs keeps its pane.
+  connect(commands.get("restoreLayout"), &QAction::triggered, this, [this] {
+    if (isRunning()) dock_->show();
+  });
+}
+
+LessonList& Lessons::showList() {
+  for (LessonList* open : parts_.window.findChildren<LessonList*>()) delete open;
+  auto* list = new LessonList(&parts_.window);
+  list->setAttribute(Qt::WA_DeleteOnClose);
+  connect(list, &LessonList::lessonWanted, this, [this](const QString& name) { open(name); });
+  connect(list, &LessonList::editorWanted, this, [this](const QString& name) {
+    try {
+      showEditor(readNamedLesson(name.toStdString(), readNamedScene),
+                 QFileInfo::exists(name) ? name : QString());
+    } catch (const std::exception& error) {
+      parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    }
+  });
+  list->open();
+  return *list;
+}
+
+LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
+  for (LessonEditor* open : parts_.window.findChildren<LessonEditor*>()) {
+    if (!open->mayClose()) return *open;
+    delete open;
+  }
+  const auto shownNow = [this] {
+    LessonStep step;
+    step.scene = step.revealedScene = withWholePaths(parts_.document.scene());
+    step.show.tab = std::string(kLessonTabs[static_cast<std::size_t>(
+        std::clamp(parts_.tabs.currentIndex(), 0, static_cast<int>(std::size(kLessonTabs)) - 1))]);
+    step.show.quantity = std::string(entryOf(parts_.session.friction().quantity()).word.text());
+    return step;
+  };
+  auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
+  editor->setAttribute(Qt::WA_DeleteOnClose);
+  connect(editor, &LessonEditor::tryWanted, this,
+          [this](const Lesson& edited, int step) { start(edited, step); });
+  editor->show();
+  return *editor;
+}
+
+bool Lessons::open(const QString& nameOrFile) {
+  try {
+    start(readNamedLesson(nameOrFile.toStdString(), readNamedScene));
+    if (QFileInfo::exists(nameOrFile)) file_ = QFileInfo(nameOrFile).absoluteFilePath();
+    parts_.messages.end(MessageBar::Failure::Files);
+    return true;
+  } catch (const std::exception& error) {
+    parts_.messages.showFailure(MessageBar::Failure::Files, translatedError(error));
+    return false;
+  }
+}
+
+void Lessons::start(const Lesson& lesson, int step) {
+  if (lesson.steps.empty()) return;
+  end();
+  parts_.document.endTrial();  // of the tour
+  Before before{{},
+                parts_.session.friction().quantity(),
+                parts_.tabs.currentIndex(),
+                false};
+  for (const PinnedCurve& pinned : parts_.session.friction().pinned())
+    before.pinned.push_back(pinned.curve);
+  if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) {
+    before.hasDimensionlessAxes = axes->isChecked();
+    axes->setChecked(false);
+  }
+  before_ = std::move(before);
+  lesson_ = std::make_unique<Lesson>(lesson);
+  answers_.clear();
+  results_ = emptyResults(*lesson_);
+  resultsFile_.clear();
+  file_.clear();
+  // The lesson may have been begun with the parameters closed, of which a step frees some.
+  parts_.parameters.show();
+  dock_->show();
+  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kUsualHeight, kLeastHeight},
+                            Qt::Vertical);
+  commands_->get("lessonEnd")->setEnabled(true);
+  show(std::clamp(step, 0, static_cast<int>(lesson_->steps.size()) - 1));
+}
+
+bool Lessons::isRevealed() const {
+  return !isRunning() || !present().prediction || results_.of(step_) != nullptr;
+}
+
+void Lessons::show(int step) {
+  if (!isRunning() || step < 0 || step >= static_cast<int>(lesson_->steps.size())) return;
+  step_ = step;
+  waiting_.reset();
+  finding_.cancel();
+  showScene();
+  showChart();
+  showPage();
+  if (point_->isVisible() && !isRevealed())
+    point_->setFocus();
+  else
+    pane_->focusStep();
+  if (present().prediction && !answers_.contains(step_)) findAnswer();
+  commands_->get("lessonBackStep")->setEnabled(step_ > 0);
+  emit stepShown();
+}
+
+void Lessons::showPage() {
+  LessonPage page;
+  page.lesson = lesson_.get();
+  page.step = step_;
+  const LessonStep& step = present();
+  const LessonResult* result = results_.of(step_);
+  if (step.prediction && step.prediction->answer)
+    page.unit = unitOf(*step.prediction->answer, step.scene);
+  const auto known = answers_.find(step_);
+  if (result) {
+    page.answer = known != answers_.end() ? &known->second : &result->expected;
+    page.given = &result->given;
+    page.isRight = result->isRight;
+  }
+  if (step_ + 1 == static_cast<int>(lesson_->steps.size())) page.remark = summary();
+  pane_->showStep(page);
+  if (point_->point() && !result) pane_->setPointPlaced(true);
+  commands_->get("lessonNextStep")->setEnabled(isRevealed());
+  showTitle();
+}
+
+QString Lessons::summary() const {
+  const auto asked = std::ranges::count_if(
+      lesson_->steps, [](const LessonStep& step) { return step.prediction.has_value(); });
+  if (asked == 0) return {};
+  return "<p><b>" + tr("You were right in %1 of %2 predictions.").arg(results_.right()).arg(asked) +
+         "</b></p>";
+}
+
+void Lessons::showTitle() {
+  const QString title = isRunning() ? plainText(lesson_->title) : QString();
+  title_->setText(title);
+  title_->setToolTip(title);
+  pane_->setAccessibleName(tr("Lesson: %1").arg(title));
+}
+
+void Lessons::showScene() {
+  const LessonStep& step = present();
+  const Scene scene = inLesson(isRevealed() ? step.revealedScene : step.scene, step);
+  parts_.document.openTrial({{}, {}, scene});
+  showControls();
+  const auto tab = std::ranges::find(kLessonTabs, step.show.tab) - std::begin(kLessonTabs);
+  if (QWidget* page = parts_.tabs.widget(static_cast<int>(tab)))
+    if (auto* action = parts_.window.findChild<QAction*>("go:" + page->objectName()))
+      action->trigger();
+}
+
+/// Before the prediction is made nothing can be tried: that would give the answer away.
+void Lessons::showControls() {
+  std::map<std::string, RowAccess> access;
+  const LessonControls& controls = present().controls;
+  const auto accessOf = [&](ControlState state) {
+    if (state == ControlState::Hidden) return RowAccess::Hidden;
+    return state == ControlState::Free && isRevealed() ? RowAccess::Free : RowAccess::Locked;
+  };
+  access["*"] = accessOf(controls.others);
+  for (const auto& [keys, state] : {std::pair(&controls.free, ControlState::Free),
+                                    {&controls.locked, ControlState::Locked},
+                                    {&controls.hidden, ControlState::Hidden}})
+    for (const std::string& key : *keys) access[key] = accessOf(state);
+  parts_.panel.setRowAccess(access);
+}
+
+/// Returns a change of a control that is not free to what the step has.
+void Lessons::holdControls(const Scene& scene) {
+  LessonControls controls = present().controls;
+  if (!isRevealed()) controls = {{}, {}, {}, ControlState::Locked};
+  const Scene shown = inLesson(isRevealed() ? present().revealedScene : present().scene, present());
+  const std::vector<std::string_view> changed = lockedChanges(controls, shown, scene);
+  if (changed.empty()) return;
+  const Scene held = withinControls(controls, shown, scene);
+  const QString name = translatedText(findParameter(changed.front())->label);
+  QTimer::singleShot(0, this, [this, held, name] {
+    if (!isRunning()) return;
+    parts_.document.edit(held);
+    pane_->showNote(isRevealed() ? tr("“%1” is locked in this step.").arg(name)
+                                 : tr("First make your guess; then you can try it."));
+  });
+}
+
+void Lessons::showChart() {
+  const LessonStep& step = present();
+  const LessonView& view = step.show;
+  const bool hides = view.hidesCurve && (!isRevealed() || !step.prediction);
+  beside_.cancel();
+  parts_.tabs.plot().fit();
+  parts_.session.editCurve([&](FrictionChartModel& plot) {
+    plot.unpinAll();
+    plot.setQuantity(*quantityNamed(view.quantity));
+    plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
+  });
+  if (!view.beside.empty()) {
+    const Scene scene = step.scene;
+    beside_.request(
+        [scene, beside = view.beside](const BackgroundWork::Run& run) {
+          std::vector<std::shared_ptr<const CurveUpdate>> curves;
+          for (const std::vector<std::string>& keys : beside)
+            curves.push_back(computed(withKeys(scene, keys), run.stop()));
+          return curves;
+        },
+        [this](const std::vector<std::shared_ptr<const CurveUpdate>>& curves) {
+          parts_.session.editCurve([&](FrictionChartModel& plot) {
+            for (const auto& curve : curves) plot.pin(curve);
+          });
+        },
+        [this](const QString& reason) { pane_->showNote(reason); });
+  }
+  const bool isPoint = step.prediction && step.prediction->kind == PredictionKind::Point;
+  const LessonResult* result = results_.of(step_);
+  if (!isPoint)
+    point_->dismiss();
+  else if (!result)
+    point_->ask(step.prediction->x, plainText(step.prediction->question));
+  else if (result->given.isGiven())
+    point_->showDecided(step.prediction->x.value_or(result->given.place), result->given.number);
+  else
+    point_->dismiss();
+}
+
+// ---- Answers
+
+void Lessons::findAnswer() {
+  finding_.request(
+      [step = present()](const BackgroundWork::Run& run) {
+        CurveOptions options;
+        options.stop = run.stop();
+        return lessonAnswer(step, options);
+      },
+      [this, step = step_](const LessonAnswer& answer) { takeAnswer(step, answer); },
+      [this](const QString& reason) {
+        waiting_.reset();
+        pane_->setWaiting(false);
+        pane_->showNote(reason);
+      });
+}
+
+void Lessons::takeAnswer(int step, const LessonAnswer& answer) {
+  answers_[step] = answer;
+  if (step != step_) return;
+  if (waiting_) return settle(*std::exchange(waiting_, std::nullopt));
+  if (isRevealed()) showPage();  // of results from a file: its texts have their values now
+}
+
+/// surrenders: the answer is wanted without a guess.
+void Lessons::answer(const GivenAnswer& said, bool surrenders) {
+  if (!isRunning() || isRevealed() || waiting_) return;
+  GivenAnswer given = said;
+  if (present().prediction->kind == PredictionKind::Point && !surrenders && point_->point()) {
+    given.place = point_->point()->x();
+    given.number = point_->point()->y();
+  }
+  if (answers_.contains(step_)) return settle(given);
+  waiting_ = given;
+  pane_->setWaiting(true);
+  findAnswer();
+}
+
+/// Compares, keeps and shows.
+void Lessons::settle(const GivenAnswer& given) {
+  const LessonPrediction& prediction = *present().prediction;
+  const LessonAnswer& expected = answers_.at(step_);
+  results_.set(
+      {step_, prediction.kind, given, expected, asperity::isRight(prediction, expected, given)});
+  writeResultsFile();
+  showScene();
+  showChart();
+  showPage();
+  pane_->focusStep();
+  emit stepShown();
+}
+
+void Lessons::next() {
+  if (step_ + 1 < static_cast<int>(lesson_->steps.size()))
+    show(step_ + 1);
+  else
+    end();
+}
+
+// ---- Results
+
+void Lessons::askResultsFile() {
+  if (!isRunning()) return;
+  const QString name =
+      resultsFile_.isEmpty()
+          ? QDir::home().filePath(
+                tr("%1 results.json").arg(QString::fromStdString(lesson_->name).replace('_', ' ')))
+          : resultsFile_;
+  const QString file = QFileDialog::getSaveFileName(
+      &parts_.window, tr("File of your results"), name, tr("Results (*.json)"), nullptr,
+      QFileDialog::DontConfirmOverwrite);  // answers in it are kept
+  if (!file.isEmpty()) keepResults(file);
+}
+
+bool Lessons::keepResults(const QString& file) {
+  if (!isRunning()) return false;
+  try {
+    LessonResults kept = readResults(file.toStdString(), *lesson_);
+    for (const LessonResult& one : results_.results) kept.set(one);
+    std::erase_if(kept.results, [&](const LessonResult& one) {
+      return one.step >= static_cast<int>(lesson_->steps.size()) ||
+             !lesson_->steps[static_cast<std::size_t>(one.step)].prediction;
+    });
+    writeResults(file.toStdString(), kept, *lesson_);
+    results_ = std::move(kept);
+    resultsFile_ = file;
+  } catch (const std::exception& error) {
+    parts_.messages.showFailure(MessageBar::Failure::Export, translatedError(error));
+    return false;
+  }
+  parts_.messages.end(MessageBar::Failure::Export);
+  show(step_);
+  pane_->showNote(tr("Your answers are kept in %1.").arg(QFileInfo(file).fileName()));
+  return true;
+}
+
+void Lessons::writeResultsFile() {
+  if (resultsFile_.isEmpty()) return;
+  try {
+    writeResults(resultsFile_.toStdString(), results_, *lesson_);
+  } catch (const std::exception& error) {
+    parts_.messages.showFailure(MessageBar::Failure::Export, translatedError(error));
+  }
+}
+
+// ---- The end
+
+void Lessons::end() {
+  if (!isRunning()) return;
+  finding_.cancel();
+  beside_.cancel();
+  waiting_.reset();
+  lesson_.reset();
+  point_->dismiss();
+  dock_->hide();
+  parts_.panel.setRowAccess({});
+  for (QAction* action : commands_->get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
+    action->setEnabled(false);
+  comeBack();
+  emit ended();
+}
+
+/// Puts back what the lesson found, as far as it is still wanted.
+void Lessons::comeBack() {
+  const std::optional<Before> before = std::exchange(before_, std::nullopt);
+  parts_.session.editCurve([&](FrictionChartModel& plot) {
+    plot.conceal(std::nullopt);
+    plot.unpinAll();
+    if (!before) return;
+    plot.setQuantity(before->quantity);
+    for (const auto& curve : before->pinned) plot.pin(curve);
+  });
+  if (!before) return;
+  parts_.document.endTrial();
+  parts_.tabs.setCurrentIndex(before->tab);
+  if (before->hasDimensionlessAxes)
+    if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) axes->setChecked(true);
+}
+
+}  // namespace asperity

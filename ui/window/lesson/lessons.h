@@ -1,0 +1,135 @@
+// A lesson in the window: it opens the scenes of the steps, frees and locks the controls, hides the
+// curve until it was guessed, compares answers with what the program computes, and keeps the
+// results in a file of the student's choice. The user's own scene, curves and axes come back when
+// the lesson ends. Owned by the main window; GUI thread. Failure: the message bar shows the reason;
+// the lesson, or the user's scene, stays.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_results.h"
+#include "ui/chart/friction_chart_model.h"
+#include "ui/window/main/scene_document.h"
+#include "ui/window/tasks/background_work.h"
+
+class QAction;
+class QDockWidget;
+class QMainWindow;
+class QLabel;
+class QToolButton;
+
+namespace asperity {
+
+class Appearance;
+class Commands;
+class LessonEditor;
+class LessonList;
+class LessonPane;
+class MessageBar;
+class ParameterPanel;
+class PredictionPoint;
+class SceneTabs;
+class Session;
+
+class Lessons : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Parts {
+    QMainWindow& window;
+    SceneDocument& document;
+    Session& session;
+    ParameterPanel& panel;
+    QDockWidget& parameters;
+    SceneTabs& tabs;
+    MessageBar& messages;
+    Appearance& appearance;
+  };
+  explicit Lessons(const Parts& parts);
+  ~Lessons() override;
+
+  void addTo(Commands& commands);
+
+  /// Shows the page of all lessons.
+  LessonList& showList();
+  /// Shows the page on which a lesson is written; empty: a new one.
+  LessonEditor& showEditor(const Lesson& lesson, const QString& file);
+  /// Begins a lesson at a step, in place of the present one.
+  void start(const Lesson& lesson, int step = 0);
+  /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did.
+  bool open(const QString& nameOrFile);
+  /// Ends the lesson and brings the user's scene back.
+  void end();
+
+  bool isRunning() const { return lesson_ != nullptr; }
+  const Lesson* lesson() const { return lesson_.get(); }
+  int step() const { return step_; }
+  /// Whether the answer of the present step is seen, or there is none.
+  bool isRevealed() const;
+  const LessonResults& results() const { return results_; }
+  LessonPane& pane() { return *pane_; }
+  PredictionPoint& point() { return *point_; }
+
+  /// Keeps the results in this file from now on, with those of this lesson that are in it. Returns
+  /// false, with the reason in the message bar, where that cannot be.
+  bool keepResults(const QString& file);
+
+ signals:
+  /// A step is shown, or its answer.
+  void stepShown();
+  void ended();
+
+ private:
+  const LessonStep& present() const { return lesson_->steps[static_cast<std::size_t>(step_)]; }
+  void buildDock();
+  void show(int step);
+  void showPage();
+  void showScene();
+  void showControls();
+  void showChart();
+  void findAnswer();
+  void takeAnswer(int step, const LessonAnswer& answer);
+  void answer(const GivenAnswer& said, bool surrenders);
+  void settle(const GivenAnswer& given);
+  void next();
+  void askResultsFile();
+  void writeResultsFile();
+  void holdControls(const Scene& scene);
+  void comeBack();
+  QString summary() const;
+  void showTitle();
+
+  Parts parts_;
+  QDockWidget* dock_;
+  QLabel* title_;
+  QToolButton *keep_, *close_;
+  LessonPane* pane_;
+  PredictionPoint* point_;
+  Commands* commands_ = nullptr;
+  std::unique_ptr<Lesson> lesson_;
+  int step_ = 0;
+  std::map<int, LessonAnswer> answers_;
+  std::optional<GivenAnswer> waiting_;  // for the answer
+  LessonResults results_;
+  QString file_;  // of the lesson; empty: a shipped one, or one that was never saved
+  QString resultsFile_;
+
+  /// What the lesson found, and puts back; the document keeps the user's scene.
+  struct Before {
+    std::vector<std::shared_ptr<const CurveUpdate>> pinned;
+    CurveQuantity quantity;
+    int tab;
+    bool hasDimensionlessAxes;
+  };
+  std::optional<Before> before_;
+  BackgroundWork beside_;   // curves to compare with
+  BackgroundWork finding_;  // last: its thread ends before other members are destroyed
+};
+
+}  // namespace asperity

@@ -1,0 +1,206 @@
+#include "ui/window/lesson/prediction_point.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "ui/chart/chart_view.h"
+#include "ui/draw/ticks.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kReach = 7;                       // pixels, radius of the point
+constexpr double kStep = 0.02, kFineStep = 0.005;  // of an axis, for a key
+
+/// One axis of the chart: its ends, and the pixels at which they lie.
+struct PixelAxis {
+  AxisScale scale;
+  double from, to;            // logarithms on a logarithmic axis
+  double pixelFrom, pixelTo;  // of the ends
+
+  double value(double pixel) const {
+    const double part = std::clamp((pixel - pixelFrom) / (pixelTo - pixelFrom), 0.0, 1.0);
+    const double place = from + part * (to - from);
+    return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
+  }
+};
+
+double valueOf(AxisScale scale, double place) {
+  return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
+}
+
+}  // namespace
+
+PredictionPoint::PredictionPoint(ChartView& chart) : QWidget(&chart), chart_(chart) {
+  setObjectName("predictionPoint");
+  setCursor(Qt::CrossCursor);
+  chart_.installEventFilter(this);
+  hide();
+}
+
+void PredictionPoint::setColour(const QColor& colour) {
+  colour_ = colour;
+  update();
+}
+
+void PredictionPoint::ask(std::optional<double> x, const QString& name) {
+  x_ = x;
+  name_ = name;
+  point_.reset();
+  isDecided_ = false;
+  setAttribute(Qt::WA_TransparentForMouseEvents, false);
+  setFocusPolicy(Qt::StrongFocus);
+  setToolTip(x ? tr("Drag up and down, or use the arrow keys (with Shift finer)")
+               : tr("Drag, or use the arrow keys (with Shift finer)"));
+  setGeometry(chart_.rect());
+  sayPlace();
+  show();
+  raise();
+}
+
+void PredictionPoint::showDecided(double x, double y) {
+  point_ = QPointF(x, y);
+  isDecided_ = true;
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFocusPolicy(Qt::NoFocus);
+  setToolTip({});
+  setGeometry(chart_.rect());
+  sayPlace();
+  show();
+  raise();
+  update();
+}
+
+bool PredictionPoint::hasAxes() const {
+  if (chart_.sheet().diagrams.empty()) return false;
+  const VisibleRange range = chart_.visibleRange();
+  return !range.x.isEmpty() && !range.y.isEmpty();
+}
+
+QPointF PredictionPoint::pixelOf(QPointF value) const {
+  return chart_.positionOf(value.x(), value.y());
+}
+
+QPointF PredictionPoint::valueAt(QPointF pixel) const {
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  const VisibleRange range = chart_.visibleRange();
+  const QPointF low = chart_.positionOf(valueOf(diagram.x.scale, range.x.from),
+                                        valueOf(diagram.y.scale, range.y.from));
+  const QPointF high =
+      chart_.positionOf(valueOf(diagram.x.scale, range.x.to), valueOf(diagram.y.scale, range.y.to));
+  const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
+  const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
+  return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
+}
+
+/// Where a point begins that nobody has placed.
+QPointF PredictionPoint::middle() const {
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  const VisibleRange range = chart_.visibleRange();
+  return {x_ ? *x_ : valueOf(diagram.x.scale, (range.x.from + range.x.to) / 2),
+          valueOf(diagram.y.scale, (range.y.from + range.y.to) / 2)};
+}
+
+void PredictionPoint::place(QPointF value) {
+  point_ = value;
+  sayPlace();
+  update();
+  emit placed();
+}
+
+/// Tells a screen reader what is asked and where the point is.
+void PredictionPoint::sayPlace() {
+  QString text = name_;
+  if (point_ && hasAxes()) {
+    const Diagram& diagram = chart_.sheet().diagrams.front();
+    const auto said = [](double value, const std::string& unit) {
+      return QString::fromStdString(quantity(value, unit, 2));
+    };
+    text +=
+        ": " +
+        tr("%1 at %2").arg(said(point_->y(), diagram.y.unit), said(point_->x(), diagram.x.unit));
+  }
+  setAccessibleName(text);
+  setAccessibleDescription(toolTip());
+}
+
+void PredictionPoint::paintEvent(QPaintEvent*) {
+  if (!hasAxes()) return;
+  const QPointF value = point_.value_or(middle());
+  const QPointF at = pixelOf(value);
+  if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor colour = colour_.isValid() ? colour_ : palette().color(QPalette::Highlight);
+  const VisibleRange range = chart_.visibleRange();
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  const double top = pixelOf({value.x(), valueOf(diagram.y.scale, range.y.to)}).y();
+  const double bottom = pixelOf({value.x(), valueOf(diagram.y.scale, range.y.from)}).y();
+  if (!isDecided_) {
+    painter.setPen(QPen(colour, 1.2, Qt::DashLine));
+    painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), bottom));
+  }
+  painter.setPen(QPen(colour, hasFocus() ? 3 : 2));
+  painter.setBrush(point_ && !isDecided_ ? colour : QColor(Qt::transparent));
+  painter.drawEllipse(at, kReach, kReach);
+  const QString text = isDecided_ ? tr("your answer")
+                       : point_   ? QString::fromStdString(quantity(point_->y(), diagram.y.unit, 2))
+                                  : tr("drag me");
+  const QFontMetricsF metrics(font());
+  const double width = metrics.horizontalAdvance(text);
+  const bool isLeft = at.x() + 2 * kReach + width > rect().right() - 8;
+  const double baseline =
+      std::clamp(at.y() - kReach, top + metrics.ascent(), bottom - metrics.descent());
+  const QPointF corner(isLeft ? at.x() - 1.6 * kReach - width : at.x() + 1.6 * kReach, baseline);
+  QColor ground = palette().color(QPalette::Base);
+  ground.setAlpha(210);
+  painter.fillRect(
+      QRectF(corner.x() - 3, corner.y() - metrics.ascent() - 1, width + 6, metrics.height() + 2),
+      ground);
+  painter.drawText(corner, text);
+}
+
+void PredictionPoint::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !hasAxes()) return;
+  setFocus(Qt::MouseFocusReason);
+  place(valueAt(event->position()));
+}
+
+void PredictionPoint::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() & Qt::LeftButton && hasAxes()) place(valueAt(event->position()));
+}
+
+void PredictionPoint::keyPressEvent(QKeyEvent* event) {
+  const double dx = event->key() == Qt::Key_Right ? 1 : event->key() == Qt::Key_Left ? -1 : 0;
+  const double dy = event->key() == Qt::Key_Down ? 1 : event->key() == Qt::Key_Up ? -1 : 0;
+  if ((dx == 0 && dy == 0) || !hasAxes() || event->modifiers() & Qt::AltModifier)
+    return QWidget::keyPressEvent(event);
+  const double step = event->modifiers() & Qt::ShiftModifier ? kFineStep : kStep;
+  const QPointF at = pixelOf(point_.value_or(middle()));
+  place(valueAt(at + QPointF(dx * step * width(), dy * step * height())));
+  QAccessibleEvent changed(this, QAccessible::NameChanged);
+  QAccessible::updateAccessibility(&changed);
+}
+
+void PredictionPoint::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  update();
+}
+
+void PredictionPoint::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  update();
+}
+
+bool PredictionPoint::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &chart_ && event->type() == QEvent::Resize) setGeometry(chart_.rect());
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,60 @@
+// A point over the friction chart that a student places where the curve is expected: by clicking,
+// by dragging, or with the arrow keys (with Shift finer). It can move along the whole chart, or at
+// one place of the axis only up and down. Once the answer is known it stays as a mark. GUI thread;
+// child of the chart. Cannot fail: where the chart is not laid out yet nothing is drawn.
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QWidget>
+#include <optional>
+
+namespace asperity {
+
+class ChartView;
+
+class PredictionPoint : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PredictionPoint(ChartView& chart);
+
+  /// Asks for a point; x: its place on the axis, or none. name: what is asked, for a screen reader.
+  void ask(std::optional<double> x, const QString& name);
+  /// Shows a point that is decided.
+  void showDecided(double x, double y);
+  void dismiss() { hide(); }
+
+  /// The place (in the units of the axes), once it was placed.
+  std::optional<QPointF> point() const { return point_; }
+  void setColour(const QColor& colour);
+
+ signals:
+  void placed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool hasAxes() const;
+  QPointF pixelOf(QPointF value) const;
+  QPointF valueAt(QPointF pixel) const;
+  QPointF middle() const;
+  void place(QPointF value);
+  void sayPlace();
+
+  ChartView& chart_;
+  std::optional<double> x_;
+  std::optional<QPointF> point_;
+  QString name_;
+  QColor colour_;
+  bool isDecided_ = false;
+};
+
+}  // namespace asperity
