@@ -10,7 +10,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/run/frame.h"
 #include "core/run/runner.h"
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 
 class QDockWidget;
@@ -96,6 +98,7 @@ class MainWindow : public QMainWindow {
   void showDescription();
   void showTitle();
   void showFrame();
+  void showWarnings(const Frame& frame, NoteSet notes);
   double partPerStep() const;
 
   Session* session_;
