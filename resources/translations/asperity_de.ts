@@ -2722,6 +2722,37 @@
     </message>
 </context>
 <context>
+    <name>asperity::PanelBar</name>
+    <message>
+        <source>Essentials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The few parameters that matter first: velocity, load, stiffness, roughness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parameters of this scene, in sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter ( / )</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filter of the parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>asperity::ParameterPanel</name>
     <message>
         <source>chosen: %1</source>
@@ -2794,6 +2825,14 @@
     <message>
         <source>Comparison</source>
         <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Texts of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3203,6 +3242,33 @@
     <message>
         <source>Map</source>
         <translation>Karte</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SectionHeader</name>
+    <message>
+        <source>%1 changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folded section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folded section, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fold this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open this section</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3785,6 +3851,10 @@
     <message>
         <source>Restore layout</source>
         <translation>Anordnung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Filter parameters</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

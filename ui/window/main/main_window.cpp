@@ -19,6 +19,7 @@
 
 #include "core/run/transient_diagram.h"
 #include "ui/chart/chart_view.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
@@ -222,8 +223,8 @@ void MainWindow::buildCommands() {
                           *messages_, *status_});
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
-  windowLayout_ =
-      new WindowLayout({*this, *dock_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
+  windowLayout_ = new WindowLayout(
+      {*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
@@ -359,9 +360,21 @@ void MainWindow::connectFrames() {
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
   if (figures_->isShowingViews()) canvas_->setFrame(frame);
-  status_->showFrame(*frame, readCurve(*frame, session_->curve()));
+  const CurveReading reading = readCurve(*frame, session_->curve());
+  status_->showFrame(*frame, reading);
   tabs_->showFrame(*frame);
-  if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
+  if (frame->sceneNumber != session_->sceneNumber()) return;
+  panel_->showLine(sizeOf(*frame));
+  showWarnings(*frame, reading.notes);
+}
+
+/// Shows at the parameters how far the present result holds. Until the curve of a changed scene has
+/// its first points, the warnings of before stay, so that rows do not move twice.
+void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
+  const CurveUpdate* curve = session_->curve();
+  if (!curve || !haveSameCurve(*frame.scene, *curve->scene)) return;
+  notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
+  panel_->showNotes(notes);
 }
 
 /// Pauses the moving picture while the window is hidden; curves are still computed.

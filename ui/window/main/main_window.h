@@ -11,7 +11,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/run/frame.h"
 #include "core/run/runner.h"
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 
 class QDockWidget;
@@ -106,6 +108,7 @@ class MainWindow : public QMainWindow {
   void showDescription();
   void showTitle();
   void showFrame();
+  void showWarnings(const Frame& frame, NoteSet notes);
   double partPerStep() const;
 
   Session* session_;

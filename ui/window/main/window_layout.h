@@ -23,6 +23,7 @@ class Appearance;
 class Commands;
 class ContactCanvas;
 class FigurePages;
+class ParameterPanel;
 class SceneTabs;
 
 /// The minimum size of the window. It is fixed, because a temporary need for space, from large
@@ -32,7 +33,8 @@ inline constexpr QSize kLeastWindow{900, 560};
 
 struct LayoutParts {
   QMainWindow& window;
-  QDockWidget& dock;    // of the parameters
+  QDockWidget& dock;  // of the parameters
+  ParameterPanel& panel;
   QSplitter& splitter;  // between contact and tabs
   ContactCanvas& canvas;
   SceneTabs& tabs;
@@ -65,6 +67,9 @@ class WindowLayout : public QObject {
   /// window. Call it before the window is shown.
   void fitToScreen();
 
+  /// Shows the parameters and puts the cursor into their filter.
+  void filterParameters();
+
   /// Shows contact and curve alone on the whole screen, with large texts, for an audience; Escape
   /// leaves.
   void setPresenting(bool presenting);
@@ -76,6 +81,7 @@ class WindowLayout : public QObject {
   void setFullScreen(bool full);
   void showScreenMode();
   void makeRoomForFigures(bool areShown);
+  void giveRoomToViews();
 
   LayoutParts parts_;
   Commands* commands_ = nullptr;
