@@ -751,8 +751,8 @@
 <context>
     <name>asperity::ContactCanvas</name>
     <message>
-        <source>software (OSMesa)</source>
-        <translation>Software (OSMesa)</translation>
+        <source>software</source>
+        <translation>Software</translation>
     </message>
     <message>
         <source>contact view</source>

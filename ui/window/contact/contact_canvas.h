@@ -1,6 +1,6 @@
 // The contact view. It draws frames with OpenGL where the graphics hardware supports it in a
-// window, else with images from OSMesa: OpenGL in software draws the same pictures, but on the GUI
-// thread and, with the window's own composition, at half the rate. It switches at run time if
+// window, else with images of the program's own
+// rasterizer: OpenGL in software draws the same pictures for five times the processor time. It switches at run time if
 // OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl", "software") overrides
 // this choice.
 // Wheel and pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift
@@ -43,7 +43,7 @@ class ContactCanvas : public QWidget {
   /// Covers the picture with a translucent veil that shows the reason; empty: no veil.
   void setVeil(const QString& reason);
 
-  /// Returns "OpenGL" or "software (OSMesa)"; empty where neither works.
+  /// Returns "OpenGL" or "software"; empty where neither works.
   QString backendName() const;
 
   /// Returns the number of pictures shown during the last second.
