@@ -119,12 +119,12 @@ class Gradient {
   bool isSameAcross() const { return isSameAcross_; }
   bool isOpaque() const { return isOpaque_; }
 
-  /// Returns the colour in the middle of a pixel.
-  Paint at(int x, int y) const {
-    if (isFlat_) return paintOf(colour_);
-    return paintOf(colour_ + across_ * (static_cast<float>(x) - x_) +
-                   down_ * (static_cast<float>(y) - y_));
+  /// Returns the colour in the middle of a pixel, and its change to the next one in the row.
+  Four at(int x, int y) const {
+    if (isFlat_) return colour_;
+    return colour_ + across_ * (static_cast<float>(x) - x_) + down_ * (static_cast<float>(y) - y_);
   }
+  Four across() const { return across_; }
 
  private:
   static bool isZero(Four v) { return v[0] == 0 && v[1] == 0 && v[2] == 0 && v[3] == 0; }
@@ -137,14 +137,15 @@ class Gradient {
 /// Draws the pixels from `left` to `right` of a row.
 void drawSpan(const Canvas& canvas, const Gradient& gradient, int left, int right, int y) {
   std::uint8_t* pixel = canvas.pixel(left, y);
+  Four colour = gradient.at(left, y);
   if (gradient.isSameAcross()) {
-    const Paint paint = gradient.at(left, y);
+    const Paint paint = paintOf(colour);
     if (gradient.isOpaque()) return fill(pixel, right - left, bytesOf(paint.levels));
     for (int x = left; x < right; ++x, pixel += 4) blend(pixel, paint);
     return;
   }
-  for (int x = left; x < right; ++x, pixel += 4) {
-    const Paint paint = gradient.at(x, y);
+  for (int x = left; x < right; ++x, pixel += 4, colour += gradient.across()) {
+    const Paint paint = paintOf(colour);
     if (gradient.isOpaque())
       fill(pixel, 1, bytesOf(paint.levels));
     else
