@@ -2163,6 +2163,10 @@
         <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ</translation>
     </message>
     <message>
+        <source>friction F_x/F_N</source>
+        <translation>Reibung F_x/F_N</translation>
+    </message>
+    <message>
         <source>friction μ, deformation alone</source>
         <translation>Reibung μ, nur Verformung</translation>
     </message>
