@@ -104,7 +104,8 @@ FigureLook lookOf(const FigureStyle& style, const PictureSettings& settings) {
   return look;
 }
 
-constexpr NamedChoices<PixelBackend, 3> kBackends{{{"auto", PixelBackend::Automatic},
+constexpr NamedChoices<PixelBackend, 4> kBackends{{{"auto", PixelBackend::Automatic},
+                                                   {"raster", PixelBackend::Raster},
                                                    {"osmesa", PixelBackend::Osmesa},
                                                    {"egl", PixelBackend::Egl}}};
 
@@ -176,7 +177,8 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
       ->type_name("NAME|FILE");
   command.add_flag("--transparent", arguments.transparent, "No background")->group(kPictureGroup);
   add("--backend", arguments.backend,
-      "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
+      "What draws pixels: raster, the program itself, or OpenGL by osmesa or egl (default: auto, "
+      "which is raster)");
   for (const FigureOption& row : figureOptions()) {
     if (row.part > most || command.get_option_no_throw("--" + std::string(row.word))) continue;
     CLI::Option* option = command.add_option_function<std::vector<std::string>>(

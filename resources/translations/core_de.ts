@@ -5438,6 +5438,10 @@
         <source>sets keys of a scene, and this file is a lesson</source>
         <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
     </message>
+    <message>
+        <source>friction F_x/F_N</source>
+        <translation>Reibung F_x/F_N</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

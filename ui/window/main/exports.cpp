@@ -95,7 +95,7 @@ std::optional<ContactShot> Exports::shot() const {
   return shot;
 }
 
-/// Draws in the background, because OSMesa must not share a thread with the window's own context.
+/// Draws in the background, so that the window goes on meanwhile.
 void Exports::run(std::function<void()> work, std::function<void()> done) {
   work_.request([work = std::move(work)](const BackgroundWork::Run&) { work(); },
                 [this, done = std::move(done)] {

@@ -40,6 +40,7 @@ class SceneTabs;
 class Session;
 class StatusLine;
 class Tour;
+class TimeBar;
 class TourBar;
 class WindowLayout;
 class WindowVisibility;
@@ -57,7 +58,8 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }         // the running scene
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
-  SceneTabs& tabs() { return *tabs_; }  // under the contact
+  TimeBar& timeBar() { return *timeBar_; }  // under the contact
+  SceneTabs& tabs() { return *tabs_; }      // under the bar
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
@@ -102,18 +104,21 @@ class MainWindow : public QMainWindow {
   void openGuide();
   void showAbout();
 
+  void connectTime();
   void followVisibility();
+  void choosePoll();
   void wantFields();
   void showScene(const Scene& scene);
   void showDescription();
   void showTitle();
   void showFrame();
   void showWarnings(const Frame& frame, NoteSet notes);
-  double partPerStep() const;
+  void step(bool finely);
 
   Session* session_;
   SceneDocument* document_;
   ContactCanvas* canvas_;
+  TimeBar* timeBar_ = nullptr;
   SceneTabs* tabs_ = nullptr;
   QSplitter* splitter_ = nullptr;
   FigurePages* figures_ = nullptr;
@@ -134,6 +139,7 @@ class MainWindow : public QMainWindow {
   Lessons* lessons_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
+  bool wasPlaying_ = false;               // before a moment was dragged
   std::optional<std::string> described_;  // last text in the bar of the description
 };
 
