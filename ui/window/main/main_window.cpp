@@ -249,6 +249,7 @@ void MainWindow::buildCommands() {
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
+  connect(tour_, &Tour::controlWanted, panel_, &ParameterPanel::reveal);
   lessons_ = new Lessons({*this, *document_, *session_, *panel_, *dock_, *tabs_,
                           *messages_, *appearance_});
   lessons_->addTo(*commands_);
