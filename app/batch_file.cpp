@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,11 +12,13 @@
 #include "app/picture_composer.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/parameters.h"
+#include "core/scene/range.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/main/scene_library.h"
 
@@ -35,68 +37,31 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
-[[noreturn]] void refuse(const std::string& key, const Message& why) {
-  throw InputError("", key, why);
-}
-
-void checkKeys(const Json& object, const std::string& where,
-               const std::vector<std::string_view>& known) {
-  if (!object.is_object()) refuse(where, "needs an object");
-  for (const auto& [key, value] : object.items())
-    if (std::ranges::find(known, key) == known.end()) {
-      const std::string_view nearest = nearestOf(key, known);
-      refuse(where, fmt::format("'{}' is unknown; ", shortened(key)) +
-                        (nearest.empty() ? fmt::format("known are {}", fmt::join(known, ", "))
-                                         : fmt::format("the nearest known key is {}", nearest)));
-    }
-}
-
-std::string textOf(const Json& object, const char* key, const std::string& otherwise) {
-  const auto found = object.find(key);
-  if (found == object.end()) return otherwise;
-  if (!found->is_string()) refuse(key, "needs a text");
-  return found->get<std::string>();
-}
-
 /// Returns the value in the form that --set takes.
 std::string assigned(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-double numberOf(const Json& range, const std::string& key, const char* member) {
-  const auto found = range.find(member);
-  if (found == range.end() || !found->is_number())
-    refuse(key, fmt::format("a range needs the number '{}'", member));
-  return found->get<double>();
-}
-
-std::vector<std::string> rangeOf(const std::string& key, const Json& range) {
-  checkKeys(range, key, {"from", "to", "points", "spacing"});
-  const double from = numberOf(range, key, "from"), to = numberOf(range, key, "to");
-  const double points = numberOf(range, key, "points");
-  const std::string spacing = textOf(range, "spacing", "logarithmic");
-  if (!(points >= 2 && points <= kMostItems && points == std::floor(points)))
-    refuse(key, fmt::format("points has to be a whole number from 2 to {}", kMostItems));
-  const bool linear = spacing == "linear";
-  if (!linear && spacing != "logarithmic") refuse(key, "spacing is logarithmic or linear");
-  if (!linear && !(from > 0 && to > 0)) refuse(key, "a logarithmic range needs numbers above 0");
+/// The values of a range, logarithmic unless it says otherwise.
+std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
+                                  const std::string& where) {
+  checkMembers(spec, where, {"from", "to", "points", "scale", "spacing"});
+  if (spec.contains("scale") && spec.contains("spacing"))
+    refuseMember(where, "scale and spacing mean the same; one of them is enough");
+  const std::string member = spec.contains("spacing") ? "spacing" : "scale";
+  const std::string log = member == "spacing" ? "logarithmic" : "log";
+  const std::string scale = textIn(spec, member.c_str(), log, where);
+  if (scale != log && scale != "linear")
+    refuseMember(where + "." + member,
+                 notOneOf(scale, std::array<std::string_view, 2>{log, "linear"}));
+  if (!spec.contains("points")) refuseMember(where + ".points", "is missing; it needs a number");
+  const ParameterRange range{&row, numberIn(spec, where, "from"), numberIn(spec, where, "to"),
+                             wholeIn(spec, "points", 2, kMostItems, where), scale != "linear"};
+  if (range.isLogarithmic && !(range.from > 0 && range.to > 0))
+    refuseMember(where, "a logarithmic range needs ends above 0");
   std::vector<std::string> texts;
-  const auto count = static_cast<std::int64_t>(points);
-  if (!linear)
-    for (const double value : logSpaced(from, to, count)) texts.push_back(fmt::format("{}", value));
-  else
-    for (std::int64_t i = 0; i < count; ++i)
-      texts.push_back(
-          fmt::format("{}", from + (to - from) * static_cast<double>(i) / (points - 1)));
+  for (const double value : valuesOf(range)) texts.push_back(fmt::format("{}", value));
   return texts;
-}
-
-/// Throws InputError where no scene has this key; the error names the place `where`.
-void checkSceneKey(const std::string& key, const std::string& where) {
-  if (findParameter(key)) return;
-  const std::string_view nearest = nearestKey(key);
-  refuse(where, nearest.empty() ? std::string("unknown key")
-                                : fmt::format("unknown key; the nearest known one is {}", nearest));
 }
 
 /// Reads the sweeps of an entry. An error in a sweep names the batch's key, which begins with
@@ -105,16 +70,20 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
   std::vector<Sweep> sweeps;
   const auto found = entry.find("sweep");
   if (found == entry.end()) return sweeps;
-  if (!found->is_object()) refuse("sweep", "needs an object of keys");
+  if (!found->is_object()) refuseMember("sweep", "needs an object of keys");
   for (const auto& [key, values] : found->items()) {
     const std::string where = "sweep." + shortened(key);
-    checkSceneKey(key, where);
     Sweep sweep{key, {}};
-    if (values.is_array())
-      for (const Json& value : values) sweep.values.push_back(assigned(value));
-    else
-      sweep.values = rangeOf(where, values);
-    if (sweep.values.empty()) refuse(where, "has no value");
+    try {
+      const Parameter& row = knownParameter(key);
+      if (values.is_array())
+        for (const Json& value : values) sweep.values.push_back(assigned(value));
+      else
+        sweep.values = valuesOf(numberRow(row.key), values, where);
+    } catch (const InputError& error) {
+      refuseMember(error.key().starts_with(where) ? error.key() : where, error.message());
+    }
+    if (sweep.values.empty()) refuseMember(where, "has no value");
     sweeps.push_back(std::move(sweep));
   }
   return sweeps;
@@ -137,18 +106,19 @@ class Entry {
       : json_(json), name_(std::move(name)), folder_(folder) {}
 
   std::vector<BatchItem> items() {
-    checkKeys(json_, "entry", {"name", "scene", "set", "sweep", "show"});
-    show_ = textOf(json_, "show", "");
+    checkMembers(json_, "entry", {"name", "scene", "set", "sweep", "show"});
+    show_ = textIn(json_, "show", "");
     if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
     sweeps_ = sweepsOf(json_);
     for (const Sweep& sweep : sweeps_)
       if (json_.contains("set") && json_["set"].contains(sweep.key))
-        refuse(sweep.key, "stands in set and in sweep; one of them is enough");
+        refuseMember(sweep.key, "stands in set and in sweep; one of them is enough");
     std::size_t count = 1;
     for (const Sweep& sweep : sweeps_) {
       count *= sweep.values.size();
-      if (count > kMostItems) refuse("sweep", fmt::format("gives more than {} scenes", kMostItems));
+      if (count > kMostItems)
+        refuseMember("sweep", fmt::format("gives more than {} scenes", kMostItems));
     }
     std::vector<BatchItem> items;
     for (std::size_t i = 0; i < count; ++i) items.push_back(item(i, count));
@@ -159,7 +129,7 @@ class Entry {
   void readSet() {
     const auto set = json_.find("set");
     if (set == json_.end()) return;
-    if (!set->is_object()) refuse("set", "needs an object of keys");
+    if (!set->is_object()) refuseMember("set", "needs an object of keys");
     for (const auto& [key, value] : set->items()) set_.push_back(key + "=" + assigned(value));
   }
 
@@ -228,11 +198,12 @@ class OutputNames {
     for (const std::string& file : filesOf(item)) {
       const std::string key = fmt::format("entries[{}].name", entry - 1);
       if (const std::string_view content = contentOfCommonFile(file); !content.empty())
-        refuse(key, fmt::format("'{}' would write {}, which holds {}", item.name, file, content));
+        refuseMember(key,
+                     fmt::format("'{}' would write {}, which holds {}", item.name, file, content));
       const auto [known, isNew] = writtenBy_.emplace(file, entry);
       if (!isNew)
-        refuse(key, fmt::format("'{}' would write {}, as entries[{}] does", item.name, file,
-                                known->second - 1));
+        refuseMember(key, fmt::format("'{}' would write {}, as entries[{}] does", item.name, file,
+                                      known->second - 1));
     }
   }
 
@@ -244,17 +215,17 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
               const std::filesystem::path& folder, std::set<std::string>& names) {
   std::string name = fmt::format("entry_{}", number);
   try {
-    if (json.is_object()) name = fileNameOf(textOf(json, "name", name));
+    if (json.is_object()) name = fileNameOf(textIn(json, "name", name));
     const std::string where = fmt::format("entries[{}].name", number - 1);
-    if (name.empty()) refuse(where, "is empty");
-    if (!names.insert(name).second) refuse(where, "stands twice");
+    if (name.empty()) refuseMember(where, "is empty");
+    if (!names.insert(name).second) refuseMember(where, "stands twice");
     std::vector<BatchItem> items = Entry(json, name, folder).items();
     if (batch.items.size() + items.size() > kMostItems)
-      refuse("", fmt::format("a batch may have {} scenes", kMostItems));
+      refuseMember("", fmt::format("a batch may have {} scenes", kMostItems));
     std::move(items.begin(), items.end(), std::back_inserter(batch.items));
   } catch (const InputError& error) {
     if (error.key().starts_with("sweep"))
-      refuse(fmt::format("entries[{}].{}", number - 1, error.key()), error.message());
+      refuseMember(fmt::format("entries[{}].{}", number - 1, error.key()), error.message());
     BatchItem item;
     item.name = name;
     item.error = messageOf(error);
@@ -273,7 +244,7 @@ const char* const kBatchFormat =
       "sweep": {"load.normal_force": {"from": 1e-3, "to": 10, "points": 5},
                 "surface.hurst": [0.3, 0.7, 1]}}]}
 An entry's scene is a file (relative to the batch's), the name of a shipped scene, or a scene itself; set and sweep take any scene
-key. A sweep is a list, or a range, logarithmic unless "spacing": "linear"; several keys make a
+key. A sweep is a list, or a range, logarithmic unless "scale": "linear"; several keys make a
 grid. show: contact, curve, both, or transient. DIR gets index.html, results.csv, contact_sheet.png
 (of more than 100 scenes only with --contact-sheet), and for each scene NAME.png, NAME.json (the scene)
 and, of curve, both and transient, NAME.csv: the curve, or the motion as asperity motion writes it,
@@ -291,15 +262,15 @@ Batch readBatch(const std::filesystem::path& file) {
 Batch readBatch(std::string_view json, const std::filesystem::path& file) {
   try {
     const Json root = parseJson(json, kDeepest);
-    checkKeys(root, "", {"schema", "title", "size", "entries"});
-    if (textOf(root, "schema", "") != "asperity-batch/1")
-      refuse("schema", "is not asperity-batch/1");
+    checkMembers(root, "", {"schema", "title", "size", "entries"});
+    if (textIn(root, "schema", "") != "asperity-batch/1")
+      refuseMember("schema", "is not asperity-batch/1");
     Batch batch;
-    batch.title = textOf(root, "title", "Batch");
-    batch.size = textOf(root, "size", batch.size);
+    batch.title = textIn(root, "title", "Batch");
+    batch.size = textIn(root, "size", batch.size);
     const auto entries = root.find("entries");
     if (entries == root.end() || !entries->is_array() || entries->empty())
-      refuse("entries", "needs a list of entries");
+      refuseMember("entries", "needs a list of entries");
     std::set<std::string> names;
     OutputNames outputs;
     for (std::size_t i = 0, first = 0; i < entries->size(); ++i) {

@@ -17,6 +17,7 @@
 #include "app/batch_file.h"
 #include "app/command_options.h"
 #include "app/completions.h"
+#include "app/dictionary.h"
 #include "app/interruption.h"
 #include "app/remake.h"
 #include "app/vector_target.h"
@@ -46,6 +47,8 @@ class CommandLine {
     app_.add_option("--completions", completions_,
                     "Print completions of this command line for bash, zsh or fish")
         ->type_name("SHELL");
+    app_.add_flag("--dictionary", printsDictionary_,
+                  "Print all scene keys, columns and options as Markdown");
     app_.set_help_flag("-h,--help", "Show this help");
     app_.require_subcommand(0, 1);
     app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
@@ -103,6 +106,10 @@ class CommandLine {
       if (script.empty())
         throw InputError("", "--completions", notOneOf(completions_, completionShells()));
       fmt::print("{}", script);
+      return kDone;
+    }
+    if (printsDictionary_) {
+      fmt::print("{}", dictionaryMarkdown(app_));
       return kDone;
     }
     return selected_ ? selected_() : runWindowCommand(window_);
@@ -643,6 +650,7 @@ class CommandLine {
 
   CLI::App app_;
   std::string completions_;
+  bool printsDictionary_ = false;
   std::vector<CommonOptions*> allCommon_;
   CommonOptions window_, columns_;
   CheckCommand check_;

@@ -291,19 +291,7 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
     } catch (const InputError& error) {
       throw error.key() == kOver ? error : InputError(kOver, error.key(), error.message());
     }
-  std::vector<FrictionData> given;
-  for (const std::string& name : arguments.data) {
-    const std::filesystem::path file(name);
-    given.push_back(readFrictionData(file));
-    std::error_code error;
-    const std::filesystem::path beside =
-        std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
-    scene.comparison.data.push_back({error ? name : beside.string(), {}});
-  }
-  if (scene.comparison.data.size() > kMostDataFiles)
-    throw InputError(
-        "", kData,
-        message("{} tables are more than {}", scene.comparison.data.size(), kMostDataFiles));
+  std::vector<FrictionData> given = addComparisonData(scene, arguments.data);
   if (arguments.theory.empty()) return {std::move(scene), std::move(given)};
   nlohmann::json words = nlohmann::json::array();
   std::istringstream list(arguments.theory);

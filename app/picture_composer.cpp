@@ -43,7 +43,7 @@ ContactOverlay overlayFrom(const std::string& name) {
 }
 
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {
-  if (sheet.diagrams.size() < 2) return;
+  if (sheet.diagrams.size() < 2 || settings.isOnPaper) return;  // on paper the height follows
   const int room = settings.height - above;
   DiagramOptions options = settings.diagramOptions();
   options.height = room;
@@ -121,7 +121,7 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
   return std::max(text, kLeastStripText);
 }
 
-void PictureComposer::checkStrips(const Scene& scene) const {
+void PictureComposer::checkStrips(const Scene& scene) {
   if (content_.layout != PictureLayout::Transient) return;
   const auto hasRoom = [&](int height) {
     const DiagramSheet strips =
@@ -136,18 +136,28 @@ void PictureComposer::checkStrips(const Scene& scene) const {
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
   const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
+  if (settings_.isOnPaper) {
+    settings_.height = least;
+    return;
+  }
   throw InputError("", "--size",
                    message("{} leaves no room for the strips over time; {}x{} does", given,
                            settings_.width, least));
 }
 
-void PictureComposer::checkRoom(const Scene& scene) const {
+void PictureComposer::checkRoom(const Scene& scene) {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
   DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
   if (layout == PictureLayout::Both) sheet.title = {};
-  checkPanels(sheet, settings_, layout == PictureLayout::Both ? contactHeight() : 0);
+  const int above = layout == PictureLayout::Both ? contactHeight() : 0;
+  checkPanels(sheet, settings_, above);
+  if (!settings_.isOnPaper) return;
+  DiagramOptions options = optionsFor(settings_.height - above, 0);
+  if (above > 0) options.above = FrameAbove{};
+  const double part = 1 - static_cast<double>(above) / settings_.height;
+  settings_.height = static_cast<int>(std::ceil(heightInPrint(sheet, options) / part));
 }
 
 ContactPictureOptions PictureComposer::contactOptions(int height) const {

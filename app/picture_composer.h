@@ -39,8 +39,8 @@ class PictureComposer {
   PictureComposer(const PictureSettings& settings, PictureContent content);
 
   /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
-  /// scene, would not fit.
-  void checkRoom(const Scene& scene) const;
+  /// scene, would not fit; on paper the picture gets as high as they need.
+  void checkRoom(const Scene& scene);
 
   DrawList compose(const Frame& frame);
 
@@ -51,7 +51,7 @@ class PictureComposer {
   ContactPictureOptions contactOptions(int height) const;
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
-  void checkStrips(const Scene& scene) const;
+  void checkStrips(const Scene& scene);
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureSettings settings_;

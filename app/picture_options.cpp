@@ -104,7 +104,8 @@ FigureLook lookOf(const FigureStyle& style, const PictureSettings& settings) {
   return look;
 }
 
-constexpr NamedChoices<PixelBackend, 3> kBackends{{{"auto", PixelBackend::Automatic},
+constexpr NamedChoices<PixelBackend, 4> kBackends{{{"auto", PixelBackend::Automatic},
+                                                   {"raster", PixelBackend::Raster},
                                                    {"osmesa", PixelBackend::Osmesa},
                                                    {"egl", PixelBackend::Egl}}};
 
@@ -161,7 +162,8 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
     return command.add_option(option, value, sentence)->group(kPictureGroup);
   };
   add("--size", arguments.size,
-      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt) (default: " +
+      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt); several panels "
+      "may need a larger height on paper (default: " +
           defaultSize + " times the scale)")
       ->type_name("WxH");
   add("--scale", arguments.scale,
@@ -175,7 +177,8 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
       ->type_name("NAME|FILE");
   command.add_flag("--transparent", arguments.transparent, "No background")->group(kPictureGroup);
   add("--backend", arguments.backend,
-      "OpenGL library: osmesa, egl, or auto, the first that is available (default: auto)");
+      "What draws pixels: raster, the program itself, or OpenGL by osmesa or egl (default: auto, "
+      "which is raster)");
   for (const FigureOption& row : figureOptions()) {
     if (row.part > most || command.get_option_no_throw("--" + std::string(row.word))) continue;
     CLI::Option* option = command.add_option_function<std::vector<std::string>>(
@@ -241,8 +244,10 @@ PictureProperties PictureSettings::properties(const std::string& title,
 }
 
 DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText) {
-  DrawList list =
-      composeDiagrams(styled(sheet, settings.style), settings.diagramOptions(leastText));
+  const DiagramSheet shown = styled(sheet, settings.style);
+  DiagramOptions options = settings.diagramOptions(leastText);
+  if (settings.isOnPaper) options.height = heightInPrint(shown, options);
+  DrawList list = composeDiagrams(shown, options);
   if (settings.style.isGrey) removeColours(list);
   return list;
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "ui/language/words.h"
 
@@ -16,17 +17,26 @@ constexpr std::chrono::milliseconds kInterval{50}, kLineInterval{10000};
 }  // namespace
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
-    : what_(std::move(what)), isQuiet_(quiet), isTerminal_(::isatty(STDERR_FILENO) == 1) {
+    : what_(std::move(what)),
+      isQuiet_(quiet),
+      isTerminal_(::isatty(STDERR_FILENO) == 1),
+      isForProgram_(std::getenv("ASPERITY_PROGRESS") != nullptr) {
   if (!isTerminal_) drawn_ = std::chrono::steady_clock::now();  // short work has no line
 }
 
 ProgressBar::~ProgressBar() {
-  if (!isQuiet_ && isTerminal_) std::fputs("\r\033[K", stderr);
+  if (!isQuiet_ && isTerminal_ && !isForProgram_) std::fputs("\r\033[K", stderr);
 }
 
 void ProgressBar::show(std::int64_t done, std::int64_t total, const std::string& note) {
   const auto now = std::chrono::steady_clock::now();
   if (isQuiet_) return;
+  if (isForProgram_) {
+    if (done < total && now - drawn_ < kInterval) return;
+    drawn_ = now;
+    std::fputs(fmt::format("progress {} {}\n", done, total).c_str(), stderr);
+    return;
+  }
   std::string count = filled(Words::tr("%1 of %2"), {std::to_string(done), std::to_string(total)});
   if (!note.empty()) count += ", " + note;
   if (!isTerminal_) {

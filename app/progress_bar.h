@@ -1,5 +1,6 @@
 // Progress on stderr: a bar on a terminal; into a pipe a line every ten seconds, so that a log of
-// long work shows that it goes on. One thread at a time.
+// long work shows that it goes on; with the environment variable ASPERITY_PROGRESS, for a program
+// that shows its own bar, lines "progress DONE TOTAL". One thread at a time.
 #pragma once
 
 #include <chrono>
@@ -22,6 +23,7 @@ class ProgressBar {
  private:
   std::string what_;
   bool isQuiet_, isTerminal_;
+  bool isForProgram_;  // the environment variable ASPERITY_PROGRESS asks for numbers
   std::chrono::steady_clock::time_point drawn_{};
 };
 

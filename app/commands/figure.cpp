@@ -15,6 +15,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/scene/provenance.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/chart/figure_drawing.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/translated.h"
@@ -83,7 +84,10 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
   const PictureSettings settings = pictureSettings(command.picture, printDefaults(figure.sheet));
   Figure shown = figure;
   shown.sheet = styled(figure.sheet, settings.style);
-  DrawList picture = composeFigure(shown, contactOf(figure).get(), settings.diagramOptions());
+  DiagramOptions options = settings.diagramOptions();
+  if (settings.isOnPaper && !shown.sheet.diagrams.empty())
+    options.height = heightInPrint(shown.sheet, options);
+  DrawList picture = composeFigure(shown, contactOf(figure).get(), options);
   if (settings.style.isGrey) removeColours(picture);
   const ProvenanceOptions given(optionsOf(".png"));
   const PictureProperties properties =

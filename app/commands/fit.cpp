@@ -24,31 +24,6 @@ namespace {
 
 constexpr PictureDefaults kPictures{1200, 900, "print"};
 
-/// KEY or KEY=LOW:HIGH.
-VariedParameter variedFrom(const std::string& text, const Scene& scene) {
-  const std::size_t equals = text.find('=');
-  const std::string key = text.substr(0, equals);
-  if (equals == text.npos) return {key, scene};
-  const std::string range = text.substr(equals + 1);
-  const std::size_t colon = range.find(':');
-  double low = 0, high = 0;
-  if (colon == range.npos || !readNumber(std::string_view(range).substr(0, colon), low) ||
-      !readNumber(std::string_view(range).substr(colon + 1), high))
-    throw InputError("", "--vary", message("'{}' is not KEY or KEY=LOW:HIGH", text));
-  return {key, scene, low, high};
-}
-
-std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, const Scene& scene) {
-  std::vector<VariedParameter> varied;
-  for (const std::string& text : texts) {
-    varied.push_back(variedFrom(text, scene));
-    for (std::size_t i = 0; i + 1 < varied.size(); ++i)
-      if (varied[i].key() == varied.back().key())
-        throw InputError("", "--vary", message("{} is given more than once", varied.back().key()));
-  }
-  return varied;
-}
-
 std::string summaryOf(const Fit& fit) {
   std::string text;
   for (const FittedParameter& parameter : fit.parameters)

@@ -53,7 +53,7 @@ double kelvins(const std::string& text, const char* option) {
 /// A modulus in Pa, or with a unit.
 double pascals(const std::string& text, const char* option) {
   const auto quantity = quantityIn(text);
-  const auto unit = quantity ? pressureUnit(quantity->unit.empty() ? "Pa" : quantity->unit)
+  const auto unit = quantity ? sizeOfUnit(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
                              : std::optional<double>();
   if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
     throw InputError("", option, message("'{}' is not a modulus such as 2.3MPa", text));
@@ -74,7 +74,7 @@ MaterialChoices choicesOf(const MaterialCommand& command) {
             command.columns.frequencyUnit, "--frequency-unit", "Hz, rad/s");
   checkUnit(temperatureUnit(command.columns.temperatureUnit).has_value(),
             command.columns.temperatureUnit, "--temperature-unit", "C, K, F");
-  checkUnit(pressureUnit(command.columns.modulusUnit).has_value(), command.columns.modulusUnit,
+  checkUnit(sizeOfUnit(command.columns.modulusUnit, "Pa").has_value(), command.columns.modulusUnit,
             "--modulus-unit", "Pa, kPa, MPa, GPa");
   if (!command.temperature.empty())
     choices.columns.temperature = kelvins(command.temperature, "--temperature");

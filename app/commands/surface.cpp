@@ -12,8 +12,8 @@
 #include "app/surface_progress.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
-#include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/measured/measured_file.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/measured_sheet.h"
 #include "core/scene/data_table.h"
@@ -70,17 +70,6 @@ std::string notesText(const NoteSet& notes) {
   for (const Note note : notes.list())
     text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
   return text;
-}
-
-/// Files that hold a scene begin with a brace; all else is taken for a measured surface.
-bool isSurfaceFile(const std::string& name) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(name, error)) return false;
-  constexpr std::size_t kBeginning = 4096;
-  std::string bytes = RegularFile(name).read(0, kBeginning);
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && bytes[first] != '{';
 }
 
 /// The scene of a measured file with everything else as usual.

@@ -9,7 +9,7 @@
 #include "app/python/call.h"
 #include "app/python/module.h"
 #include "core/base/input_error.h"
-#include "core/base/regular_file.h"
+#include "core/measured/measured_file.h"
 #include "core/run/motion_table.h"
 #include "core/run/rigid_line.h"
 #include "core/run/steady_frames.h"
@@ -180,17 +180,6 @@ std::shared_ptr<SurfaceOfScene> surfaceOfFile(const Scene& scene, const std::str
   }
 }
 
-/// Whether a file is a measured surface: those that hold a scene begin with a brace.
-bool isSurfaceFile(const std::string& name) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(name, error)) return false;
-  constexpr std::size_t kBeginning = 4096;
-  std::string bytes = RegularFile(name).read(0, kBeginning);
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && bytes[first] != '{';
-}
-
 }  // namespace
 
 void addContact(py::module_& module) {
@@ -232,7 +221,7 @@ void addContact(py::module_& module) {
                    [scene, realization](const Call&) { return contactOf(scene, realization); });
   });
   module.def("march", &motionOf);
-  module.def("is_surface_file", &isSurfaceFile);
+  module.def("is_surface_file", [](const std::string& name) { return isSurfaceFile(name); });
   module.def("surface", [](const Scene& scene, const std::string& file, std::int64_t realization,
                            const py::object& progress) {
     return compute(progress, [scene, file, realization](const Call&) {

@@ -68,15 +68,6 @@ struct Override {
   std::vector<double> values;
 };
 
-void setNumber(const Override& one, Scene& scene, std::size_t i) {
-  const bool isWhole = std::holds_alternative<IntegerField>(one.row->field);
-  const double value = one.values[i];
-  if (isWhole && value == std::round(value) && std::abs(value) < 0x1p53)
-    setValue(*one.row, scene, static_cast<std::int64_t>(value));
-  else
-    setValue(*one.row, scene, value);
-}
-
 /// States of one call: each is a scene of about a kilobyte.
 constexpr std::size_t kMostStates = 200000;
 
@@ -92,7 +83,7 @@ std::vector<Scene> statesOf(const Scene& scene, const std::vector<Override>& ove
   states.reserve(count);
   for (std::size_t i = 0; i < count && !stop.stop_requested(); ++i) {
     Scene& state = states.emplace_back(plain);
-    for (const Override& one : overrides) setNumber(one, state, i);
+    for (const Override& one : overrides) setValue(*one.row, state, one.values[i]);
     checkScene(state);
   }
   return states;
@@ -210,32 +201,6 @@ py::list sensitivityRows(const SensitivityOfScene& found) {
 
 // ---- fits
 
-/// KEY or KEY=LOW:HIGH, where the limits may have units.
-VariedParameter variedFrom(const std::string& text, const Scene& scene) {
-  const std::size_t equals = text.find('=');
-  const std::string key = text.substr(0, equals);
-  if (equals == text.npos) return {key, scene};
-  const std::string range = text.substr(equals + 1);
-  const std::size_t colon = range.find(':');
-  if (colon == range.npos)
-    throw InputError("", "--vary", message("'{}' is not KEY or KEY=LOW:HIGH", text));
-  const Parameter& row = numberRow(key);
-  return {key, scene, numberFromText(row, range.substr(0, colon)),
-          numberFromText(row, range.substr(colon + 1))};
-}
-
-std::vector<VariedParameter> variedFrom(const Texts& texts, const Scene& scene) {
-  if (texts.empty()) throw InputError("", "--vary", "no key is given");
-  std::vector<VariedParameter> varied;
-  for (const std::string& text : texts) {
-    varied.push_back(variedFrom(text, scene));
-    for (std::size_t i = 0; i + 1 < varied.size(); ++i)
-      if (varied[i].key() == varied.back().key())
-        throw InputError("", "--vary", message("{} is given more than once", varied.back().key()));
-  }
-  return varied;
-}
-
 struct FitOfScene {
   Scene scene;
   Fit fit;
@@ -250,21 +215,6 @@ struct FitOfScene {
   }
 };
 
-/// Adds the tables as the program does: their names are relative to the scene's folder. Reads each
-/// once, so that an error names the file as it was given.
-std::vector<FrictionData> addTables(Scene& scene, const Texts& files) {
-  std::vector<FrictionData> given;
-  for (const std::string& name : files) {
-    const std::filesystem::path file(name);
-    given.push_back(readFrictionData(file));
-    std::error_code error;
-    const std::filesystem::path beside =
-        std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
-    scene.comparison.data.push_back({error ? name : beside.string(), {}});
-  }
-  return given;
-}
-
 /// tables: names and texts of tables that are no files.
 std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
                                   const std::vector<std::pair<std::string, std::string>>& tables,
@@ -272,7 +222,7 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
                                   const py::object& progress) {
   checkThreads(threads);
   Scene scene = given;
-  const std::vector<FrictionData> read = addTables(scene, files);
+  const std::vector<FrictionData> read = addComparisonData(scene, files);
   if (scene.comparison.data.empty() && tables.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   needSteadySliding(scene, "a fit");

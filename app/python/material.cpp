@@ -51,7 +51,7 @@ double kelvins(const Option& option) {
 
 double pascals(const Option& option) {
   const auto quantity = quantityIn(option.value);
-  const auto unit = quantity ? pressureUnit(quantity->unit.empty() ? "Pa" : quantity->unit)
+  const auto unit = quantity ? sizeOfUnit(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
                              : std::optional<double>();
   if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
     throw InputError("", option.name,
@@ -155,7 +155,8 @@ constexpr std::array<Row, 25> kRows{{
      }},
     {"--modulus-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.modulusUnit = unitOf(o, pressureUnit(o.value).has_value(), "Pa, kPa, MPa, GPa");
+       c.columns.modulusUnit =
+           unitOf(o, sizeOfUnit(o.value, "Pa").has_value(), "Pa, kPa, MPa, GPa");
      }},
     {"--name", [](const Option& o, MaterialChoices& c) { c.name = o.value; }},
     {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},

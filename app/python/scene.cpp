@@ -43,7 +43,7 @@ py::list keysOf(const Scene& scene) {
   return keys;
 }
 
-py::object numberOf(const std::string& key, const std::string& text) {
+py::object numberFromWord(const std::string& key, const std::string& text) {
   const Parameter& row = numberRow(key);
   const double number = numberFromText(row, text);
   if (std::holds_alternative<IntegerField>(row.field))
@@ -110,7 +110,7 @@ void addScene(py::module_& module) {
   });
   module.def("kind", [](const std::string& key) { return kindOf(knownParameter(key)); });
   module.def("is_key", [](const std::string& key) { return findParameter(key) != nullptr; });
-  module.def("number", &numberOf);
+  module.def("number", &numberFromWord);
   module.def("parameters", &parameterTable);
   module.def("range_values", &rangeValues);
 }

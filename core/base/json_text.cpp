@@ -142,6 +142,12 @@ std::string_view withoutBlanks(std::string_view text) {
 
 }  // namespace
 
+bool beginsAsObject(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != text.npos && text[first] == '{';
+}
+
 nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string_view wanted) {
   if (const std::string_view kind = foreignKindOf(text); !kind.empty()) refuseKind(kind, wanted);
   const std::string_view beginning = withoutBlanks(text).substr(0, 1);

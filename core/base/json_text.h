@@ -9,6 +9,9 @@
 
 namespace asperity {
 
+/// Returns whether the text can be JSON at all: an object, after a byte order mark and blanks.
+bool beginsAsObject(std::string_view text);
+
 /// Parses the text. Throws InputError with the position where the text is not JSON, where a key
 /// occurs twice in one object or an object has more than 256 keys, and where the nesting is deeper
 /// than `deepest`. wanted: the sentence that tells, for a file of another kind, what is needed

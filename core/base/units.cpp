@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/number_text.h"
 #include "core/base/text.h"
@@ -62,6 +63,7 @@ struct OtherUnit {
 };
 
 constexpr double kPoundForce = 4.4482216152605;  // N
+constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array kOthers{
     OtherUnit{"%"sv, {"", -2}},
@@ -115,7 +117,12 @@ constexpr std::array kOthers{
     OtherUnit{"P"sv, {"Pa s", -1}},
     OtherUnit{"cP"sv, {"Pa s", -3}},
     OtherUnit{"m2"sv, {"m\u00B2"}},
-    OtherUnit{"\u00B0"sv, {"rad", 0, 0.017453292519943295}},
+    OtherUnit{"\u00B0"sv, {"rad", 0, kDegree}},
+    OtherUnit{"deg"sv, {"rad", 0, kDegree}},
+    OtherUnit{"degree"sv, {"rad", 0, kDegree}},
+    OtherUnit{"degrees"sv, {"rad", 0, kDegree}},
+    OtherUnit{"radian"sv, {"rad"}},
+    OtherUnit{"radians"sv, {"rad"}},
 };
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
@@ -253,6 +260,30 @@ std::optional<Unit> unitNamed(std::string_view name) {
   for (const Dimension& dimension : kDimensions)
     if (const auto found = withPrefix(text, dimension.si)) return found;
   return {};
+}
+
+std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
+  if (const auto exact = unitNamed(name, si)) return exact;
+  const std::string text = lowerCase(usualSpelling(name));
+  for (const OtherUnit& one : kOthers)
+    if (one.unit.si == si && lowerCase(one.name) == text) return one.unit;
+  const Dimension* dimension = dimensionOf(si);
+  if (!dimension) return {};
+  // Small letters stand for two prefixes, as m does for milli and mega.
+  std::optional<Unit> smaller, larger;
+  for (const Prefix& prefix : kPrefixes) {
+    if (lowerCase(prefix.letter) + lowerCase(si) != text) continue;
+    const Unit unit{dimension->si, prefix.exponent};
+    if (!smaller || unit.exponent < smaller->exponent) smaller = unit;
+    if (!larger || unit.exponent > larger->exponent) larger = unit;
+  }
+  if (!smaller || smaller->exponent == larger->exponent || si == "s") return smaller;
+  return si == "Pa" ? larger : std::nullopt;
+}
+
+std::optional<double> sizeOfUnit(std::string_view name, std::string_view si) {
+  const auto unit = unitInAnyCase(name, si);
+  return unit && unit->offset == 0 ? std::optional(unit->toSi(1)) : std::nullopt;
 }
 
 TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {

@@ -29,6 +29,13 @@ std::optional<Unit> unitNamed(std::string_view name);
 /// times it may not be minutes: only units of `si` are looked at.
 std::optional<Unit> unitNamed(std::string_view name, std::string_view si);
 
+/// Returns the same as instruments write it, in any case where that leaves no doubt: "KHZ", "MPA"
+/// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds).
+std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
+
+/// Returns how many of the SI unit one of such a unit is. Empty where it is none.
+std::optional<double> sizeOfUnit(std::string_view name, std::string_view si);
+
 /// What a number has to be.
 struct QuantityRule {
   std::string_view unit{};     // SI; empty for a pure number

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "core/base/input_error.h"
 #include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
+#include "core/scene/list_text.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {
@@ -117,6 +119,23 @@ std::vector<FrictionData> readComparisonData(const Scene& scene,
     data.push_back(readFrictionData(scene.folder / tables[i].file, tables[i].label));
   data.insert(data.end(), known.begin(), known.end());
   return data;
+}
+
+std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std::string>& files) {
+  std::vector<FrictionData> given;
+  for (const std::string& name : files) {
+    const std::filesystem::path file(name);
+    given.push_back(readFrictionData(file));
+    std::error_code error;
+    const std::filesystem::path beside =
+        std::filesystem::proximate(file, scene.folder.empty() ? "." : scene.folder, error);
+    scene.comparison.data.push_back({error ? name : beside.string(), {}});
+  }
+  if (scene.comparison.data.size() > kMostDataFiles)
+    throw InputError(
+        "", "--data",
+        message("{} tables are more than {}", scene.comparison.data.size(), kMostDataFiles));
+  return given;
 }
 
 bool hasComparisons(const CurveSet& set) {

@@ -4,6 +4,7 @@
 // names the file and the row where a table cannot be read (core/fit/friction_data.h).
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/chart/curve_set.h"
@@ -15,6 +16,11 @@ namespace asperity {
 /// read already.
 std::vector<FrictionData> readComparisonData(const Scene& scene,
                                              const std::vector<FrictionData>& known = {});
+
+/// Adds tables, named from the present folder, to those that the scene names from its own. Reads
+/// each once, so that an error names the file as it was given. Throws InputError (--data) where
+/// there are too many.
+std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std::string>& files);
 
 /// Whether there is something to add: another theory than Eq. (11), a table, or an axis on which
 /// Eq. (11) does not stand in the points of the curve.

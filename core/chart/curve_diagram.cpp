@@ -215,6 +215,24 @@ Message blankOf(const CurveSet& set) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
+/// What a theory says of the shown quantity; NaN where it says nothing.
+double valueOf(const TheoryPoint& point, const CurveSet& set) {
+  return set.axes == CurveAxes::Dimensionless ? point.mu : point.value(set.y);
+}
+
+/// Why a theory has no line; empty where it has one.
+Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
+  const auto isKnown = [&](const TheoryPoint& point) { return std::isfinite(valueOf(point, set)); };
+  if (std::ranges::any_of(theory.points, [&](const TheoryPoint& point) {
+        return point.isInRange && isKnown(point);
+      }))
+    return {};
+  const Message name(entryOf(theory.theory).name);
+  return std::ranges::any_of(theory.points, isKnown)
+             ? message("{} has no line: nowhere on this axis does it hold.", name)
+             : message("{} has no line: it says nothing about this quantity in this scene.", name);
+}
+
 /// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
 /// of a half-space, which is another model, has a colour.
 void addTheories(Diagram& diagram, const CurveSet& set) {
@@ -230,15 +248,11 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
                                                                : SeriesStroke::Dashed;
     if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
     series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
-    bool isSeen = false;
     for (const TheoryPoint& point : theory.points) {
-      const double y = !point.isInRange                       ? kNotApplicable
-                       : set.axes == CurveAxes::Dimensionless ? point.mu * friction
-                                                              : point.value(set.y);
+      const double y = point.isInRange ? valueOf(point, set) * friction : kNotApplicable;
       series.points.push_back({set.isOfVelocity() ? point.velocity * velocity : point.swept, y});
-      isSeen |= std::isfinite(y);
     }
-    if (isSeen) diagram.series.push_back(std::move(series));
+    if (whyMissing(theory, set).empty()) diagram.series.push_back(std::move(series));
   }
 }
 
@@ -463,7 +477,10 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at "
         "which the rubber was not measured.");
   for (const TheoryCurve& theory : set.theories)
-    if (theory.theory != Theory::Eq11) notes.emplace_back(entryOf(theory.theory).range);
+    if (Message reason = whyMissing(theory, set); !reason.empty())
+      notes.push_back(std::move(reason));
+    else if (theory.theory != Theory::Eq11)
+      notes.emplace_back(entryOf(theory.theory).range);
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
   const bool hasResiduals = std::ranges::any_of(

@@ -69,9 +69,7 @@ double valueAt(AxisScale scale, double place) {
 }
 
 double numberOf(const Scene& scene, const MapAxis& axis) {
-  const ParameterValue value = valueOf(*axis.range.row, scene);
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::get<double>(value);
+  return numberOf(*axis.range.row, scene);
 }
 
 /// A map with both sides rising.

@@ -5,6 +5,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/scene/range.h"
 
 namespace asperity {
 namespace {
@@ -66,6 +68,31 @@ double VariedParameter::of(const Scene& scene) const {
 
 void VariedParameter::set(Scene& scene, double place) const {
   setValue(*row_, scene, value(place));
+}
+
+VariedParameter variedFrom(const std::string& text, const Scene& scene) {
+  const std::size_t equals = text.find('=');
+  const std::string key = text.substr(0, equals);
+  if (equals == text.npos) return {key, scene};
+  const std::string range = text.substr(equals + 1);
+  const std::size_t colon = range.find(':');
+  if (colon == range.npos)
+    throw InputError("", "--vary", message("'{}' is not KEY or KEY=LOW:HIGH", shortened(text)));
+  const Parameter& row = numberRow(key);
+  return {key, scene, numberFromText(row, range.substr(0, colon)),
+          numberFromText(row, range.substr(colon + 1))};
+}
+
+std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, const Scene& scene) {
+  if (texts.empty()) throw InputError("", "--vary", "no key is given");
+  std::vector<VariedParameter> varied;
+  for (const std::string& text : texts) {
+    varied.push_back(variedFrom(text, scene));
+    for (std::size_t i = 0; i + 1 < varied.size(); ++i)
+      if (varied[i].key() == varied.back().key())
+        throw InputError("", "--vary", message("{} is given more than once", varied.back().key()));
+  }
+  return varied;
 }
 
 std::vector<VariedParameter> activeParameters(const Scene& scene) {

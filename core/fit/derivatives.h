@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +46,13 @@ class VariedParameter {
   bool isLogarithmic_ = false;
   double step_ = 1e-3;
 };
+
+/// Reads "KEY" or "KEY=LOW:HIGH", whose limits may have units. Throws InputError with the key, or
+/// with --vary.
+VariedParameter variedFrom(const std::string& text, const Scene& scene);
+
+/// Reads several. Throws InputError (--vary) where there is none, or a key stands twice.
+std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, const Scene& scene);
 
 /// Returns the numbers that steady friction at one velocity may depend on, in the table's order.
 /// What is 0 is an effect that is switched off, and left out.

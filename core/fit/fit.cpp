@@ -1,6 +1,7 @@
 #include "core/fit/fit.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -193,6 +194,9 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
   options.parameter_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
+  // Ceres warns on the standard error stream of a step that failed; the exception behind it says
+  // more.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   if (stop.stop_requested()) throw StudyStopped{};

@@ -93,35 +93,9 @@ std::optional<Quantity> quantityOf(const std::string& name) {
   return {};
 }
 
-std::optional<double> velocityUnit(const std::string& unit) {
-  if (unit.empty() || unit == "m/s" || unit == "m s-1" || unit == "m s^-1" || unit == "m*s^-1")
-    return 1;
-  if (unit == "mm/s") return 1e-3;
-  if (unit == "cm/s") return 1e-2;
-  if (unit == "um/s" || unit == "\u00B5m/s" || unit == "\u03BCm/s") return 1e-6;
-  if (unit == "nm/s") return 1e-9;
-  if (unit == "km/h" || unit == "kph" || unit == "kmh") return 1 / 3.6;
-  if (unit == "m/min") return 1.0 / 60;
-  if (unit == "mm/min") return 1e-3 / 60;
-  if (unit == "in/s") return 0.0254;
-  if (unit == "mph") return 0.44704;
-  return {};
-}
-
-std::optional<double> forceUnit(const std::string& unit) {
-  if (unit.empty() || unit == "N") return 1;
-  if (unit == "mN") return 1e-3;
-  if (unit == "uN" || unit == "\u00B5N" || unit == "\u03BCN") return 1e-6;
-  if (unit == "kN") return 1e3;
-  if (unit == "MN") return 1e6;
-  if (unit == "kgf" || unit == "kp") return 9.80665;
-  if (unit == "lbf") return 4.4482216152605;
-  return {};
-}
-
 /// How the numbers of a column become those of SI.
 struct Conversion {
-  double offset = 0, size = 1;
+  Unit unit{};
   bool isShare = false;  // of the quantity that it is the error of
 };
 
@@ -209,30 +183,29 @@ class Reader {
   }
 
   Conversion conversionOf(Quantity quantity, const TextColumn& column) const {
-    const auto need = [&](std::optional<double> size, const char* known) {
-      if (!size)
+    const auto unitOf = [&](std::string_view si, const char* known) {
+      if (column.unit.empty()) return Conversion{};
+      const auto unit = quantity == Quantity::Temperature ? temperatureUnit(column.unit)
+                                                          : unitInAnyCase(column.unit, si);
+      if (!unit)
         refuse(message("column {}: the unit {} is unknown; known are {}", shortened(column.name),
                        shortened(column.unit), std::string_view(known)));
-      return Conversion{0, *size, false};
+      return Conversion{*unit};
     };
+    const Conversion share{*unitNamed("%"), true};
     switch (quantity) {
       case Quantity::Velocity:
-        return need(velocityUnit(column.unit), "m/s, mm/s, um/s, cm/s, km/h, m/min");
+        return unitOf("m/s", "m/s, mm/s, um/s, cm/s, km/h, m/min");
       case Quantity::VelocityError:
-        if (column.unit == "%") return {0, 0.01, true};
-        return need(velocityUnit(column.unit), "m/s, mm/s, um/s, cm/s, km/h, m/min, %");
+        return column.unit == "%" ? share : unitOf("m/s", "m/s, mm/s, um/s, cm/s, km/h, m/min, %");
       case Quantity::Force:
-        return need(forceUnit(column.unit), "N, mN, uN, kN");
+        return unitOf("N", "N, mN, uN, kN");
       case Quantity::Pressure:
-        return need(column.unit.empty() ? 1 : pressureUnit(column.unit), "Pa, kPa, MPa, bar");
+        return unitOf("Pa", "Pa, kPa, MPa, bar");
       case Quantity::MuError:
-        return column.unit == "%" ? Conversion{0, 0.01, true} : Conversion{};
-      case Quantity::Temperature: {
-        if (column.unit.empty()) return {};
-        const auto unit = temperatureUnit(column.unit);
-        if (!unit) need({}, "K, C, F");
-        return {unit->offset, unit->size, false};
-      }
+        return column.unit == "%" ? share : Conversion{};
+      case Quantity::Temperature:
+        return unitOf("K", "K, C, F");
       default:
         return {};
     }
@@ -245,7 +218,7 @@ class Reader {
     const double number = block_.at(row, column->place);
     if (std::isnan(number)) return kNotApplicable;
     const Conversion& in = column->conversion;
-    return (in.offset + in.size * number) * (in.isShare ? whole : 1);
+    return in.unit.toSi(number) * (in.isShare ? whole : 1);
   }
 
   MeasuredPoint pointAt(std::size_t row) const {

@@ -26,13 +26,6 @@ constexpr ColumnName kExponent = "exponent";
 constexpr std::int64_t kFewLines = 10;  // of a stage before many lines
 constexpr std::size_t kCoarse = 16;     // points along a side of the first stage
 
-void setNumber(const Parameter& row, Scene& scene, double value) {
-  if (std::holds_alternative<IntegerField>(row.field))
-    setValue(row, scene, static_cast<std::int64_t>(std::llround(value)));
-  else
-    setValue(row, scene, value);
-}
-
 /// At most kCoarse values of a side, with both ends.
 MapAxis coarse(const MapAxis& axis) {
   const std::size_t count = axis.values.size();

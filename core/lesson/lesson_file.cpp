@@ -10,6 +10,7 @@
 
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
@@ -21,7 +22,6 @@
 #include "core/scene/range.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
-#include "core/study/study_members.h"
 
 namespace asperity {
 namespace {
@@ -33,22 +33,22 @@ constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMo
 constexpr double kLargestTolerance = 10;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr StudyChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
+constexpr NamedChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
                                                   {"number", PredictionKind::Number},
                                                   {"point", PredictionKind::Point}}};
-constexpr StudyChoices<ControlState, 3> kStates{{{"hidden", ControlState::Hidden},
+constexpr NamedChoices<ControlState, 3> kStates{{{"hidden", ControlState::Hidden},
                                                  {"locked", ControlState::Locked},
                                                  {"free", ControlState::Free}}};
-constexpr StudyChoices<bool, 2> kCurves{{{"shown", false}, {"hidden", true}}};
+constexpr NamedChoices<bool, 2> kCurves{{{"shown", false}, {"hidden", true}}};
 
 /// The members of the three kinds of a value that name its column.
-constexpr StudyChoices<LessonValue::Kind, 3> kValueKinds{
+constexpr NamedChoices<LessonValue::Kind, 3> kValueKinds{
     {{"quantity", LessonValue::Kind::State},
      {"peak", LessonValue::Kind::Peak},
      {"exponent", LessonValue::Kind::Exponent}}};
 
 [[noreturn]] void refuse(const std::string& place, const Message& why) {
-  refuseStudy(place, why);
+  refuseMember(place, why);
 }
 
 /// Runs `read`; an error about a key is reported as one about the key at this place.

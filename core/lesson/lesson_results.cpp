@@ -7,9 +7,9 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
-#include "core/study/study_members.h"
 
 namespace asperity {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::string_view kSchema = "asperity-lesson-results/1";
 constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
 constexpr int kDeepest = 6;
 
-constexpr StudyChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
+constexpr NamedChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
                                                   {"number", PredictionKind::Number},
                                                   {"point", PredictionKind::Point}}};
 
@@ -37,7 +37,7 @@ Json answerJson(PredictionKind kind, int choice, double number, double place) {
 
 double numberOrNone(const Json& json, const std::string& place) {
   if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  if (!json.is_number()) refuseStudy(place, "needs a number or null");
+  if (!json.is_number()) refuseMember(place, "needs a number or null");
   return json.get<double>();
 }
 
@@ -59,7 +59,7 @@ void readAnswer(const Json& json, const std::string& place, PredictionKind kind,
 LessonResult resultFrom(const Json& json, const std::string& place) {
   checkMembers(json, place, {"step", "kind", "given", "expected", "unit", "right"});
   for (const char* member : {"step", "kind", "given", "expected", "right"})
-    if (!json.contains(member)) refuseStudy(place + "." + member, "is missing");
+    if (!json.contains(member)) refuseMember(place + "." + member, "is missing");
   LessonResult result;
   result.step =
       static_cast<int>(wholeIn(json, "step", 1, static_cast<std::int64_t>(1) << 20, place)) - 1;
@@ -70,7 +70,7 @@ LessonResult resultFrom(const Json& json, const std::string& place) {
   readAnswer(json["expected"], place + ".expected", result.kind, expected.choice,
              expected.number.value, expected.place.value);
   expected.number.unit = textIn(json, "unit", "", place);
-  if (!json["right"].is_boolean()) refuseStudy(place + ".right", "needs true or false");
+  if (!json["right"].is_boolean()) refuseMember(place + ".right", "needs true or false");
   result.isRight = json["right"].get<bool>();
   return result;
 }
@@ -116,11 +116,11 @@ LessonResults resultsFrom(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepest, "results of a lesson are JSON in UTF-8");
     checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
-    if (textIn(json, "schema") != kSchema) refuseStudy("schema", message("is not {}", kSchema));
+    if (textIn(json, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{
         textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"), {}};
     const auto steps = json.find("steps");
-    if (steps == json.end() || !steps->is_array()) refuseStudy("steps", "needs a list");
+    if (steps == json.end() || !steps->is_array()) refuseMember("steps", "needs a list");
     for (std::size_t i = 0; i < steps->size(); ++i)
       results.set(resultFrom((*steps)[i], fmt::format("steps[{}]", i)));
     return results;

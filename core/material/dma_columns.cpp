@@ -11,8 +11,6 @@
 namespace asperity {
 namespace {
 
-constexpr double kZeroCelsius = 273.15;  // K
-
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
     text.replace(at, from.size(), to);
@@ -134,8 +132,7 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
     if (!text.substr(end).starts_with(unit)) continue;
     const std::size_t behind = end + unit.size();
     if (behind < text.size() && std::isalnum(static_cast<unsigned char>(text[behind]))) continue;
-    const TemperatureUnit scale = *temperatureUnit(unit == "\u00B0 C" ? "C" : unit);
-    return FoundTemperature{scale.offset + scale.size * value, behind};
+    return FoundTemperature{temperatureUnit(unit)->toSi(value), behind};
   }
   return {};
 }
@@ -179,55 +176,28 @@ std::optional<double> temperatureFrom(std::string_view text) {
   if (!quantity) return {};
   if (quantity->unit.empty()) return quantity->number;
   const auto unit = temperatureUnit(quantity->unit);
-  return unit ? std::optional(unit->offset + unit->size * quantity->number) : std::nullopt;
+  return unit ? std::optional(unit->toSi(quantity->number)) : std::nullopt;
 }
 
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
   constexpr double kAngular = 0.5 / std::numbers::pi;
   if (unit.empty()) return isAngular ? kAngular : 1;
   const std::string word = lowerCase(unit);
-  if (isOneOf(word, {"hz", "hertz", "cps"})) return 1;
-  if (isOneOf(word, {"1/s", "s-1", "s^-1", "s\u207B\u00B9"})) return isAngular ? kAngular : 1;
-  if (word == "khz") return 1e3;
-  if (unit == "MHz") return 1e6;
-  if (unit == "mHz") return 1e-3;
-  if (unit == "GHz") return 1e9;
-  if (word == "rpm") return 1.0 / 60;
   if (word.starts_with("rad")) return kAngular;
-  return {};
+  if (isAngular && isOneOf(word, {"1/s", "s-1", "s^-1", "s\u207B\u00B9"})) return kAngular;
+  return sizeOfUnit(unit, "Hz");
 }
 
-std::optional<double> pressureUnit(std::string_view unit) {
-  const std::string word = lowerCase(unit);
-  if (word == "pa" || isOneOf(word, {"n/m2", "n/m\u00B2", "n/m^2"})) return 1;
-  if (unit == "mPa") return 1e-3;
-  if (word == "kpa") return 1e3;
-  if (word == "hpa" || word == "mbar") return 1e2;
-  if (word == "mpa" || isOneOf(word, {"n/mm2", "n/mm\u00B2", "n/mm^2"})) return 1e6;
-  if (word == "gpa") return 1e9;
-  if (word == "bar") return 1e5;
-  if (word == "psi") return 6894.757293168361;
-  if (isOneOf(word, {"dyn/cm2", "dyn/cm\u00B2", "dyn/cm^2"})) return 0.1;
-  return {};
-}
-
-std::optional<TemperatureUnit> temperatureUnit(std::string_view unit) {
+std::optional<Unit> temperatureUnit(std::string_view unit) {
   std::string word = lowerCase(unit);
   for (const std::string_view mark : {"\u00B0", "\u00BA", "deg", ".", " "})
     replaceAll(word, mark, "");
-  if (isOneOf(word, {"c", "celsius", "\u2103"})) return TemperatureUnit{kZeroCelsius, 1};
-  if (isOneOf(word, {"k", "kelvin"})) return TemperatureUnit{0, 1};
-  if (isOneOf(word, {"f", "fahrenheit"}))
-    return TemperatureUnit{kZeroCelsius - 32 * 5.0 / 9, 5.0 / 9};
-  return {};
+  return unitInAnyCase(word, "K");
 }
 
 std::optional<double> angleUnit(std::string_view unit) {
-  const std::string word = lowerCase(unit);
-  if (isOneOf(word, {"deg", "degree", "degrees", "\u00B0", "grad"})) return std::numbers::pi / 180;
-  if (isOneOf(word, {"rad", "radian", "radians"})) return 1;
-  if (word == "mrad") return 1e-3;
-  return {};
+  if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
+  return sizeOfUnit(unit, "rad");
 }
 
 }  // namespace asperity

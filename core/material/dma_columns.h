@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/units.h"
+
 namespace asperity {
 
 enum class DmaQuantity {
@@ -45,14 +47,8 @@ std::optional<double> temperatureFrom(std::string_view text);
 /// Hz, of one unit; nothing where it is no unit of frequency. Empty: Hz, or rad/s for omega.
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
 
-/// Pa, of one unit; nothing where it is no unit of pressure.
-std::optional<double> pressureUnit(std::string_view unit);
-
-/// kelvin = offset + size * value.
-struct TemperatureUnit {
-  double offset = 0, size = 1;
-};
-std::optional<TemperatureUnit> temperatureUnit(std::string_view unit);
+/// "\u00B0C", "deg. C", "c", "K", "Fahrenheit"; nothing where it is no unit of temperature.
+std::optional<Unit> temperatureUnit(std::string_view unit);
 
 /// Radians, of one unit; nothing where it is no unit of angle.
 std::optional<double> angleUnit(std::string_view unit);

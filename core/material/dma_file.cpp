@@ -177,7 +177,7 @@ class Reader {
             const std::string unit =
                 isSaid(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
             const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
-            if (scale) return scale->offset + scale->size * quantity->number;
+            if (scale) return scale->toSi(quantity->number);
           }
         if (const auto found = temperatureIn(entry->value)) return found;
         if (const auto found = temperatureIn(entry->key)) return found;
@@ -212,7 +212,7 @@ class Reader {
   double modulusUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
     fact = factOf(block, column, choices_.modulusUnit);
     if (fact.unit.empty()) fact.unit = "Pa";
-    const auto unit = pressureUnit(fact.unit);
+    const auto unit = sizeOfUnit(fact.unit, "Pa");
     if (!unit) refuseUnit(fact, "Pa, kPa, MPa, GPa", "--modulus-unit");
     return *unit;
   }
@@ -241,7 +241,7 @@ class Reader {
   }
 
   /// Temperatures without a unit: numbers above 200 are kelvins, no rubber is hotter in °C.
-  TemperatureUnit temperatureScale(const TextBlock& block, std::size_t column) {
+  Unit temperatureScale(const TextBlock& block, std::size_t column) {
     const DmaColumnFact fact = factOf(block, column, choices_.temperatureUnit);
     file_.facts.temperature = fact.name;
     if (!fact.unit.empty()) {
@@ -260,7 +260,7 @@ class Reader {
                   "to be mixed; say which with --temperature-unit, or correct the "
                   "column",
                   lowest, highest));
-    return lowest >= 200 ? TemperatureUnit{} : TemperatureUnit{273.15, 1};
+    return *temperatureUnit(lowest >= 200 ? "K" : "C");
   }
 
   /// Rows of one block, or of one temperature of a wide one.
@@ -279,7 +279,7 @@ class Reader {
     // A master curve is at one temperature, whatever its points were measured at.
     std::optional<double> oneTemperature = columns.temperature;
     const bool hasColumn = columns.has(Temperature) && !isReduced;
-    TemperatureUnit scale;
+    Unit scale;
     if (hasColumn) {
       scale = temperatureScale(block, columns[Temperature]);
     } else {
@@ -364,15 +364,14 @@ class Reader {
 
   void readRows(const TextBlock& block, const SweepColumns& columns, std::size_t frequencyAt,
                 double frequencySize, const std::optional<double>& oneTemperature,
-                const TemperatureUnit& scale) {
+                const Unit& scale) {
     const ModulusPair pair = modulusPair(block, columns);
     for (std::size_t row = 0; row < block.rows; ++row) {
       const double frequency = block.at(row, frequencyAt) * frequencySize;
       const double first = block.at(row, pair.first) * pair.firstSize;
       const double second = block.at(row, pair.second) * pair.secondSize;
       const double temperature =
-          oneTemperature ? *oneTemperature
-                         : scale.offset + scale.size * block.at(row, columns[Temperature]);
+          oneTemperature ? *oneTemperature : scale.toSi(block.at(row, columns[Temperature]));
       if (!std::isfinite(frequency) || !std::isfinite(first) || !std::isfinite(second) ||
           !std::isfinite(temperature)) {
         ++file_.facts.leftOut;

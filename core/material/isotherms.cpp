@@ -64,7 +64,11 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
                                                 std::exp(storage / count), std::exp(loss / count)});
     i = end;
   }
-  sweep.temperature = temperatures / static_cast<double>(rows.size());
+  // A sum of equal temperatures over their number need not be that temperature.
+  const auto [coldest, warmest] = std::ranges::minmax(rows, {}, &MeasuredModulus::temperature);
+  sweep.temperature = coldest.temperature == warmest.temperature
+                          ? coldest.temperature
+                          : temperatures / static_cast<double>(rows.size());
   if (sweep.points.size() < 2)
     throw InputError(
         "", "frequency",

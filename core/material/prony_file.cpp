@@ -254,15 +254,10 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   RawSeries series;
   series.format = "a table of relaxation times and moduli";
   const TextColumn& weights = block.columns[weightAt];
-  const auto pressure = pressureUnit(weights.unit);
+  const auto pressure = sizeOfUnit(weights.unit, "Pa");
   series.isUnitKnown = pressure.has_value();
   if (pressure) series.unit = *pressure;
-  double timeSize = 1;
-  const std::string timeUnit = lowerCase(block.columns[timeAt].unit);
-  if (timeUnit == "ms") timeSize = 1e-3;
-  if (timeUnit == "us" || timeUnit == "\u00B5s" || timeUnit == "\u03BCs") timeSize = 1e-6;
-  if (timeUnit == "min") timeSize = 60;
-  if (timeUnit == "h") timeSize = 3600;
+  const double timeSize = sizeOfUnit(block.columns[timeAt].unit, "s").value_or(1);
 
   ModulusKind kind = choices.modulus;
   if (kind == ModulusKind::Unknown)
@@ -285,7 +280,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   for (const TextEntry& entry : block.header)
     if (const auto quantity = quantityIn(entry.value)) {
       const std::string word = plainWord(entry.key);
-      const double size = pressureUnit(quantity->unit).value_or(series.unit) / series.unit;
+      const double size = sizeOfUnit(quantity->unit, "Pa").value_or(series.unit) / series.unit;
       if (isEquilibrium(word)) series.equilibrium = quantity->number * size * shear;
       if (isInstantaneous(word)) series.instantaneous = quantity->number * size * shear;
     }
@@ -330,7 +325,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   checkTerms(series, name);
   double unit = series.unit;
   if (!choices.modulusUnit.empty()) {
-    const auto chosen = pressureUnit(choices.modulusUnit);
+    const auto chosen = sizeOfUnit(choices.modulusUnit, "Pa");
     if (!chosen)
       throw InputError(
           "", "--modulus-unit",

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/length_unit.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/measured/byte_reader.h"
-#include "core/measured/length_unit.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {

@@ -4,9 +4,10 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/length_unit.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
-#include "core/measured/length_unit.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {
@@ -289,6 +290,13 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
   SurfaceDraft draft = readGwy(source, true);
   draft.facts.format = "gwyddion";
   return finished(source, std::move(draft));
+}
+
+bool isSurfaceFile(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
+  constexpr std::size_t kBeginning = 4096;
+  return !beginsAsObject(RegularFile(file).read(0, kBeginning));
 }
 
 }  // namespace asperity

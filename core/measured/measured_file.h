@@ -97,4 +97,7 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
                                const ReadingChoices& choices = {}, const std::stop_token& stop = {},
                                const ReadingProgress& progress = {});
 
+/// Whether a regular file can be a measured surface: those that begin with a brace hold a scene.
+bool isSurfaceFile(const std::filesystem::path& file);
+
 }  // namespace asperity

@@ -7,10 +7,10 @@
 #include <array>
 #include <string>
 
+#include "core/base/length_unit.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/measured/byte_reader.h"
-#include "core/measured/length_unit.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {

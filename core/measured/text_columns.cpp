@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/length_unit.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
-#include "core/measured/length_unit.h"
 #include "core/measured/text_surface.h"
 
 namespace asperity {

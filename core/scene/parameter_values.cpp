@@ -213,7 +213,10 @@ void setFromText(const Parameter& parameter, Scene& scene, std::string_view text
 }
 
 QuantityRule quantityRule(const Parameter& parameter) {
-  return {parameter.unit, parameter.unit == "K" && parameter.key.ends_with("temperature"),
+  // The other number in kelvins, a constant of the shift, is a difference of temperatures.
+  const bool isAbsolute =
+      parameter.key.ends_with("temperature") || parameter.symbol.starts_with('T');
+  return {parameter.unit, parameter.unit == "K" && isAbsolute,
           std::holds_alternative<IntegerField>(parameter.field)};
 }
 

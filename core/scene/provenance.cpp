@@ -30,12 +30,6 @@ std::string endsOf(const RegularFile& file) {
   return file.read(0, kEnd) + file.read(file.size() - kEnd, kEnd);
 }
 
-bool isJson(std::string_view bytes) {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == '{';
-}
-
 /// Returns ASCII without characters that XML must escape, except for quotes; it reads each byte
 /// once.
 std::string withoutMarkup(std::string_view json) {
@@ -167,12 +161,12 @@ std::string provenanceComment(const std::string& verb, const Scene& scene) {
 
 FoundScene findScene(std::string_view bytes, const std::string& name,
                      const std::filesystem::path& folder) {
-  const bool isText = isJson(bytes);
+  const bool isText = beginsAsObject(bytes);
   const std::string carried = isText ? std::string() : carriedText(bytes);
   const std::string_view json = isText ? bytes : carried;
   try {
     std::set<std::string> others;
-    const Json scene = isJson(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
+    const Json scene = beginsAsObject(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
     if (scene.is_object()) {
       FoundScene found{readScene(scene.dump(), name, folder), true};
       if (others.contains("verb"))

@@ -12,10 +12,6 @@
 namespace asperity {
 namespace {
 
-bool isWhole(const Parameter& row) {
-  return std::holds_alternative<IntegerField>(row.field);
-}
-
 [[noreturn]] void refuse(std::string_view key, const Message& what) {
   throw InputError("", std::string(key), what);
 }
@@ -37,17 +33,24 @@ const Parameter& numberRow(std::string_view key) {
   return row;
 }
 
+bool isWholeNumber(const Parameter& row) {
+  return std::holds_alternative<IntegerField>(row.field);
+}
+
+double numberOf(const Parameter& row, const Scene& scene) {
+  const ParameterValue value = valueOf(row, scene);
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  return whole ? static_cast<double>(*whole) : std::get<double>(value);
+}
+
+void setNumber(const Parameter& row, Scene& scene, double number) {
+  setValue(row, scene, isWholeNumber(row) ? std::round(number) : number);
+}
+
 double numberFromText(const Parameter& row, std::string_view text) {
   Scene scratch;
   setFromText(row, scratch, text);
-  return std::visit(
-      [](const auto& value) -> double {
-        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
-          return static_cast<double>(value);
-        else
-          return 0;
-      },
-      valueOf(row, scratch));
+  return numberOf(row, scratch);
 }
 
 bool hasLogarithmicSlider(const Parameter& row) {
@@ -103,7 +106,7 @@ std::vector<double> valuesOf(const ParameterRange& range) {
   std::vector<double> values = range.isLogarithmic
                                    ? logSpaced(range.from, range.to, range.points)
                                    : linearSpaced(range.from, range.to, range.points);
-  if (isWhole(*range.row)) {
+  if (isWholeNumber(*range.row)) {
     for (double& value : values) value = std::round(value);
     values.erase(std::unique(values.begin(), values.end()), values.end());
   }

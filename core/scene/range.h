@@ -27,6 +27,16 @@ inline constexpr std::int64_t kMostRangePoints = 100000;
 /// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
 const Parameter& numberRow(std::string_view key);
 
+/// Whether the row's numbers are whole.
+bool isWholeNumber(const Parameter& row);
+
+/// Returns the number that a real or whole parameter has in a scene.
+double numberOf(const Parameter& row, const Scene& scene);
+
+/// Sets a real or whole parameter; a whole one to the nearest whole number. Throws InputError with
+/// the key where the number is outside what the parameter allows.
+void setNumber(const Parameter& row, Scene& scene, double number);
+
 /// Returns a number of the row as people type it, with or without a unit. Throws InputError with
 /// the key where it is none or outside what the parameter allows.
 double numberFromText(const Parameter& row, std::string_view text);

@@ -113,7 +113,7 @@ void apply(const Assignment& assignment, Scene& scene) {
   if (assignment.typed)
     setValue(row, scene, assignment.value);
   else
-    setFromText(row, scene, std::get<std::string>(assignment.value));
+    setFromText(parameterIn(row, scene), scene, std::get<std::string>(assignment.value));
 }
 
 void refuseOtherKind(const Parameter& row, const Scene& scene) {

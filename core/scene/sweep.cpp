@@ -14,16 +14,8 @@
 namespace asperity {
 namespace {
 
-bool isWhole(const Parameter& parameter) {
-  return std::holds_alternative<IntegerField>(parameter.field);
-}
-
 bool isNumber(const Parameter& parameter) {
   return allowedRange(parameter).has_value();
-}
-
-void setNumber(const Parameter& parameter, Scene& scene, double value) {
-  setValue(parameter, scene, isWhole(parameter) ? std::round(value) : value);
 }
 
 /// What local friction amounts to, without what has no influence on it.
@@ -101,10 +93,24 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 
 }  // namespace
 
-double numberOf(const Parameter& parameter, const Scene& scene) {
-  const ParameterValue value = valueOf(parameter, scene);
-  const auto* whole = std::get_if<std::int64_t>(&value);
-  return whole ? static_cast<double>(*whole) : std::get<double>(value);
+Parameter parameterIn(const Parameter& row, const Scene& scene) {
+  const bool isEndOfOtherAxis = row.applies.choiceKey == "sweep.key" && row.applies.isExcept;
+  const Parameter* swept = isEndOfOtherAxis ? findParameter(scene.sweep.key) : nullptr;
+  if (!swept || scene.sweep.isOfVelocity() || !isNumber(*swept)) return row;
+  Parameter shown = row;
+  shown.unit = swept->unit;
+  shown.symbol = swept->symbol;
+  auto& end = std::get<RealField>(shown.field);
+  const auto follow = [&end](const auto& field) {
+    end.minimum = static_cast<double>(field.minimum);
+    end.maximum = static_cast<double>(field.maximum);
+    end.sliderFrom = static_cast<double>(field.sliderFrom);
+    end.sliderTo = static_cast<double>(field.sliderTo);
+    end.scale = field.scale;
+  };
+  if (const auto* real = std::get_if<RealField>(&swept->field)) follow(*real);
+  if (const auto* whole = std::get_if<IntegerField>(&swept->field)) follow(*whole);
+  return shown;
 }
 
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {

@@ -38,8 +38,9 @@ std::vector<double> sweepValues(const Scene& scene);
 /// the plain sweep over velocity. Throws InputError where the key does not allow the value.
 Scene sceneAt(const Scene& scene, double value);
 
-/// Returns the number that a real or whole parameter has in a scene.
-double numberOf(const Parameter& parameter, const Scene& scene);
+/// Returns the row as it is in this scene: the ends of an axis over another key than velocity have
+/// the unit, the limits and the slider of that key. All other rows are returned unchanged.
+Parameter parameterIn(const Parameter& row, const Scene& scene);
 
 /// Returns the number that the swept key has in the scene itself.
 double ownSweptValue(const Scene& scene);

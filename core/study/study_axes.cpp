@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_table.h"
-#include "core/study/study_members.h"
 
 namespace asperity {
 namespace {
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLargestTable = std::size_t{1} << 28;  // bytes of a table of rows
 constexpr std::int64_t kMostValues = 1000000;                // of one list, rows of a table
 
-constexpr StudyChoices<DistributionKind, 3> kDistributions{
+constexpr NamedChoices<DistributionKind, 3> kDistributions{
     {{"normal", DistributionKind::Normal},
      {"lognormal", DistributionKind::Lognormal},
      {"uniform", DistributionKind::Uniform}}};
@@ -33,12 +33,12 @@ void checkKey(const Parameter& row, const std::string& where) {
   const std::string_view key = row.key;
   for (const std::string_view section : {"sweep.", "comparison."})
     if (key.starts_with(section))
-      refuseStudy(where, message("has no influence on one simulation, so it cannot be varied"));
+      refuseMember(where, message("has no influence on one simulation, so it cannot be varied"));
   if (key.find('.') == key.npos)
-    refuseStudy(where, message("has no influence on one simulation, so it cannot be varied"));
-  if (key == "sliding.kind") refuseStudy(where, "a study slides steadily; it cannot be varied");
+    refuseMember(where, message("has no influence on one simulation, so it cannot be varied"));
+  if (key == "sliding.kind") refuseMember(where, "a study slides steadily; it cannot be varied");
   if (key == "accuracy.target_relative_error")
-    refuseStudy(where, "a study needs a stated accuracy, not a target");
+    refuseMember(where, "a study needs a stated accuracy, not a target");
 }
 
 /// Throws InputError where the key does not allow a value.
@@ -47,7 +47,7 @@ void checkValue(const Parameter& row, const ParameterValue& value, const std::st
   try {
     setValue(row, scratch, value);
   } catch (const InputError& error) {
-    refuseStudy(where, error.message());
+    refuseMember(where, error.message());
   }
 }
 
@@ -60,8 +60,8 @@ void addValue(StudyColumn& column, const Json& value, const std::string& where) 
     return;
   }
   if (isNumber(row) || !(value.is_string() || (value.is_array() && isList(row))))
-    refuseStudy(where, message("{} is not allowed here; allowed is {}", shortened(value.dump()),
-                               allowedText(row)));
+    refuseMember(where, message("{} is not allowed here; allowed is {}", shortened(value.dump()),
+                                allowedText(row)));
   std::string word = value.is_string() ? value.get<std::string>() : value.dump();
   checkValue(row, word, where);
   column.words.push_back(std::move(word));
@@ -72,7 +72,7 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   checkMembers(spec, where, {"from", "to", "points", "scale"});
   const Parameter& row = *axis.columns.front().row;
   if (!isNumber(row))
-    refuseStudy(where, "is not a number, so it has no range; a list names its values");
+    refuseMember(where, "is not a number, so it has no range; a list names its values");
   ParameterRange range{&row, numberIn(spec, where, "from"), numberIn(spec, where, "to"), 1, false};
   checkValue(row, range.from, where + ".from");
   checkValue(row, range.to, where + ".to");
@@ -81,21 +81,21 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   if (spec.contains("scale")) {
     const std::string scale = textIn(spec, "scale", "", where);
     if (scale != "log" && scale != "linear")
-      refuseStudy(where + ".scale", "is neither log nor linear");
+      refuseMember(where + ".scale", "is neither log nor linear");
     range.isLogarithmic = scale == "log";
     if (range.isLogarithmic && !isPositive)
-      refuseStudy(where + ".scale", message("a logarithmic range needs ends above 0; {} is not",
-                                            plain(range.from > 0 ? range.to : range.from)));
+      refuseMember(where + ".scale", message("a logarithmic range needs ends above 0; {} is not",
+                                             plain(range.from > 0 ? range.to : range.from)));
   }
   if (!isGrid) {
     if (spec.contains("points"))
-      refuseStudy(where + ".points", "has no meaning in a sample; it belongs to sampling grid");
-    if (!(range.from < range.to)) refuseStudy(where + ".to", "is not above from");
+      refuseMember(where + ".points", "has no meaning in a sample; it belongs to sampling grid");
+    if (!(range.from < range.to)) refuseMember(where + ".to", "is not above from");
     axis.range = range;
     return;
   }
   if (!spec.contains("points"))
-    refuseStudy(where + ".points", "is missing; a grid needs the number of values");
+    refuseMember(where + ".points", "is missing; a grid needs the number of values");
   range.points = wholeIn(spec, "points", 1, kMostRangePoints, where);
   axis.columns.front().numbers = valuesOf(range);
 }
@@ -103,35 +103,35 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
 void readDistribution(StudyAxis& axis, const Json& spec, const std::string& where, bool isGrid) {
   checkMembers(spec, where, {"distribution", "mean", "deviation", "from", "to"});
   const Parameter& row = *axis.columns.front().row;
-  if (!isNumber(row)) refuseStudy(where, "is not a number, so it has no distribution");
+  if (!isNumber(row)) refuseMember(where, "is not a number, so it has no distribution");
   if (isGrid)
-    refuseStudy(where,
-                "a distribution needs sampling latin_hypercube, sobol or saltelli, not a grid");
+    refuseMember(where,
+                 "a distribution needs sampling latin_hypercube, sobol or saltelli, not a grid");
   Distribution made;
   made.kind =
       chosen(kDistributions, textIn(spec, "distribution", "", where), where + ".distribution");
   const auto from = optionalNumber(spec, where, "from"), to = optionalNumber(spec, where, "to");
   const bool hasMoments = spec.contains("mean") || spec.contains("deviation");
   if (made.kind == DistributionKind::Uniform && hasMoments == (from || to))
-    refuseStudy(where, "a uniform distribution has either from and to, or mean and deviation");
+    refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (made.kind == DistributionKind::Uniform && !hasMoments && !(from && to))
-    refuseStudy(where, "a uniform distribution has either from and to, or mean and deviation");
+    refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (hasMoments || made.kind != DistributionKind::Uniform) {
     made.mean = numberIn(spec, where, "mean");
     made.deviation = numberIn(spec, where, "deviation");
-    if (!(made.deviation > 0)) refuseStudy(where + ".deviation", "is not above 0");
+    if (!(made.deviation > 0)) refuseMember(where + ".deviation", "is not above 0");
   }
   if (made.kind == DistributionKind::Lognormal && !(made.mean > 0))
-    refuseStudy(where + ".mean", "of a lognormal distribution is not above 0");
+    refuseMember(where + ".mean", "of a lognormal distribution is not above 0");
   if (from) checkValue(row, *from, where + ".from");
   if (to) checkValue(row, *to, where + ".to");
   made.from = from.value_or(made.from);
   made.to = to.value_or(made.to);
-  if (!(made.from < made.to)) refuseStudy(where + ".to", "is not above from");
+  if (!(made.from < made.to)) refuseMember(where + ".to", "is not above from");
   // Limits that leave nothing of the distribution would leave its last digits alone.
   const double middle = made.quantile(0.5);
   if (!(middle > made.from && middle < made.to) || !(made.quantile(0.25) < made.quantile(0.75)))
-    refuseStudy(where, "almost nothing of the distribution is between from and to");
+    refuseMember(where, "almost nothing of the distribution is between from and to");
   if (made.kind == DistributionKind::Uniform) {
     checkValue(row, made.quantile(0x1p-53), where);
     checkValue(row, made.quantile(1 - 0x1p-53), where);
@@ -153,21 +153,21 @@ StudyAxis readRows(const Json& spec, const std::string& where,
     const Parameter& row = knownParameter(key);
     checkKey(row, where);
     for (const StudyColumn& other : axis.columns)
-      if (other.row == &row) refuseStudy(where, message("has two columns of {}", key));
+      if (other.row == &row) refuseMember(where, message("has two columns of {}", key));
     axis.columns.push_back({&row, {}, {}});
   };
   if (spec.is_object()) {
     checkMembers(spec, where, {"keys", "values"});
     if (!spec.contains("keys") || !spec.contains("values") || !spec["keys"].is_array() ||
         !spec["values"].is_array())
-      refuseStudy(where, "needs the lists keys and values, or the name of a table");
+      refuseMember(where, "needs the lists keys and values, or the name of a table");
     for (const Json& key : spec["keys"]) {
-      if (!key.is_string()) refuseStudy(where + ".keys", "needs texts");
+      if (!key.is_string()) refuseMember(where + ".keys", "needs texts");
       addColumn(key.get<std::string>());
     }
     for (const Json& row : spec["values"]) {
       if (!row.is_array() || row.size() != axis.columns.size())
-        refuseStudy(where + ".values", "needs lists of as many values as there are keys");
+        refuseMember(where + ".values", "needs lists of as many values as there are keys");
       for (std::size_t i = 0; i < row.size(); ++i)
         addValue(axis.columns[i], row[i], where + ".values");
     }
@@ -211,11 +211,11 @@ StudyAxis readRows(const Json& spec, const std::string& where,
         }
       }
   } else {
-    refuseStudy(where, "needs the name of a table with a column for each key");
+    refuseMember(where, "needs the name of a table with a column for each key");
   }
-  if (axis.columns.empty() || axis.count() == 0) refuseStudy(where, "has no row");
+  if (axis.columns.empty() || axis.count() == 0) refuseMember(where, "has no row");
   if (axis.count() > kMostValues)
-    refuseStudy(where, message("has {} rows; at most {} are allowed", axis.count(), kMostValues));
+    refuseMember(where, message("has {} rows; at most {} are allowed", axis.count(), kMostValues));
   return axis;
 }
 
@@ -225,19 +225,19 @@ StudyAxis readAxis(const std::string& key, const Json& spec, bool isGrid) {
   try {
     axis.columns = {{&knownParameter(key), {}, {}}};
   } catch (const InputError& error) {
-    refuseStudy(where, error.message());
+    refuseMember(where, error.message());
   }
   checkKey(*axis.columns.front().row, where);
   if (spec.is_array()) {
-    if (spec.empty()) refuseStudy(where, "has no value");
+    if (spec.empty()) refuseMember(where, "has no value");
     if (static_cast<std::int64_t>(spec.size()) > kMostValues)
-      refuseStudy(where,
-                  message("has {} values; at most {} are allowed", spec.size(), kMostValues));
+      refuseMember(where,
+                   message("has {} values; at most {} are allowed", spec.size(), kMostValues));
     for (const Json& value : spec) addValue(axis.columns.front(), value, where);
   } else if (!spec.is_object()) {
-    refuseStudy(where,
-                "needs a list of values, a range {\"from\", \"to\", \"points\", \"scale\"} or a "
-                "distribution");
+    refuseMember(where,
+                 "needs a list of values, a range {\"from\", \"to\", \"points\", \"scale\"} or a "
+                 "distribution");
   } else if (spec.contains("distribution")) {
     readDistribution(axis, spec, where, isGrid);
   } else {

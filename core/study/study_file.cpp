@@ -8,6 +8,7 @@
 
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
@@ -19,7 +20,6 @@
 #include "core/scene/sweep.h"
 #include "core/study/sobol_sequence.h"
 #include "core/study/study_axes.h"
-#include "core/study/study_members.h"
 
 namespace asperity {
 namespace {
@@ -35,13 +35,13 @@ constexpr std::int64_t kMostInChunk = 4096;
 constexpr std::string_view kRows = "rows";
 constexpr std::string_view kCurve = "curve.";
 
-constexpr StudyChoices<Sampling, 4> kSamplings{{{"grid", Sampling::Grid},
+constexpr NamedChoices<Sampling, 4> kSamplings{{{"grid", Sampling::Grid},
                                                 {"latin_hypercube", Sampling::LatinHypercube},
                                                 {"sobol", Sampling::Sobol},
                                                 {"saltelli", Sampling::Saltelli}}};
 
 StudyOutput readOutput(const Json& json) {
-  if (!json.is_string()) refuseStudy("outputs", "needs a list of names");
+  if (!json.is_string()) refuseMember("outputs", "needs a list of names");
   StudyOutput output;
   output.name = json.get<std::string>();
   output.isCurve = output.name.starts_with(kCurve);
@@ -50,13 +50,13 @@ StudyOutput readOutput(const Json& json) {
   std::erase_if(known, [](std::string_view name) { return name == "mu_low" || name == "mu_high"; });
   if (std::ranges::find(known, output.column) != known.end()) return output;
   const std::string_view nearest = nearestOf(output.column, known);
-  refuseStudy("outputs",
-              nearest.empty()
-                  ? message("'{}' is unknown; known are {}, and curve.NAME for a whole curve",
-                            shortened(output.name), fmt::format("{}", fmt::join(known, ", ")))
-                  : message("'{}' is unknown; the nearest known one is {}", shortened(output.name),
-                            output.isCurve ? std::string(kCurve) + std::string(nearest)
-                                           : std::string(nearest)));
+  refuseMember("outputs",
+               nearest.empty()
+                   ? message("'{}' is unknown; known are {}, and curve.NAME for a whole curve",
+                             shortened(output.name), fmt::format("{}", fmt::join(known, ", ")))
+                   : message("'{}' is unknown; the nearest known one is {}", shortened(output.name),
+                             output.isCurve ? std::string(kCurve) + std::string(nearest)
+                                            : std::string(nearest)));
 }
 
 /// About how many simulations take a second: as many as are lost at most where a process is killed.
@@ -86,7 +86,7 @@ class StudyReader {
     checkMembers(root_, "",
                  {"schema", "title", "scene", "set", "space", "sampling", "samples", "seed",
                   "outputs", "chunk", "inputs"});
-    if (textIn(root_, "schema") != kSchema) refuseStudy("schema", message("is not {}", kSchema));
+    if (textIn(root_, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
     sampling_ = chosen(kSamplings, textIn(root_, "sampling", "grid"), "sampling");
     readBase();
     readSpace();
@@ -103,14 +103,14 @@ class StudyReader {
   void readBase() {
     std::vector<std::string> assignments;
     if (const auto set = root_.find("set"); set != root_.end()) {
-      if (!set->is_object()) refuseStudy("set", "needs an object of keys");
+      if (!set->is_object()) refuseMember("set", "needs an object of keys");
       for (const auto& [key, value] : set->items()) {
         if (!findParameter(key)) {
           const std::string_view nearest = nearestKey(key);
-          refuseStudy("set." + shortened(key),
-                      nearest.empty()
-                          ? message("unknown key")
-                          : message("unknown key; the nearest known one is {}", nearest));
+          refuseMember("set." + shortened(key),
+                       nearest.empty()
+                           ? message("unknown key")
+                           : message("unknown key; the nearest known one is {}", nearest));
         }
         assignments.push_back(key + "=" +
                               (value.is_string() ? value.get<std::string>() : value.dump()));
@@ -133,7 +133,7 @@ class StudyReader {
   void readSpace() {
     const auto space = root_.find("space");
     if (space == root_.end() || !space->is_object() || space->empty())
-      refuseStudy("space", "needs an object of keys and what they are varied over");
+      refuseMember("space", "needs an object of keys and what they are varied over");
     const bool isGrid = sampling_ == Sampling::Grid;
     std::vector<StudyAxis> axes;
     std::set<std::string_view> keys;
@@ -143,11 +143,11 @@ class StudyReader {
       hasRows_.push_back(key == kRows);
       for (const StudyColumn& column : axes.back().columns) {
         if (!keys.insert(column.key()).second)
-          refuseStudy("space." + std::string(column.key()), "is varied twice");
+          refuseMember("space." + std::string(column.key()), "is varied twice");
         const auto set = root_.find("set");
         if (set != root_.end() && set->contains(std::string(column.key())))
-          refuseStudy("space." + std::string(column.key()),
-                      "stands in set and in space; one of them is enough");
+          refuseMember("space." + std::string(column.key()),
+                       "stands in set and in space; one of them is enough");
         study_.isSlow |= column.hasWords() || isKind(*column.row);
       }
     }
@@ -155,26 +155,26 @@ class StudyReader {
       for (const StudyAxis& axis : axes)
         for (const StudyColumn& column : axis.columns)
           if (!isApplicable(*column.row, study_.base))
-            refuseStudy("space." + std::string(column.key()),
-                        "has no meaning in this scene, so nothing depends on it");
+            refuseMember("space." + std::string(column.key()),
+                         "has no meaning in this scene, so nothing depends on it");
     std::int64_t samples = 0, seed = 1;
     const std::size_t dimensions = sampling_ == Sampling::Saltelli ? 2 * axes.size() : axes.size();
     const bool isSobol = sampling_ == Sampling::Sobol || sampling_ == Sampling::Saltelli;
     if (isSobol && dimensions > kMostSobolDimensions)
-      refuseStudy("space", message("has {} keys; with this sampling at most {} are allowed",
-                                   axes.size(), kMostSobolDimensions * axes.size() / dimensions));
+      refuseMember("space", message("has {} keys; with this sampling at most {} are allowed",
+                                    axes.size(), kMostSobolDimensions * axes.size() / dimensions));
     for (const char* member : {"samples", "seed"})
       if (isGrid && root_.contains(member))
-        refuseStudy(member, "has no meaning for sampling grid; it belongs to all others");
+        refuseMember(member, "has no meaning for sampling grid; it belongs to all others");
     if (!isGrid) {
       if (!root_.contains("samples"))
-        refuseStudy("samples", "is missing; only sampling grid does without");
+        refuseMember("samples", "is missing; only sampling grid does without");
       samples = wholeIn(root_, "samples", 1, isSobol ? kMostSobol : kMostSimulations);
       if (root_.contains("seed")) seed = wholeIn(root_, "seed", 0, std::int64_t{1} << 53);
     }
     study_.space = StudySpace(std::move(axes), sampling_, samples, seed);
     if (study_.space.size() > kMostSimulations)
-      refuseStudy("space", message("is of more than {} simulations", kMostSimulations));
+      refuseMember("space", message("is of more than {} simulations", kMostSimulations));
   }
 
   void readOutputs() {
@@ -183,27 +183,27 @@ class StudyReader {
       study_.outputs = {{"mu", "mu", false}};
       return;
     }
-    if (!outputs->is_array() || outputs->empty()) refuseStudy("outputs", "needs a list of names");
+    if (!outputs->is_array() || outputs->empty()) refuseMember("outputs", "needs a list of names");
     for (const Json& json : *outputs) {
       study_.outputs.push_back(readOutput(json));
       for (std::size_t i = 0; i + 1 < study_.outputs.size(); ++i)
         if (study_.outputs[i].name == study_.outputs.back().name)
-          refuseStudy("outputs", message("{} is named twice", study_.outputs[i].name));
+          refuseMember("outputs", message("{} is named twice", study_.outputs[i].name));
     }
     if (study_.wantsCurve())
       for (std::size_t c = 0; c < study_.space.columns(); ++c)
         if (study_.space.column(c).key() == study_.base.sweep.key)
-          refuseStudy("space." + study_.base.sweep.key,
-                      "is what the curve goes over, so it cannot be varied as well");
+          refuseMember("space." + study_.base.sweep.key,
+                       "is what the curve goes over, so it cannot be varied as well");
   }
 
   void checkSteady() const {
     needSteadySliding(study_.base, "a study");
     if (choosesAccuracy(study_.base))
-      refuseStudy("accuracy.target_relative_error",
-                  "a study needs a stated accuracy, not a target");
+      refuseMember("accuracy.target_relative_error",
+                   "a study needs a stated accuracy, not a target");
     if (study_.wantsPoint() && !(study_.base.sliding.velocity > 0))
-      refuseStudy("sliding.velocity", "is not above 0, where friction is wanted");
+      refuseMember("sliding.velocity", "is not above 0, where friction is wanted");
   }
 
   void setCanonical() {

@@ -119,7 +119,7 @@ double StudyAxis::valueAt(double u, std::size_t column) const {
     return one.hasWords() ? static_cast<double>(place)
                           : one.numbers[static_cast<std::size_t>(place)];
   }
-  const bool isWhole = std::holds_alternative<IntegerField>(one.row->field);
+  const bool isWhole = isWholeNumber(*one.row);
   if (distribution) {
     const double value = distribution->quantile(u);
     return isWhole ? std::round(value) : value;

@@ -1,12 +1,12 @@
-// Measured spectra as text: a table with a header, of wave number, spatial frequency or wavelength
-// and the spectrum. Columns may be separated by commas, semicolons, tabs or spaces; lines that
-// begin with '#' or '%' are passed over; a row of units or units in the header ("q [1/um]", "C1
-// (m^3)") are obeyed, without them all is SI.
+// Measured spectra as text tables (core/base/text_table) whose header names the columns: wave
+// number, spatial frequency or wavelength, and the spectrum. Units in the header ("q [1/um]", "C1
+// (m^3)") or in a row of their own are obeyed, without them all is SI.
 //
 // What the numbers are: per wave number q where the table has that column, so that <h^2> = 2
 // integral C1 dq, integral C1 dq or 2 pi integral C2 q dq by the kind; per spatial frequency f
 // where it has spatial frequencies or wavelengths 1/f, so that the same holds with f for q. Pure;
-// any thread. Failure: InputError with file, line and what is allowed.
+// any thread. Failure: InputError with file, column or line, and what is
+// allowed.
 #pragma once
 
 #include <filesystem>

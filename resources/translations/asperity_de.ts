@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
+    <name>Guide</name>
+    <message>
+        <source>The guide is not here: it is built with the program where pandoc is installed. Its pages can be read in the folder resources/guide of the sources.</source>
+        <translation>Das Handbuch ist nicht hier: Es wird mit dem Programm gebaut, wo pandoc installiert ist. Seine Seiten stehen im Ordner resources/guide der Quellen.</translation>
+    </message>
+    <message>
+        <source>No browser opens the guide; it is the file %1.</source>
+        <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
+    </message>
+</context>
+<context>
     <name>Words</name>
     <message>
         <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
@@ -695,6 +706,17 @@
     </message>
 </context>
 <context>
+    <name>asperity::CommandRun</name>
+    <message>
+        <source>The program %1 cannot be started</source>
+        <translation>Das Programm %1 kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>The program ended without a reason</source>
+        <translation>Das Programm endete ohne Angabe eines Grundes</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ComparisonBox</name>
     <message>
         <source>Compare the curve with</source>
@@ -755,16 +777,32 @@
 <context>
     <name>asperity::ContactCanvas</name>
     <message>
-        <source>software (OSMesa)</source>
-        <translation>Software (OSMesa)</translation>
-    </message>
-    <message>
         <source>contact view</source>
         <translation>Kontaktansicht</translation>
     </message>
     <message>
         <source>The contact cannot be drawn here: %1</source>
         <translation>Der Kontakt lässt sich hier nicht zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>Drag to the right to slide faster, to the left to slide slower.</source>
+        <translation>Nach rechts ziehen: schneller gleiten; nach links: langsamer.</translation>
+    </message>
+    <message>
+        <source>Drag down to press harder, up to press less.</source>
+        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer.</translation>
+    </message>
+    <message>
+        <source>Drag the body down into the elastomer or up; sideways moves the view.</source>
+        <translation>Den Körper nach unten in das Elastomer ziehen oder nach oben; seitwärts bewegt sich die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Drag down to press harder, up to press less; sideways moves the view.</source>
+        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich die Ansicht.</translation>
     </message>
 </context>
 <context>
@@ -971,16 +1009,8 @@
         <translation>Szenen (*.json)</translation>
     </message>
     <message>
-        <source>The scene was changed. Save the changes?</source>
-        <translation>Die Szene wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
         <source>“%1” was changed. Save the changes?</source>
         <translation>„%1“ wurde geändert. Änderungen speichern?</translation>
-    </message>
-    <message>
-        <source>They go into a new file.</source>
-        <translation>Sie kommen in eine neue Datei.</translation>
     </message>
     <message>
         <source>They go into %1.</source>
@@ -1005,6 +1035,323 @@
     <message>
         <source>Clear this list</source>
         <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>No preview.</source>
+        <translation>Keine Vorschau.</translation>
+    </message>
+    <message>
+        <source>File &amp;name</source>
+        <translation>Datei&amp;name</translation>
+    </message>
+    <message>
+        <source>file name</source>
+        <translation>Dateiname</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Du&amp;rchsuchen …</translation>
+    </message>
+    <message>
+        <source>The same in a shell</source>
+        <translation>Dasselbe in einer Shell</translation>
+    </message>
+    <message>
+        <source>command line that writes the same file</source>
+        <translation>Befehlszeile, die dieselbe Datei schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>The preview is being made…</source>
+        <translation>Die Vorschau wird erstellt …</translation>
+    </message>
+    <message>
+        <source>One picture of the film.</source>
+        <translation>Ein Bild des Films.</translation>
+    </message>
+    <message>
+        <source>The curve of the preview is the mean of %1 lines, that of the file of %2.</source>
+        <translation>Die Kurve der Vorschau ist das Mittel über %1 Linien, die der Datei über %2.</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Ab&amp;brechen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ExportForm</name>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>In&amp;halt</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>Forma&amp;t</translation>
+    </message>
+    <message>
+        <source>St&amp;yle</source>
+        <translation>St&amp;il</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution (dpi)</source>
+        <translation>A&amp;uflösung (dpi)</translation>
+    </message>
+    <message>
+        <source>Pixels per inch. More of them make texts and lines of a picture in pixels larger, and a picture on paper finer.</source>
+        <translation>Pixel je Zoll. Mehr davon machen Texte und Linien eines Bildes in Pixeln größer und ein Bild auf Papier feiner.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>paper, in light tints</source>
+        <translation>Papier, in hellen Tönen</translation>
+    </message>
+    <message>
+        <source>Trans&amp;parent background</source>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Duration (s)</source>
+        <translation>Dauer (&amp;s)</translation>
+    </message>
+    <message>
+        <source>Length of the film in seconds</source>
+        <translation>Länge des Films in Sekunden</translation>
+    </message>
+    <message>
+        <source>0.001 to 1000</source>
+        <translation>0,001 bis 1000</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>the whole motion</source>
+        <translation>die ganze Bewegung</translation>
+    </message>
+    <message>
+        <source>periods of the line</source>
+        <translation>Perioden der Linie</translation>
+    </message>
+    <message>
+        <source>times slower</source>
+        <translation>Mal langsamer</translation>
+    </message>
+    <message>
+        <source>value of the speed</source>
+        <translation>Wert des Tempos</translation>
+    </message>
+    <message>
+        <source>Co&amp;lumns</source>
+        <translation>Spa&amp;lten</translation>
+    </message>
+    <message>
+        <source>Names of columns, separated by commas; empty: all</source>
+        <translation>Namen von Spalten, durch Kommas getrennt; leer: alle</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>S&amp;ize</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>unit of width and height</source>
+        <translation>Einheit von Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Motion in time</source>
+        <translation>Bewegung in der Zeit</translation>
+    </message>
+    <message>
+        <source>Contact, point by point</source>
+        <translation>Kontakt, Punkt für Punkt</translation>
+    </message>
+    <message>
+        <source>List of contacts</source>
+        <translation>Liste der Kontakte</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Contact and friction curve</source>
+        <translation>Kontakt und Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Contact and motion in time</source>
+        <translation>Kontakt und Bewegung in der Zeit</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, Pixel</translation>
+    </message>
+    <message>
+        <source>SVG, vectors</source>
+        <translation>SVG, Vektoren</translation>
+    </message>
+    <message>
+        <source>PDF, vectors</source>
+        <translation>PDF, Vektoren</translation>
+    </message>
+    <message>
+        <source>GIF, animated</source>
+        <translation>GIF, bewegt</translation>
+    </message>
+    <message>
+        <source>WebP, animated</source>
+        <translation>WebP, bewegt</translation>
+    </message>
+    <message>
+        <source>Usual size</source>
+        <translation>Übliche Größe</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>As the style says</source>
+        <translation>Wie der Stil es sagt</translation>
+    </message>
+    <message>
+        <source>Slide, 1280 × 720</source>
+        <translation>Folie, 1280 × 720</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>Full HD, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Column of a journal, 86 × 62 mm</source>
+        <translation>Spalte einer Zeitschrift, 86 × 62 mm</translation>
+    </message>
+    <message>
+        <source>Page of a journal, 178 × 100 mm</source>
+        <translation>Seite einer Zeitschrift, 178 × 100 mm</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Eigene Größe</translation>
+    </message>
+    <message>
+        <source>P&amp;art of the line and moment as in the window</source>
+        <translation>Ausschnitt und Zeitpunkt &amp;wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Fra&amp;mes per s</source>
+        <translation>Bilder &amp;je s</translation>
+    </message>
+    <message>
+        <source>&amp;Speed</source>
+        <translation>Tem&amp;po</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::ExportPreview</name>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>first lines of the table</source>
+        <translation>erste Zeilen der Tabelle</translation>
     </message>
 </context>
 <context>
@@ -1044,6 +1391,18 @@
     <message>
         <source>On the clipboard: %1</source>
         <translation>In der Zwischenablage: %1</translation>
+    </message>
+    <message>
+        <source>Export picture…</source>
+        <translation>Bild exportieren …</translation>
+    </message>
+    <message>
+        <source>Export film…</source>
+        <translation>Film exportieren …</translation>
+    </message>
+    <message>
+        <source>Export table…</source>
+        <translation>Tabelle exportieren …</translation>
     </message>
 </context>
 <context>
@@ -1109,6 +1468,10 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Gallery…</source>
+        <translation>Galerie …</translation>
     </message>
 </context>
 <context>
@@ -1507,6 +1870,13 @@
     <message>
         <source>Reading was stopped</source>
         <translation>Das Lesen wurde angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LastSessionText</name>
+    <message>
+        <source>The scene of last time cannot be shown: %1</source>
+        <translation>Die Szene vom letzten Mal kann nicht gezeigt werden: %1</translation>
     </message>
 </context>
 <context>
@@ -2115,6 +2485,14 @@
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch (englisch)</translation>
+    </message>
+    <message>
+        <source>Fine step</source>
+        <translation>Feiner Schritt</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MapPanel</name>
@@ -2345,6 +2723,29 @@
     </message>
 </context>
 <context>
+    <name>asperity::MotionView</name>
+    <message>
+        <source>velocity, friction, indentation and contact length in time</source>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
+    <message>
+        <source>loop of friction over velocity</source>
+        <translation>Schleife der Reibung über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture or data…</source>
+        <translation>Bild oder Daten speichern…</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+</context>
+<context>
     <name>asperity::PairEditor</name>
     <message>
         <source>none</source>
@@ -2361,6 +2762,37 @@
     <message>
         <source>Open the table</source>
         <translation>Tabelle aufklappen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::PanelBar</name>
+    <message>
+        <source>Essentials</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The few parameters that matter first: velocity, load, stiffness, roughness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All parameters of this scene, in sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter ( / )</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filter of the parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2436,6 +2868,14 @@
     <message>
         <source>Comparison</source>
         <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Texts of the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2548,6 +2988,153 @@
     </message>
 </context>
 <context>
+    <name>asperity::SceneCardText</name>
+    <message>
+        <source>Only the highest summits touch, and the rubber comes back late behind each of them.</source>
+        <translation>Nur die höchsten Gipfel berühren, und hinter jedem kommt das Gummi verspätet zurück.</translation>
+    </message>
+    <message>
+        <source>Friction grows with the velocity, bends into a plateau and falls again.</source>
+        <translation>Die Reibung wächst mit der Geschwindigkeit, biegt in ein Plateau und fällt wieder.</translation>
+    </message>
+    <message>
+        <source>The rubber presses on the front of the summit and is not back yet behind it.</source>
+        <translation>Das Gummi drückt vorn auf den Gipfel und ist dahinter noch nicht zurück.</translation>
+    </message>
+    <message>
+        <source>Nothing slides: contact is even on both sides of each summit, and there is no friction.</source>
+        <translation>Nichts gleitet: Der Kontakt ist auf beiden Seiten jedes Gipfels gleich, und es gibt keine Reibung.</translation>
+    </message>
+    <message>
+        <source>Slow: both sides of each summit touch, and friction doubles with the velocity.</source>
+        <translation>Langsam: Beide Seiten jedes Gipfels berühren, und die Reibung verdoppelt sich mit der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Contact begins to leave the rear sides of the summits, and the straight line bends.</source>
+        <translation>Der Kontakt beginnt die Rückseiten der Gipfel zu verlassen, und die Gerade biegt sich.</translation>
+    </message>
+    <message>
+        <source>Only front sides touch: friction hardly depends on velocity, modulus or force.</source>
+        <translation>Nur Vorderseiten berühren: Die Reibung hängt kaum von Geschwindigkeit, Modul oder Kraft ab.</translation>
+    </message>
+    <message>
+        <source>A few tips carry everything, and friction falls although sliding is faster.</source>
+        <translation>Wenige Spitzen tragen alles, und die Reibung fällt, obwohl schneller geglitten wird.</translation>
+    </message>
+    <message>
+        <source>Contact moves to the front of the summit when you raise the velocity.</source>
+        <translation>Der Kontakt wandert auf die Vorderseite des Gipfels, wenn man die Geschwindigkeit erhöht.</translation>
+    </message>
+    <message>
+        <source>Many summits of one size instead of a landscape: a steeper line has more friction.</source>
+        <translation>Viele Gipfel einer Größe statt einer Landschaft: Eine steilere Linie hat mehr Reibung.</translation>
+    </message>
+    <message>
+        <source>Fine roughness on the summits counts at once, even under a light load.</source>
+        <translation>Feine Rauheit auf den Gipfeln zählt sofort, auch unter leichter Last.</translation>
+    </message>
+    <message>
+        <source>Fine roughness in the valleys counts only when the load presses the rubber into them.</source>
+        <translation>Feine Rauheit in den Tälern zählt erst, wenn die Last das Gummi hineindrückt.</translation>
+    </message>
+    <message>
+        <source>Raise the velocity: friction reaches the slope of the flank and stays there.</source>
+        <translation>Die Geschwindigkeit erhöhen: Die Reibung erreicht die Steigung der Flanke und bleibt dort.</translation>
+    </message>
+    <message>
+        <source>Without memory the rubber gives back what it took: no friction at any velocity.</source>
+        <translation>Ohne Gedächtnis gibt das Gummi zurück, was es aufnahm: keine Reibung bei jeder Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>A constant share of the interface is added to what the deformation costs.</source>
+        <translation>Ein fester Anteil der Grenzfläche kommt zu dem hinzu, was die Verformung kostet.</translation>
+    </message>
+    <message>
+        <source>One share falls with the contact while the other rises: find where they cross.</source>
+        <translation>Ein Anteil fällt mit dem Kontakt, während der andere steigt: Wo kreuzen sie sich?</translation>
+    </message>
+    <message>
+        <source>Each arm of the rubber makes a shoulder in the friction curve.</source>
+        <translation>Jeder Arm des Gummis macht eine Schulter in der Reibungskurve.</translation>
+    </message>
+    <message>
+        <source>One arm makes one broad peak: fast rubber is as elastic as slow rubber, only stiffer.</source>
+        <translation>Ein Arm macht einen breiten Gipfel: Schnelles Gummi ist so elastisch wie langsames, nur steifer.</translation>
+    </message>
+    <message>
+        <source>Cold rubber has its friction at lower velocities; the shape of the curve stays.</source>
+        <translation>Kaltes Gummi hat seine Reibung bei kleineren Geschwindigkeiten; die Form der Kurve bleibt.</translation>
+    </message>
+    <message>
+        <source>Move the temperature: the whole curve slides along the velocity.</source>
+        <translation>Die Temperatur bewegen: Die ganze Kurve gleitet entlang der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Warm rubber needs a higher velocity for the same friction.</source>
+        <translation>Warmes Gummi braucht für dieselbe Reibung eine höhere Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Thirteen arms spread the rise of friction over twelve decades of velocity.</source>
+        <translation>Dreizehn Arme verteilen den Anstieg der Reibung über zwölf Dekaden der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Friction vanishes for slow and for fast sliding: there the rubber is elastic.</source>
+        <translation>Die Reibung verschwindet bei langsamem und bei schnellem Gleiten: Dort ist das Gummi elastisch.</translation>
+    </message>
+    <message>
+        <source>At the same velocity, friction on the way up differs from friction on the way down.</source>
+        <translation>Bei derselben Geschwindigkeit ist die Reibung hinauf eine andere als hinab.</translation>
+    </message>
+    <message>
+        <source>The line turns back into its own dents: friction is first too small, then settles.</source>
+        <translation>Die Linie kehrt in ihre eigenen Dellen zurück: Die Reibung ist erst zu klein und pendelt sich ein.</translation>
+    </message>
+    <message>
+        <source>Friction begins above its steady value and settles while the line is lifted.</source>
+        <translation>Die Reibung beginnt über ihrem stationären Wert und sinkt, während die Linie angehoben wird.</translation>
+    </message>
+    <message>
+        <source>Friction shoots to more than twice its steady value before the rubber relaxes.</source>
+        <translation>Die Reibung schießt auf mehr als das Doppelte, bevor das Gummi relaxiert.</translation>
+    </message>
+    <message>
+        <source>The line stops at half time, but the force needs a relaxation time to vanish.</source>
+        <translation>Die Linie hält zur halben Zeit an, aber die Kraft braucht eine Relaxationszeit, um zu verschwinden.</translation>
+    </message>
+    <message>
+        <source>At twice the velocity friction first jumps and then relaxes.</source>
+        <translation>Bei doppelter Geschwindigkeit springt die Reibung zuerst und relaxiert dann.</translation>
+    </message>
+    <message>
+        <source>A single contact relaxes along one exponential curve.</source>
+        <translation>Ein einzelner Kontakt relaxiert entlang einer einzigen Exponentialkurve.</translation>
+    </message>
+    <message>
+        <source>Two models of the same rubber: see where they agree and where they do not.</source>
+        <translation>Zwei Modelle desselben Gummis: Wo stimmen sie überein und wo nicht?</translation>
+    </message>
+    <message>
+        <source>The rubber fills every valley, and friction is known exactly.</source>
+        <translation>Das Gummi füllt jedes Tal, und die Reibung ist genau bekannt.</translation>
+    </message>
+    <message>
+        <source>The friction curve of a single wave is the loss modulus of the rubber.</source>
+        <translation>Die Reibungskurve einer einzelnen Welle ist der Verlustmodul des Gummis.</translation>
+    </message>
+    <message>
+        <source>Raise the velocity and watch the rubber leave the rear of each grain.</source>
+        <translation>Die Geschwindigkeit erhöhen und zusehen, wie das Gummi die Rückseite jedes Korns verlässt.</translation>
+    </message>
+    <message>
+        <source>Beyond the maximum, a foot that begins to slip has less and less friction.</source>
+        <translation>Jenseits des Maximums hat ein Fuß, der zu rutschen beginnt, immer weniger Reibung.</translation>
+    </message>
+    <message>
+        <source>Each stone is touched on its front only: that is the friction of a tyre.</source>
+        <translation>Jeder Stein wird nur vorn berührt: Das ist die Reibung eines Reifens.</translation>
+    </message>
+</context>
+<context>
     <name>asperity::SceneDocument</name>
     <message>
         <source>Velocity</source>
@@ -2592,6 +3179,45 @@
     <message>
         <source>Axis of the curve</source>
         <translation>Achse der Kurve</translation>
+    </message>
+    <message>
+        <source>Other scene</source>
+        <translation>Andere Szene</translation>
+    </message>
+    <message>
+        <source>Scene “%1”</source>
+        <translation>Szene „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SceneGallery</name>
+    <message>
+        <source>Back to the contact (Esc)</source>
+        <translation>Zurück zum Kontakt (Esc)</translation>
+    </message>
+    <message>
+        <source>back to the contact</source>
+        <translation>zurück zum Kontakt</translation>
+    </message>
+    <message>
+        <source>Choose a scene to begin with; everything in it can be changed</source>
+        <translation>Eine Szene für den Anfang wählen; alles darin lässt sich ändern</translation>
+    </message>
+    <message>
+        <source>Filter ( / )</source>
+        <translation>Filter ( / )</translation>
+    </message>
+    <message>
+        <source>filter of the scenes</source>
+        <translation>Filter der Szenen</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>Szenen</translation>
+    </message>
+    <message>
+        <source>No scene has these words.</source>
+        <translation>Keine Szene enthält diese Wörter.</translation>
     </message>
 </context>
 <context>
@@ -2645,10 +3271,6 @@
         <translation>Reiter</translation>
     </message>
     <message>
-        <source>velocity, friction, indentation and contact length in time</source>
-        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
-    <message>
         <source>moduli of the elastomer and the frequencies in use</source>
         <translation>Moduln des Elastomers und die genutzten Frequenzen</translation>
     </message>
@@ -2659,6 +3281,33 @@
     <message>
         <source>Map</source>
         <translation>Karte</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::SectionHeader</name>
+    <message>
+        <source>%1 changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folded section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>folded section, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fold this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open this section</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2997,6 +3646,41 @@
     </message>
 </context>
 <context>
+    <name>asperity::TimeBar</name>
+    <message>
+        <source>moment of the motion</source>
+        <translation>Zeitpunkt der Bewegung</translation>
+    </message>
+    <message>
+        <source>The moment of the motion: drag it to any other one.</source>
+        <translation>Der Zeitpunkt der Bewegung: Er lässt sich an jeden anderen ziehen.</translation>
+    </message>
+    <message>
+        <source>slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>How much slower than in reality the picture moves; to the right slower. Below 1 it is a time lapse. Lines of very many elements may move more slowly than this.</source>
+        <translation>Wievielmal langsamer als in Wirklichkeit sich das Bild bewegt; nach rechts langsamer. Unter 1 ist es ein Zeitraffer. Linien aus sehr vielen Elementen bewegen sich vielleicht noch langsamer.</translation>
+    </message>
+    <message>
+        <source>slow motion factor</source>
+        <translation>Faktor der Zeitlupe</translation>
+    </message>
+    <message>
+        <source>constant pace</source>
+        <translation>gleiches Tempo</translation>
+    </message>
+    <message>
+        <source>Keeps the pace of the picture while the velocity changes; otherwise the slow motion stays, and a faster line looks faster.</source>
+        <translation>Behält das Tempo des Bildes, während sich die Geschwindigkeit ändert; sonst bleibt die Zeitlupe, und eine schnellere Linie sieht schneller aus.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>asperity::TopographyPicture</name>
     <message>
         <source>topography</source>
@@ -3223,6 +3907,38 @@
         <source>Switches to the next colouring</source>
         <translation>Wechselt zur nächsten Färbung</translation>
     </message>
+    <message>
+        <source>Press harder</source>
+        <translation>Stärker drücken</translation>
+    </message>
+    <message>
+        <source>More load; also by dragging the rigid body or the force&apos;s arrow down</source>
+        <translation>Mehr Last; auch durch Ziehen des starren Körpers oder des Kraftpfeils nach unten</translation>
+    </message>
+    <message>
+        <source>Press less</source>
+        <translation>Schwächer drücken</translation>
+    </message>
+    <message>
+        <source>Less load; also by dragging the rigid body or the force&apos;s arrow up</source>
+        <translation>Weniger Last; auch durch Ziehen des starren Körpers oder des Kraftpfeils nach oben</translation>
+    </message>
+    <message>
+        <source>Slide faster</source>
+        <translation>Schneller gleiten</translation>
+    </message>
+    <message>
+        <source>More velocity; also by dragging its arrow to the right</source>
+        <translation>Mehr Geschwindigkeit; auch durch Ziehen ihres Pfeils nach rechts</translation>
+    </message>
+    <message>
+        <source>Slide slower</source>
+        <translation>Langsamer gleiten</translation>
+    </message>
+    <message>
+        <source>Less velocity; also by dragging its arrow to the left</source>
+        <translation>Weniger Geschwindigkeit; auch durch Ziehen ihres Pfeils nach links</translation>
+    </message>
 </context>
 <context>
     <name>asperity::WindowLayout</name>
@@ -3241,6 +3957,10 @@
     <message>
         <source>Restore layout</source>
         <translation>Anordnung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Filter parameters</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -7,222 +7,6 @@
 <context>
     <name>core</name>
     <message>
-        <source>needs a text, or a list of paragraphs</source>
-        <translation>braucht einen Text oder eine Liste von Absätzen</translation>
-    </message>
-    <message>
-        <source>is missing; it needs a text</source>
-        <translation>fehlt; es braucht einen Text</translation>
-    </message>
-    <message>
-        <source>needs a value; allowed is %1</source>
-        <translation>braucht einen Wert; erlaubt ist %1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is unknown; known are %2</source>
-        <translation>„%1“ ist unbekannt; bekannt sind %2</translation>
-    </message>
-    <message>
-        <source>needs the name of a column</source>
-        <translation>braucht den Namen einer Spalte</translation>
-    </message>
-    <message>
-        <source>needs one of quantity, peak, exponent</source>
-        <translation>braucht quantity, peak oder exponent</translation>
-    </message>
-    <message>
-        <source>is missing; an exponent needs key, from and to</source>
-        <translation>fehlt; ein Exponent braucht key, from und to</translation>
-    </message>
-    <message>
-        <source>has no meaning here; it belongs to an exponent</source>
-        <translation>hat hier keine Bedeutung; es gehört zu einem Exponenten</translation>
-    </message>
-    <message>
-        <source>needs two different values above 0 in from and to</source>
-        <translation>braucht in from und to zwei verschiedene Werte über 0</translation>
-    </message>
-    <message>
-        <source>stands only in the outer value</source>
-        <translation>steht nur im äußeren Wert</translation>
-    </message>
-    <message>
-        <source>speaks of a value %1 that the step does not have; known are %2</source>
-        <translation>spricht von einem Wert %1, den der Schritt nicht hat; bekannt sind %2</translation>
-    </message>
-    <message>
-        <source>needs two values above 0, of which to is the larger one</source>
-        <translation>braucht zwei Werte über 0, von denen to der größere ist</translation>
-    </message>
-    <message>
-        <source>needs a list of at most %1 objects of keys</source>
-        <translation>braucht eine Liste von höchstens %1 Objekten mit Schlüsseln</translation>
-    </message>
-    <message>
-        <source>has another axis than the curve beside which it stands</source>
-        <translation>hat eine andere Achse als die Kurve, neben der es steht</translation>
-    </message>
-    <message>
-        <source>needs a list of keys</source>
-        <translation>braucht eine Liste von Schlüsseln</translation>
-    </message>
-    <message>
-        <source>needs an object of at most %1 values</source>
-        <translation>braucht ein Objekt mit höchstens %1 Werten</translation>
-    </message>
-    <message>
-        <source>needs a name of small letters, digits and _, which is not answer or given</source>
-        <translation>braucht einen Namen aus kleinen Buchstaben, Ziffern und _, der nicht answer oder given ist</translation>
-    </message>
-    <message>
-        <source>has no meaning here; it belongs to %1</source>
-        <translation>hat hier keine Bedeutung; es gehört zu %1</translation>
-    </message>
-    <message>
-        <source>a choice</source>
-        <translation>einer Auswahl</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>einer Zahl</translation>
-    </message>
-    <message>
-        <source>a point</source>
-        <translation>einem Punkt</translation>
-    </message>
-    <message>
-        <source>a number or a choice</source>
-        <translation>einer Zahl oder einer Auswahl</translation>
-    </message>
-    <message>
-        <source>a number or a point</source>
-        <translation>einer Zahl oder einem Punkt</translation>
-    </message>
-    <message>
-        <source>a point without x</source>
-        <translation>einem Punkt ohne x</translation>
-    </message>
-    <message>
-        <source>is missing; a number is computed</source>
-        <translation>fehlt; eine Zahl wird berechnet</translation>
-    </message>
-    <message>
-        <source>above 0 to %1</source>
-        <translation>über 0 bis %1</translation>
-    </message>
-    <message>
-        <source>needs a list of %1 to %2 choices</source>
-        <translation>braucht eine Liste von %1 bis %2 Antworten</translation>
-    </message>
-    <message>
-        <source>needs true or false</source>
-        <translation>braucht true oder false</translation>
-    </message>
-    <message>
-        <source>has above or below, which need a computed answer</source>
-        <translation>hat above oder below, die eine berechnete Antwort brauchen</translation>
-    </message>
-    <message>
-        <source>follows from the computed answer; give above or below</source>
-        <translation>folgt aus der berechneten Antwort; zu nennen ist above oder below</translation>
-    </message>
-    <message>
-        <source>needs above or below, where the answer is computed</source>
-        <translation>braucht above oder below, da die Antwort berechnet wird</translation>
-    </message>
-    <message>
-        <source>needs above to be less than below</source>
-        <translation>braucht ein above, das kleiner als below ist</translation>
-    </message>
-    <message>
-        <source>overlaps choice %1; one answer would make both right</source>
-        <translation>überlappt Antwort %1; ein Ergebnis würde beide richtig machen</translation>
-    </message>
-    <message>
-        <source>has %1 right choices; it needs one, or a computed answer</source>
-        <translation>hat %1 richtige Antworten; es braucht eine, oder eine berechnete Antwort</translation>
-    </message>
-    <message>
-        <source>needs show.tab curve, on which the point stands</source>
-        <translation>braucht show.tab curve, auf dem der Punkt steht</translation>
-    </message>
-    <message>
-        <source>%1 is outside %2, the axis of the curve</source>
-        <translation>%1 liegt außerhalb von %2, der Achse der Kurve</translation>
-    </message>
-    <message>
-        <source>needs a list of 1 to %1 steps</source>
-        <translation>braucht eine Liste von 1 bis %1 Schritten</translation>
-    </message>
-    <message>
-        <source>is larger than %1 bytes, the most that a lesson may have</source>
-        <translation>ist größer als %1 Bytes, mehr darf eine Lektion nicht haben</translation>
-    </message>
-    <message>
-        <source>is neither a file nor a shipped lesson; those are %1</source>
-        <translation>ist weder eine Datei noch eine mitgelieferte Lektion; diese sind %1</translation>
-    </message>
-    <message>
-        <source>is missing; the first step needs a scene</source>
-        <translation>fehlt; der erste Schritt braucht eine Szene</translation>
-    </message>
-    <message>
-        <source>needs the name of a scene, or a scene</source>
-        <translation>braucht den Namen einer Szene oder eine Szene</translation>
-    </message>
-    <message>
-        <source>has no meaning without a prediction</source>
-        <translation>hat ohne eine Vorhersage keine Bedeutung</translation>
-    </message>
-    <message>
-        <source>a lesson is one JSON object</source>
-        <translation>eine Lektion ist ein JSON-Objekt</translation>
-    </message>
-    <message>
-        <source>a lesson is JSON in UTF-8</source>
-        <translation>eine Lektion ist JSON in UTF-8</translation>
-    </message>
-    <message>
-        <source>results of a lesson are JSON in UTF-8</source>
-        <translation>Ergebnisse einer Lektion sind JSON in UTF-8</translation>
-    </message>
-    <message>
-        <source>belongs to another lesson, or to another version of it (%1); its answers stay as they are</source>
-        <translation>gehört zu einer anderen Lektion oder zu einer anderen Fassung davon (%1); die Antworten darin bleiben, wie sie sind</translation>
-    </message>
-    <message>
-        <source>has no value in this scene</source>
-        <translation>hat in dieser Szene keinen Wert</translation>
-    </message>
-    <message>
-        <source>is not above 0, so that it has no exponent</source>
-        <translation>ist nicht über 0 und hat darum keinen Exponenten</translation>
-    </message>
-    <message>
-        <source>none of them covers the computed answer, %1</source>
-        <translation>keine davon deckt die berechnete Antwort %1 ab</translation>
-    </message>
-    <message>
-        <source>is 0, so that it has no ratio</source>
-        <translation>ist 0 und hat darum kein Verhältnis</translation>
-    </message>
-    <message>
-        <source>needs a number or null</source>
-        <translation>braucht eine Zahl oder null</translation>
-    </message>
-    <message>
-        <source>needs a lesson; without one the shipped lessons are listed</source>
-        <translation>braucht eine Lektion; ohne eine werden die mitgelieferten aufgezählt</translation>
-    </message>
-    <message>
-        <source>is of a handout; give -o as well</source>
-        <translation>gehört zu einem Arbeitsblatt; es braucht auch -o</translation>
-    </message>
-    <message>
-        <source>sets keys of a scene, and this file is a lesson</source>
-        <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
-    </message>
-    <message>
         <source>has no arm with a modulus above 0</source>
         <translation>hat keinen Arm mit einem Modul über 0</translation>
     </message>
@@ -3535,20 +3319,24 @@
         <translation>die Linie ist nicht umgedreht: die Täler berühren</translation>
     </message>
     <message>
-        <source>line %1: %2 is not a unit of %3; allowed is %4, with mm, um or nm as well</source>
-        <translation>Zeile %1: %2 ist keine Einheit von %3; erlaubt ist %4, auch mit mm, um oder nm</translation>
+        <source>%1 is not a unit of %2; allowed is %3, with mm, um or nm as well</source>
+        <translation>%1 ist keine Einheit von %2; erlaubt ist %3, auch mit mm, um oder nm</translation>
     </message>
     <message>
         <source>line %1: %2</source>
         <translation>Zeile %1: %2</translation>
     </message>
     <message>
-        <source>has %1 fields; %2 are needed</source>
-        <translation>hat %1 Felder; %2 sind nötig</translation>
+        <source>%1 has no line: nowhere on this axis does it hold.</source>
+        <translation>%1 hat keine Linie: nirgends auf dieser Achse gilt die Theorie.</translation>
     </message>
     <message>
-        <source>'%1' is not a finite number</source>
-        <translation>'%1' ist keine endliche Zahl</translation>
+        <source>%1 has no line: it says nothing about this quantity in this scene.</source>
+        <translation>%1 hat keine Linie: die Theorie sagt nichts über diese Größe in dieser Szene.</translation>
+    </message>
+    <message>
+        <source>the value of %1 is missing</source>
+        <translation>der Wert von %1 fehlt</translation>
     </message>
     <message>
         <source>%1 is not above 0</source>
@@ -5434,6 +5222,226 @@
         <source>is of another study than %1: %2</source>
         <translation>ist von einer anderen Studie als %1: %2</translation>
     </message>
+    <message>
+        <source>needs a text, or a list of paragraphs</source>
+        <translation>braucht einen Text oder eine Liste von Absätzen</translation>
+    </message>
+    <message>
+        <source>is missing; it needs a text</source>
+        <translation>fehlt; es braucht einen Text</translation>
+    </message>
+    <message>
+        <source>needs a value; allowed is %1</source>
+        <translation>braucht einen Wert; erlaubt ist %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is unknown; known are %2</source>
+        <translation>„%1“ ist unbekannt; bekannt sind %2</translation>
+    </message>
+    <message>
+        <source>needs the name of a column</source>
+        <translation>braucht den Namen einer Spalte</translation>
+    </message>
+    <message>
+        <source>needs one of quantity, peak, exponent</source>
+        <translation>braucht quantity, peak oder exponent</translation>
+    </message>
+    <message>
+        <source>is missing; an exponent needs key, from and to</source>
+        <translation>fehlt; ein Exponent braucht key, from und to</translation>
+    </message>
+    <message>
+        <source>has no meaning here; it belongs to an exponent</source>
+        <translation>hat hier keine Bedeutung; es gehört zu einem Exponenten</translation>
+    </message>
+    <message>
+        <source>needs two different values above 0 in from and to</source>
+        <translation>braucht in from und to zwei verschiedene Werte über 0</translation>
+    </message>
+    <message>
+        <source>stands only in the outer value</source>
+        <translation>steht nur im äußeren Wert</translation>
+    </message>
+    <message>
+        <source>speaks of a value %1 that the step does not have; known are %2</source>
+        <translation>spricht von einem Wert %1, den der Schritt nicht hat; bekannt sind %2</translation>
+    </message>
+    <message>
+        <source>needs two values above 0, of which to is the larger one</source>
+        <translation>braucht zwei Werte über 0, von denen to der größere ist</translation>
+    </message>
+    <message>
+        <source>needs a list of at most %1 objects of keys</source>
+        <translation>braucht eine Liste von höchstens %1 Objekten mit Schlüsseln</translation>
+    </message>
+    <message>
+        <source>has another axis than the curve beside which it stands</source>
+        <translation>hat eine andere Achse als die Kurve, neben der es steht</translation>
+    </message>
+    <message>
+        <source>needs a list of keys</source>
+        <translation>braucht eine Liste von Schlüsseln</translation>
+    </message>
+    <message>
+        <source>needs an object of at most %1 values</source>
+        <translation>braucht ein Objekt mit höchstens %1 Werten</translation>
+    </message>
+    <message>
+        <source>needs a name of small letters, digits and _, which is not answer or given</source>
+        <translation>braucht einen Namen aus kleinen Buchstaben, Ziffern und _, der nicht answer oder given ist</translation>
+    </message>
+    <message>
+        <source>has no meaning here; it belongs to %1</source>
+        <translation>hat hier keine Bedeutung; es gehört zu %1</translation>
+    </message>
+    <message>
+        <source>a choice</source>
+        <translation>einer Auswahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>einer Zahl</translation>
+    </message>
+    <message>
+        <source>a point</source>
+        <translation>einem Punkt</translation>
+    </message>
+    <message>
+        <source>a number or a choice</source>
+        <translation>einer Zahl oder einer Auswahl</translation>
+    </message>
+    <message>
+        <source>a number or a point</source>
+        <translation>einer Zahl oder einem Punkt</translation>
+    </message>
+    <message>
+        <source>a point without x</source>
+        <translation>einem Punkt ohne x</translation>
+    </message>
+    <message>
+        <source>is missing; a number is computed</source>
+        <translation>fehlt; eine Zahl wird berechnet</translation>
+    </message>
+    <message>
+        <source>above 0 to %1</source>
+        <translation>über 0 bis %1</translation>
+    </message>
+    <message>
+        <source>needs a list of %1 to %2 choices</source>
+        <translation>braucht eine Liste von %1 bis %2 Antworten</translation>
+    </message>
+    <message>
+        <source>needs true or false</source>
+        <translation>braucht true oder false</translation>
+    </message>
+    <message>
+        <source>has above or below, which need a computed answer</source>
+        <translation>hat above oder below, die eine berechnete Antwort brauchen</translation>
+    </message>
+    <message>
+        <source>follows from the computed answer; give above or below</source>
+        <translation>folgt aus der berechneten Antwort; zu nennen ist above oder below</translation>
+    </message>
+    <message>
+        <source>needs above or below, where the answer is computed</source>
+        <translation>braucht above oder below, da die Antwort berechnet wird</translation>
+    </message>
+    <message>
+        <source>needs above to be less than below</source>
+        <translation>braucht ein above, das kleiner als below ist</translation>
+    </message>
+    <message>
+        <source>overlaps choice %1; one answer would make both right</source>
+        <translation>überlappt Antwort %1; ein Ergebnis würde beide richtig machen</translation>
+    </message>
+    <message>
+        <source>has %1 right choices; it needs one, or a computed answer</source>
+        <translation>hat %1 richtige Antworten; es braucht eine, oder eine berechnete Antwort</translation>
+    </message>
+    <message>
+        <source>needs show.tab curve, on which the point stands</source>
+        <translation>braucht show.tab curve, auf dem der Punkt steht</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2, the axis of the curve</source>
+        <translation>%1 liegt außerhalb von %2, der Achse der Kurve</translation>
+    </message>
+    <message>
+        <source>needs a list of 1 to %1 steps</source>
+        <translation>braucht eine Liste von 1 bis %1 Schritten</translation>
+    </message>
+    <message>
+        <source>is larger than %1 bytes, the most that a lesson may have</source>
+        <translation>ist größer als %1 Bytes, mehr darf eine Lektion nicht haben</translation>
+    </message>
+    <message>
+        <source>is neither a file nor a shipped lesson; those are %1</source>
+        <translation>ist weder eine Datei noch eine mitgelieferte Lektion; diese sind %1</translation>
+    </message>
+    <message>
+        <source>is missing; the first step needs a scene</source>
+        <translation>fehlt; der erste Schritt braucht eine Szene</translation>
+    </message>
+    <message>
+        <source>needs the name of a scene, or a scene</source>
+        <translation>braucht den Namen einer Szene oder eine Szene</translation>
+    </message>
+    <message>
+        <source>has no meaning without a prediction</source>
+        <translation>hat ohne eine Vorhersage keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>a lesson is one JSON object</source>
+        <translation>eine Lektion ist ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a lesson is JSON in UTF-8</source>
+        <translation>eine Lektion ist JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>results of a lesson are JSON in UTF-8</source>
+        <translation>Ergebnisse einer Lektion sind JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>belongs to another lesson, or to another version of it (%1); its answers stay as they are</source>
+        <translation>gehört zu einer anderen Lektion oder zu einer anderen Fassung davon (%1); die Antworten darin bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>has no value in this scene</source>
+        <translation>hat in dieser Szene keinen Wert</translation>
+    </message>
+    <message>
+        <source>is not above 0, so that it has no exponent</source>
+        <translation>ist nicht über 0 und hat darum keinen Exponenten</translation>
+    </message>
+    <message>
+        <source>none of them covers the computed answer, %1</source>
+        <translation>keine davon deckt die berechnete Antwort %1 ab</translation>
+    </message>
+    <message>
+        <source>is 0, so that it has no ratio</source>
+        <translation>ist 0 und hat darum kein Verhältnis</translation>
+    </message>
+    <message>
+        <source>needs a number or null</source>
+        <translation>braucht eine Zahl oder null</translation>
+    </message>
+    <message>
+        <source>needs a lesson; without one the shipped lessons are listed</source>
+        <translation>braucht eine Lektion; ohne eine werden die mitgelieferten aufgezählt</translation>
+    </message>
+    <message>
+        <source>is of a handout; give -o as well</source>
+        <translation>gehört zu einem Arbeitsblatt; es braucht auch -o</translation>
+    </message>
+    <message>
+        <source>sets keys of a scene, and this file is a lesson</source>
+        <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
+    </message>
+    <message>
+        <source>friction F_x/F_N</source>
+        <translation>Reibung F_x/F_N</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -5538,10 +5546,6 @@
         <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
     </message>
     <message>
-        <source>Correlated roughness</source>
-        <translation>Korrelierte Rauheit</translation>
-    </message>
-    <message>
         <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
         <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
     </message>
@@ -5564,10 +5568,6 @@
     <message>
         <source>Friction over velocity, averaged over 200 lines: it grows, bends into a plateau, and falls. The curve of Eq. (11) lies on it up to the plateau.</source>
         <translation>Reibung über der Geschwindigkeit, gemittelt über 200 Linien: Sie wächst, biegt in ein Plateau ein und fällt. Die Kurve nach Gl. (11) liegt bis zum Plateau auf ihr.</translation>
-    </message>
-    <message>
-        <source>Full contact</source>
-        <translation>Vollkontakt</translation>
     </message>
     <message>
         <source>Full contact on a sine: one wave, one frequency</source>
@@ -5622,20 +5622,12 @@
         <translation>Bereich IV: Die Reibung fällt wieder</translation>
     </message>
     <message>
-        <source>Regions I to IV</source>
-        <translation>Bereiche I bis IV</translation>
-    </message>
-    <message>
         <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
         <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>
         <translation>Umkehr</translation>
-    </message>
-    <message>
-        <source>Rheology</source>
-        <translation>Rheologie</translation>
     </message>
     <message>
         <source>Rougher summits</source>
@@ -5648,10 +5640,6 @@
     <message>
         <source>Roughness with a roll-off</source>
         <translation>Rauheit mit Roll-off</translation>
-    </message>
-    <message>
-        <source>Single asperities</source>
-        <translation>Einzelne Rauheitsspitzen</translation>
     </message>
     <message>
         <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
@@ -5676,10 +5664,6 @@
     <message>
         <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
         <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
@@ -5712,10 +5696,6 @@
     <message>
         <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
         <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
-    </message>
-    <message>
-        <source>Transients</source>
-        <translation>Übergänge</translation>
     </message>
     <message>
         <source>Two arms and a dashpot</source>
@@ -5770,10 +5750,6 @@
         <translation>Bettung und Halbraum</translation>
     </message>
     <message>
-        <source>What the model leaves out</source>
-        <translation>Was das Modell auslässt</translation>
-    </message>
-    <message>
         <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
         <translation>Dieselbe Rauheit, derselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
@@ -5800,6 +5776,30 @@
     <message>
         <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
         <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Limits and checks</source>
+        <translation>Grenzfälle und Proben</translation>
+    </message>
+    <message>
+        <source>Regions of Eq. (11)</source>
+        <translation>Bereiche von Gl. (11)</translation>
+    </message>
+    <message>
+        <source>Materials and temperature</source>
+        <translation>Materialien und Temperatur</translation>
+    </message>
+    <message>
+        <source>The basics</source>
+        <translation>Die Grundlagen</translation>
+    </message>
+    <message>
+        <source>Motions</source>
+        <translation>Bewegungen</translation>
     </message>
 </context>
 </TS>

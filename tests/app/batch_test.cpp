@@ -99,6 +99,10 @@ TEST_F(BatchTest, ASweepThatCannotBeIsRefusedWithItsEntry) {
   refused(R"("surface.hurst": [])", "surface.hurst: has no value");
   refused(R"("surface.seed": {"from": 0, "to": 1, "points": 3})",
           "surface.seed: a logarithmic range needs");
+  refused(R"("surface.hurst": {"from": 0.1, "to": 1, "points": 3, "scale": "cubic"})",
+          "surface.hurst.scale: 'cubic' is not one of log, linear");
+  refused(R"("surface.hurst": {"from": 0.1, "points": 3})",
+          "surface.hurst.to: is missing; it needs a number");
 }
 
 TEST_F(BatchTest, AnEmptyNameIsToldWithItsEntry) {

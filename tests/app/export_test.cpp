@@ -96,14 +96,20 @@ TEST_F(ExportTest, TransparentPicturesHaveNoBackground) {
   EXPECT_THAT(other("identify -format '%[opaque]' b.png"), testing::ContainsRegex("[Tt]rue"));
 }
 
-TEST_F(ExportTest, OsmesaAndEglAgreeWithinOneLevel) {
+TEST_F(ExportTest, WhatDrawsAgrees) {
   run(std::string("render s.json -o a.png --backend osmesa") + kSmall);
   run(std::string("render s.json -o b.png --backend egl") + kSmall);
   other(
       "compare -metric AE -fuzz 0.6% a.png b.png null: 2>count; test \"$(cat count)\" = 0; rm "
       "count");
-  run(std::string("render s.json -o c.png") + kSmall, "ASPERITY_OSMESA_LIBRARY=libNowhere.so");
-  EXPECT_EQ(read("b.png"), read("c.png"));
+  run(std::string("render s.json -o c.png --backend raster") + kSmall);
+  other(
+      "compare -metric AE -fuzz 5% a.png c.png null: 2>count; test \"$(cat count)\" -lt 64; rm "
+      "count");
+  // What draws by itself needs no library, and changes no byte between threads or runs.
+  run(std::string("render s.json -o d.png --threads 1") + kSmall,
+      "ASPERITY_OSMESA_LIBRARY=libNowhere.so ASPERITY_EGL_LIBRARY=libNowhere.so");
+  EXPECT_EQ(read("c.png"), read("d.png"));
 }
 
 TEST_F(ExportTest, FilmsAreWholeHoldTheirSceneAndRepeatTheirBytes) {

@@ -49,7 +49,7 @@ class FitCommandTest : public ProgramTest {
 
 TEST_F(FitCommandTest, FindsTheValuesThatMadeTheData) {
   const auto ran = program.run(
-      "fit s.json --data data.csv --vary surface.rms_height --vary "
+      "fit s.json --data data.csv --vary surface.rms_height=10nm:1mm --vary "
       "elastomer.relaxation_time=1e-5:1 -o out --size 900x800");
   ASSERT_EQ(ran.status, 0) << ran.err;
   const auto fit = nlohmann::json::parse(read("out/fit.json"));
@@ -75,8 +75,10 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   expectRefused(fit + "surface.seed", 2, "surface.seed: is not a real number");
   expectRefused(fit + "surface.hurts", 2, "the nearest known one is surface.hurst");
   expectRefused(fit + "surface.hurst=0.9:0.2", 2, "0.9:0.2 is no range");
-  expectRefused(fit + "surface.hurst=a:b", 2, "is not KEY or KEY=LOW:HIGH");
+  expectRefused(fit + "surface.hurst=0.5", 2, "is not KEY or KEY=LOW:HIGH");
+  expectRefused(fit + "surface.hurst=a:b", 2, "surface.hurst: a is not a number");
   expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");
+  expectRefused(fit + "surface.rms_height=0.1Pa:1mm", 2, "is a modulus or pressure");
   expectRefused(fit + "surface.slope", 2, "has no meaning in this scene");
   program.folder.write("bad.csv", "velocity,mu\n1,0.2\n2,-1\n");
   expectRefused("fit s.json -o out --data bad.csv --vary surface.hurst", 2,

@@ -151,7 +151,8 @@ TEST_F(UsageTest, ABatchIsToldWhereItsFileIsWrong) {
   program.folder.write("b.json", batch(R"("size":"3x3",)"));
   expectRefused("batch b.json -o out", 2, "b.json: size: 3x3 is not WIDTHxHEIGHT");
   program.folder.write("b.json", batch(R"("sise":"300x300",)"));
-  expectRefused("batch b.json -o out", 2, "'sise' is unknown; the nearest known key is size");
+  expectRefused("batch b.json -o out", 2,
+                "b.json: sise: unknown key; the nearest known one is size");
   program.folder.write("b.json", batch(R"("title":"a","title":"b",)"));
   expectRefused("batch b.json -o out", 2, "b.json: title: stands twice");
   program.folder.write("b.json", R"({"schema": )");

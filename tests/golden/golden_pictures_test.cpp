@@ -20,7 +20,7 @@
 #include "ui/contact/contact_picture.h"
 #include "ui/contact/view_navigation.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/draw/pixel_context.h"
 
 namespace asperity {
 namespace {
@@ -104,20 +104,24 @@ bool isSame(const Difference& difference) {
   return difference.mean < 0.4 && difference.share < 0.004 && difference.largest < kLargestRegion;
 }
 
+/// Draws the picture as the program does, and as OpenGL does.
 void expectAsKept(const std::string& name, const DrawList& list) {
-  OsmesaContext context;
-  const QImage seen = renderImage(context, list).convertToFormat(QImage::Format_RGB888);
   const QString kept =
       QString::fromStdString(std::string(ASPERITY_TESTS_DIR) + "/golden/" + name + ".png");
-  if (qEnvironmentVariableIsSet("ASPERITY_KEEP_GOLDEN")) {
-    ASSERT_TRUE(seen.save(kept, nullptr, 80));
+  for (const PixelBackend backend : {PixelBackend::Automatic, PixelBackend::Osmesa}) {
+    const auto context = makePixelContext(backend);
+    const QImage seen = renderImage(*context, list).convertToFormat(QImage::Format_RGB888);
+    if (qEnvironmentVariableIsSet("ASPERITY_KEEP_GOLDEN")) {
+      ASSERT_TRUE(seen.save(kept, nullptr, 80));
+    }
+    const QImage wanted = QImage(kept).convertToFormat(QImage::Format_RGB888);
+    ASSERT_EQ(wanted.size(), seen.size()) << name;
+    const Difference difference = differenceOf(wanted, seen);
+    if (!isSame(difference)) seen.save(QString::fromStdString(name + ".seen.png"));
+    EXPECT_TRUE(isSame(difference))
+        << name << " by " << context->name() << ": mean " << difference.mean << ", far apart "
+        << difference.share << ", together " << difference.largest;
   }
-  const QImage wanted = QImage(kept).convertToFormat(QImage::Format_RGB888);
-  ASSERT_EQ(wanted.size(), seen.size()) << name;
-  const Difference difference = differenceOf(wanted, seen);
-  if (!isSame(difference)) seen.save(QString::fromStdString(name + ".seen.png"));
-  EXPECT_TRUE(isSame(difference)) << name << ": mean " << difference.mean << ", far apart "
-                                  << difference.share << ", together " << difference.largest;
 }
 
 TEST(GoldenPictures, ContactInLightAndDark) {
@@ -171,8 +175,7 @@ TEST(GoldenPictures, AMotion) {
 }
 
 QImage imageOf(const DrawList& list) {
-  OsmesaContext context;
-  return renderImage(context, list).convertToFormat(QImage::Format_RGB888);
+  return renderImage(contextOfThread(), list).convertToFormat(QImage::Format_RGB888);
 }
 
 /// What the comparison is there to see: one digit of one label, one sign less, a tag elsewhere.

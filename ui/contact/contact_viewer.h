@@ -28,6 +28,8 @@ class ContactViewer {
   FrameFields fields() const;
 
   const ViewNavigation& navigation() const { return navigation_; }
+  /// Sets the view, as it was in an earlier run of the program.
+  void setNavigation(const ViewNavigation& navigation) { navigation_ = navigation; }
   /// Zooms by steps. One step enlarges x, and heights by less: a self-affine line has the same
   /// appearance at every scale if heights grow with length to the power H.
   void zoom(const ViewPlace& at, double steps);

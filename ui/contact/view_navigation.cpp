@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+#include "core/base/number_text.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {
@@ -20,6 +24,33 @@ double usable(double factor) {
 }
 
 }  // namespace
+
+std::string ViewNavigation::toText() const {
+  std::string text = follows_ ? "line" : "rubber";
+  for (const double number : {left_, width_, bottom_, top_}) text += ' ' + plainNumber(number);
+  return text;
+}
+
+ViewNavigation ViewNavigation::fromText(const std::string& text) {
+  std::istringstream words(text);
+  std::string word;
+  words >> word;
+  ViewNavigation view;
+  view.follows_ = word == "line";
+  if (!view.follows_ && word != "rubber") return {};
+  for (double* number : {&view.left_, &view.width_, &view.bottom_, &view.top_})
+    if (!(words >> word) || !readNumber(word, *number) || !std::isfinite(*number)) return {};
+  if (!(view.width_ > 0 && view.top_ > view.bottom_)) return {};
+  // Only what differs from an allowed view by more than rounding is changed.
+  constexpr double kRounding = 1e-9;
+  const ViewNavigation held = view.within(0);
+  const auto isSame = [](double a, double b) {
+    return std::abs(a - b) <= kRounding * std::max(1.0, std::abs(a));
+  };
+  const bool isAllowed = isSame(view.left_, held.left_) && isSame(view.width_, held.width_) &&
+                         isSame(view.bottom_, held.bottom_) && isSame(view.top_, held.top_);
+  return isAllowed ? view : held;
+}
 
 ContactView ViewNavigation::applied(const ContactView& fitted, double period,
                                     double distance) const {

@@ -4,6 +4,8 @@
 // thread.
 #pragma once
 
+#include <string>
+
 #include "ui/contact/contact_picture.h"
 
 namespace asperity {
@@ -18,6 +20,10 @@ class ViewNavigation {
  public:
   /// A view that shows everything.
   ViewNavigation() = default;
+  /// Returns the view that a text of toText() describes; a view that shows everything where the
+  /// text is none.
+  static ViewNavigation fromText(const std::string& text);
+  std::string toText() const;
 
   /// Returns the view made from `fitted` (heights and colours from fittedView): period in m,
   /// distance of the line in m, which the view follows if that is chosen.

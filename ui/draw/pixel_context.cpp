@@ -4,26 +4,19 @@
 
 #include "ui/draw/egl_context.h"
 #include "ui/draw/osmesa_context.h"
+#include "ui/draw/raster_context.h"
 
 namespace asperity {
 namespace {
 
-constexpr int kLargest = 16384;  // pixels per side, the limit of Mesa's software rasterizer
+constexpr int kLargest = 16384;  // pixels per side, the limit of OpenGL in software, too
 
 }  // namespace
 
 std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend) {
   if (backend == PixelBackend::Egl) return std::make_unique<EglContext>();
-  try {
-    return std::make_unique<OsmesaContext>();
-  } catch (const std::runtime_error& first) {
-    if (backend == PixelBackend::Osmesa) throw;
-    try {
-      return std::make_unique<EglContext>();
-    } catch (const std::runtime_error& second) {
-      throw std::runtime_error(std::string(first.what()) + " " + second.what());
-    }
-  }
+  if (backend == PixelBackend::Osmesa) return std::make_unique<OsmesaContext>();
+  return std::make_unique<RasterContext>();
 }
 
 PixelContext& contextOfThread() {

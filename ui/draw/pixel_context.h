@@ -1,7 +1,9 @@
-// An OpenGL 3.3 core context without a screen, and its pixels. There are two kinds: OSMesa
-// (software, part of Mesa up to 25.0) and EGL without a surface (any driver). Both libraries are
-// opened at run time, so a program starts without them.
-// Threading: one thread makes, draws and destroys; never a thread on which a Qt context is current.
+// What draws the shapes of a DrawList without a screen, and the pixels. There are three kinds: the
+// program's own rasterizer, which is always there, and two OpenGL 3.3 core contexts, OSMesa
+// (software, part of Mesa up to 25.0) and EGL without a surface (any driver), whose libraries are
+// opened at run time.
+// Threading: one thread makes, draws and destroys; with OpenGL never a thread on which a Qt context
+// is current.
 // Failure: std::runtime_error in one sentence that names the missing library and its package.
 #pragma once
 
@@ -29,14 +31,13 @@ class PixelContext {
   /// direction; throws std::runtime_error for other sizes.
   virtual Pixels draw(const DrawList& list) = 0;
 
-  /// Returns "osmesa" or "egl".
+  /// Returns "raster", "osmesa" or "egl".
   virtual std::string name() const = 0;
 };
 
-enum class PixelBackend { Automatic, Osmesa, Egl };
+enum class PixelBackend { Automatic, Osmesa, Egl, Raster };
 
-/// Makes a context. Automatic: OSMesa, and EGL where that fails; where both fail, the error has
-/// both sentences.
+/// Makes a context. Automatic: the program's own rasterizer.
 std::unique_ptr<PixelContext> makePixelContext(PixelBackend backend = PixelBackend::Automatic);
 
 /// Returns the context of the calling thread, made at the first call and destroyed with the thread.

@@ -1,9 +1,11 @@
 #include "ui/draw/png_file.h"
 
 #include <libdeflate.h>
+#include <QtEndian>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -47,23 +49,31 @@ void addText(std::string& png, std::string_view key, const std::string& text) {
   addChunk(png, "iTXt", data + text);
 }
 
-/// Filters rows of colours. The number of channels is known at compile time, which is ten times
-/// faster.
+constexpr std::size_t kTogether = 16;  // pixels that are compared at once
+
+/// Filters rows of colours. Most pixels are equal to those above them, which is seen fast. The
+/// number of channels is known at compile time, which is ten times faster.
 template <std::size_t kChannels>
 std::vector<std::uint8_t> filteredRows(const QImage& image) {
   const auto width = static_cast<std::size_t>(image.width());
   const auto height = static_cast<std::size_t>(image.height());
-  const std::size_t row = width * kChannels;
-  std::vector<std::uint8_t> rows((row + 1) * height), above(row), present(row);
+  std::vector<std::uint8_t> rows((width * kChannels + 1) * height);
+  const std::vector<uchar> none(4 * width);
+  const uchar* above = none.data();
+  std::uint8_t* out = rows.data();
   for (std::size_t y = 0; y < height; ++y) {
     const uchar* pixels = image.constScanLine(static_cast<int>(y));
-    std::uint8_t* colours = present.data();
-    for (std::size_t x = 0; x < width; ++x)
-      for (std::size_t c = 0; c < kChannels; ++c) colours[x * kChannels + c] = pixels[4 * x + c];
-    std::uint8_t* out = rows.data() + y * (row + 1);
     *out++ = kUpFilter;
-    for (std::size_t i = 0; i < row; ++i) out[i] = static_cast<std::uint8_t>(present[i] - above[i]);
-    above.swap(present);
+    for (std::size_t first = 0; first < width; first += kTogether) {
+      const std::size_t count = std::min(kTogether, width - first);
+      const uchar *here = pixels + 4 * first, *there = above + 4 * first;
+      if (std::memcmp(here, there, 4 * count) != 0)
+        for (std::size_t x = 0; x < count; ++x)
+          for (std::size_t c = 0; c < kChannels; ++c)
+            out[x * kChannels + c] = static_cast<std::uint8_t>(here[4 * x + c] - there[4 * x + c]);
+      out += count * kChannels;
+    }
+    above = pixels;
   }
   return rows;
 }
@@ -82,11 +92,12 @@ std::string deflated(const std::vector<std::uint8_t>& rows) {
 
 bool isOpaque(const QImage& image) {
   const int width = image.width(), height = image.height();
+  const QRgb opaque = qToBigEndian(QRgb{255});  // RGBA in memory
   for (int y = 0; y < height; ++y) {
-    const uchar* pixels = image.constScanLine(y);
-    unsigned least = 255;
-    for (int x = 0; x < width; ++x) least &= pixels[4 * x + 3];
-    if (least != 255) return false;
+    const auto* pixels = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+    QRgb common = opaque;
+    for (int x = 0; x < width; ++x) common &= pixels[x];
+    if (common != opaque) return false;
   }
   return true;
 }

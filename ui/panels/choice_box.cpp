@@ -102,6 +102,17 @@ QString panelStyleSheet(const QPalette& palette) {
     QLabel[role="unit"] { color: %3; }
     QLabel[role="error"] { color: %4; }
     QLabel[role="note"] { color: %7; }
+    QLabel[role="warning"] { color: %8; padding-bottom: 3px; }
+    #panelBar { background: %1; border-bottom: 1px solid %6; }
+    QToolButton[role^="segment"] { border: 1px solid %6; background: transparent; color: %3;
+                                   padding: 1px 9px; min-height: 19px; }
+    QToolButton[role="segmentLeft"] { border-top-left-radius: 5px;
+                                      border-bottom-left-radius: 5px; }
+    QToolButton[role="segmentRight"] { border-top-right-radius: 5px; border-left: none;
+                                       border-bottom-right-radius: 5px; }
+    QToolButton[role^="segment"]:checked { background: %5; color: %2; font-weight: bold; }
+    QToolButton[role^="segment"]:hover { color: %2; }
+    QToolButton[role^="segment"]:focus { color: %7; }
     QLineEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
                 padding: 1px 5px; min-height: 19px; }
     QPlainTextEdit { background: %5; color: %2; border: 1px solid %6; border-radius: 5px;
@@ -124,7 +135,8 @@ QString panelStyleSheet(const QPalette& palette) {
   )")
       .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::PlaceholderText),
            dark ? QStringLiteral("#ff7b72") : QStringLiteral("#c62828"), name(QPalette::Base),
-           name(QPalette::Mid), name(QPalette::Highlight));
+           name(QPalette::Mid), name(QPalette::Highlight),
+           dark ? QStringLiteral("#e3b341") : QStringLiteral("#8a5a00"));
 }
 
 }  // namespace asperity

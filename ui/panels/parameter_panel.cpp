@@ -11,19 +11,23 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/scene/essentials.h"
 #include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/panel_bar.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/panels/scene_files.h"
+#include "ui/panels/section_header.h"
 
 namespace asperity {
 
 namespace {
 
-constexpr int kLeastWidth = 350;  // pixels
+constexpr int kLeastWidth = 290, kUsualWidth = 380;  // pixels
 
 /// Returns the key's section; parameters of the averaging belong to the curve's section.
 QString sectionOf(const Parameter& parameter) {
@@ -43,6 +47,7 @@ QString sectionTitle(const QString& section) {
       {"sweep", ParameterPanel::tr("Friction curve")},
       {"accuracy", ParameterPanel::tr("Accuracy")},
       {"comparison", ParameterPanel::tr("Comparison")},
+      {"", ParameterPanel::tr("Texts of the scene")},
   };
   if (titles.contains(section)) return titles[section];
   return section.left(1).toUpper() + section.mid(1);
@@ -56,7 +61,8 @@ std::vector<ParameterGroup> sections() {
   std::vector<ParameterGroup> groups;
   for (const QString& name : names) {
     ParameterGroup group;
-    if (!name.isEmpty()) group.title = [name] { return sectionTitle(name); };
+    group.title = [name] { return sectionTitle(name); };
+    group.name = name.isEmpty() ? QStringLiteral("texts") : name;
     for (const Parameter& parameter : parameters())
       // The axis of the curve is chosen at the chart.
       if (sectionOf(parameter) == name && parameter.key != "sweep.key")
@@ -81,23 +87,36 @@ bool haveSameFile(const Scene& a, const Scene& b) {
 }  // namespace
 
 ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
-    : ParameterPanel(scene, sections(), parent) {}
+    : ParameterPanel(scene, sections(), new PanelBar, parent) {
+  setView(defaultView());
+}
 
 ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups,
                                QWidget* parent)
+    : ParameterPanel(scene, groups, nullptr, parent) {}
+
+ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups,
+                               PanelBar* bar, QWidget* parent)
     : QWidget(parent),
       scene_(scene),
       passedOn_(scene),
       sizes_(scene.surface),
       chooser_(askForTable),
+      bar_(bar),
+      nothing_(new QLabel),
       scroll_(new QScrollArea) {
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
   auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(14, 5, 5, 5);
+  column->setContentsMargins(14, 5, 8, 5);
   column->setSpacing(3);
   for (const ParameterGroup& group : groups) addGroup(*column, group);
+  nothing_->setObjectName("noParameterFound");
+  nothing_->setProperty("role", "unit");
+  nothing_->setWordWrap(true);
+  nothing_->hide();
+  column->addWidget(nothing_);
   column->addStretch(1);
 
   scroll_->setWidget(content);
@@ -107,10 +126,24 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll_);
+  layout->setSpacing(0);
+  if (bar_) {
+    layout->addWidget(bar_);
+    connect(bar_, &PanelBar::changed, this, [this] {
+      scroll_->verticalScrollBar()->setValue(0);
+      arrange();
+      emit viewChanged();
+    });
+    connect(&bar_->filter(), &FilterLine::left, this, [this] {
+      scroll_->widget()->setFocus();
+      focusNextChild();
+    });
+  }
+  layout->addWidget(scroll_, 1);
   setMinimumWidth(kLeastWidth);
   content->installEventFilter(this);
   applyStyle();
+  followAxis();
   showTexts();
 }
 
@@ -120,7 +153,12 @@ void ParameterPanel::setScene(const Scene& scene) {
   passedOn_ = scene;
   sizes_ = KeptSizes(scene.surface);
   complaints_.clear();
-  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
+  notes_ = {};
+  followAxis();
+  for (ParameterRow* row : std::as_const(rows_)) {
+    row->showWarning({});
+    row->showScene(scene_, line_, true);
+  }
   showMissing();
 }
 
@@ -130,36 +168,18 @@ void ParameterPanel::showError(const QString& key, const QString& text) {
   if (!row) return;
   row->showError(text);
   complaints_.insert(whole);
+  arrange();
 }
 
 void ParameterPanel::clearErrors() {
   for (const QString& key : std::exchange(complaints_, {})) rows_.value(key)->showError({});
+  arrange();
 }
 
 void ParameterPanel::showLine(const LineSize& line) {
   if (line == line_ || !(scene_ == passedOn_)) return;
   line_ = line;
   showRows(nullptr);
-  applyAccess();
-}
-
-void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access) {
-  access_ = access;
-  showRows(nullptr);
-  showMissing();
-}
-
-void ParameterPanel::applyAccess() {
-  const auto others = access_.find("*");
-  for (ParameterRow* row : std::as_const(rows_)) {
-    const auto found = access_.find(std::string(row->parameter().key));
-    const auto& chosen = found != access_.end() ? found : others;
-    const RowAccess access = chosen != access_.end() ? chosen->second : RowAccess::Free;
-    if (access == RowAccess::Hidden) row->hide();
-    if (access == RowAccess::Locked) row->setEnabled(false);
-  }
-  for (const auto& [label, title] : headings_)
-    label->setVisible(others == access_.end() || others->second != RowAccess::Hidden);
 }
 
 void ParameterPanel::setFileChooser(FileChooser chooser) {
@@ -167,27 +187,29 @@ void ParameterPanel::setFileChooser(FileChooser chooser) {
 }
 
 QSize ParameterPanel::sizeHint() const {
-  return {380, 640};
+  return {kUsualWidth, 640};
 }
 
-/// Adds rows under their heading. Their first choice, if they have one, is in the heading.
+/// Adds rows under their heading.
 void ParameterPanel::addGroup(QVBoxLayout& column, const ParameterGroup& group) {
-  bool hasHeading = !group.title;
-  if (column.count() > 0) column.addSpacing(3);
-  for (const std::string_view key : group.keys) {
-    const Parameter& parameter = *findParameter(key);
-    const bool isChoice = std::holds_alternative<ChoiceField>(parameter.field);
-    if (!hasHeading && !(isChoice && group.isInFirstRow)) {
-      auto* label = new QLabel;
-      label->setProperty("role", "heading");
-      column.addWidget(label);
-      headings_.emplace_back(label, group.title);
-      hasHeading = true;
-    }
-    ParameterRow& row = addRow(column, parameter);
-    if (!hasHeading) headingRows_.insert(&row, group.title);
-    hasHeading = true;
+  Section section{group};
+  if (!group.name.isEmpty()) {
+    section.header = new SectionHeader;
+    section.header->setObjectName("section:" + group.name);
+    column.addWidget(section.header);
+    connect(section.header, &SectionHeader::toggled, this, [this] {
+      arrange();
+      emit viewChanged();
+    });
+  } else if (group.title) {
+    if (column.count() > 0) column.addSpacing(3);
+    section.label = new QLabel;
+    section.label->setProperty("role", "heading");
+    column.addWidget(section.label);
   }
+  for (const std::string_view key : group.keys)
+    section.rows.push_back(&addRow(column, *findParameter(key)));
+  sections_.push_back(std::move(section));
 }
 
 ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& parameter) {
@@ -206,14 +228,135 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
 /// Sets all texts. Unfinished input stays. A refused entry is refused again, in the new language.
 void ParameterPanel::showTexts() {
   scroll_->widget()->setAccessibleName(tr("parameters"));
-  for (const auto& [label, title] : headings_) label->setText(title());
-  for (ParameterRow* row : std::as_const(rows_)) {
-    const std::function<QString()> title = headingRows_.value(row);
-    row->showTexts(title ? title() : QString());
-  }
+  if (bar_) bar_->showTexts();
+  for (const Section& section : sections_)
+    if (section.label) section.label->setText(section.group.title());
+  for (ParameterRow* row : std::as_const(rows_)) row->showTexts();
   showRows(nullptr);
+  showNotes(notes_);
   showMissing();
 }
+
+// ---- Which rows are seen
+
+PanelView ParameterPanel::defaultView() {
+  return {false, {"interface", "sweep", "accuracy", "comparison", "texts"}};
+}
+
+PanelView ParameterPanel::view() const {
+  PanelView view{showsAll(), {}};
+  for (const Section& section : sections_)
+    if (section.header && !section.header->isOpen()) view.folded += section.group.name;
+  return view;
+}
+
+void ParameterPanel::setView(const PanelView& view) {
+  if (bar_) bar_->setShowsAll(view.showsAll);
+  for (const Section& section : sections_)
+    if (section.header) section.header->setOpen(!view.folded.contains(section.group.name));
+}
+
+bool ParameterPanel::showsAll() const {
+  return !bar_ || bar_->showsAll();
+}
+
+void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access) {
+  access_ = access;
+  for (ParameterRow* row : std::as_const(rows_))
+    row->setLocked(accessOf(row->parameter().key) == RowAccess::Locked);
+  arrange();
+}
+
+/// Returns the access by the longest name: the key, its sections, all.
+RowAccess ParameterPanel::accessOf(std::string_view key) const {
+  std::string name(key);
+  for (;;) {
+    if (const auto found = access_.find(name); found != access_.end()) return found->second;
+    if (name == "*" || access_.empty()) return RowAccess::Free;
+    const std::size_t dot = name.rfind('.');
+    name = dot == std::string::npos ? "*" : name.substr(0, dot);
+  }
+}
+
+bool ParameterPanel::isNamedFree(std::string_view key) const {
+  const auto found = access_.find(std::string(key));
+  return found != access_.end() && found->second == RowAccess::Free;
+}
+
+/// Shows and hides rows and headings.
+void ParameterPanel::arrange() {
+  const QStringList words = bar_ ? bar_->words() : QStringList();
+  const std::vector<std::string_view> essentials = essentialKeys(scene_);
+  const bool isWhole = showsAll(), isFiltered = !words.isEmpty();
+  int found = 0;
+  for (const Section& section : sections_) {
+    const bool isOpen = !section.header || section.header->isOpen();
+    int here = 0, changed = 0;  // rows that could be seen, and those with another value
+    for (ParameterRow* row : section.rows) {
+      const std::string_view key = row->parameter().key;
+      const bool isPossible =
+          isApplicable(row->parameter(), scene_) && accessOf(key) != RowAccess::Hidden;
+      bool isWanted = isFiltered ? row->matches(words) : isWhole;
+      if (isPossible && isWanted) ++here;
+      if (isPossible && isWanted && row->isChanged()) ++changed;
+      if (!isFiltered)
+        isWanted = isWhole
+                       ? isOpen
+                       : std::ranges::find(essentials, key) != essentials.end() || isNamedFree(key);
+      const bool isNeeded = row->hasRemark() || fromUtf8(key) == revealed_;
+      const bool isSeen = isPossible && (isWanted || isNeeded);
+      row->setVisible(isSeen);
+      if (isSeen) ++found;
+    }
+    if (section.header) {
+      section.header->setVisible((isWhole || isFiltered) && here > 0);
+      section.header->showState(section.group.title(), changed);
+    }
+  }
+  nothing_->setText(isFiltered
+                        ? tr("No parameter of this scene has “%1”. Escape clears the filter.")
+                              .arg(words.join(' '))
+                        : QString());
+  nothing_->setVisible(isFiltered && found == 0);
+}
+
+void ParameterPanel::showNotes(const NoteSet& notes) {
+  notes_ = notes;
+  QMap<ParameterRow*, QStringList> warnings;
+  for (const Note note : notes.list())
+    if (ParameterRow* row = rows_.value(fromUtf8(keyOfNote(note, scene_))))
+      warnings[row] += QStringLiteral("⚠ ") + translatedText(sentenceOf(note));
+  bool isChanged = false;
+  for (ParameterRow* row : std::as_const(rows_)) {
+    const bool had = row->hasRemark();
+    row->showWarning(warnings.value(row).join('\n'));
+    isChanged |= had != row->hasRemark();
+  }
+  if (isChanged) arrange();
+}
+
+void ParameterPanel::reveal(const QString& key) {
+  ParameterRow* row = rows_.value(key);
+  if (!row) return;
+  revealed_ = key;
+  arrange();
+  scroll_->widget()->layout()->activate();
+  scroll_->ensureWidgetVisible(row);
+  const auto controls = row->findChildren<QWidget*>();
+  for (QWidget* control : controls)
+    if (control->focusPolicy() & Qt::TabFocus && control->isVisibleTo(row)) {
+      control->setFocus(Qt::ShortcutFocusReason);
+      break;
+    }
+}
+
+void ParameterPanel::focusFilter() {
+  if (!bar_) return;
+  bar_->filter().setFocus(Qt::ShortcutFocusReason);
+  bar_->filter().selectAll();
+}
+
+// ---- Editing
 
 /// Tries a typed text. The core decides; the reason of a refusal has the words and units of the
 /// entry.
@@ -245,13 +388,14 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
     change(next);
   } catch (const InputError& error) {
     row.showError(refusal.isEmpty() ? translatedText(error.message()) : refusal);
-    return;
+    return arrange();
   }
   complaints_.remove(fromUtf8(row.parameter().key));
   sizes_.follow(scene_.surface, next.surface);
   followRealizations(scene_, next);
   if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
+  followAxis();
   showRows(&row);
   showMissing();
   if (!missingOf(scene_).text.isEmpty() || scene_ == passedOn_) return;
@@ -263,11 +407,21 @@ void ParameterPanel::showRows(const ParameterRow* edited) {
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, row == edited);
 }
 
+/// Gives the ends of the curve's axis the unit and the slider of its key.
+void ParameterPanel::followAxis() {
+  if (axis_ == scene_.sweep.key) return;
+  axis_ = scene_.sweep.key;
+  for (ParameterRow* row : std::as_const(rows_)) {
+    const Parameter shown = parameterIn(*findParameter(row->parameter().key), scene_);
+    if (shown.applies.choiceKey == "sweep.key" && allowedRange(shown)) row->setParameter(shown);
+  }
+}
+
 void ParameterPanel::showMissing() {
   const Missing missing = missingOf(scene_);
   for (ParameterRow* row : std::as_const(rows_))
     row->showNote(row->parameter().key == missing.key ? missing.text : QString());
-  applyAccess();
+  arrange();
 }
 
 void ParameterPanel::changeEvent(QEvent* event) {

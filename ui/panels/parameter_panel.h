@@ -1,11 +1,14 @@
-// The panel of parameters, generated from the table: one ParameterRow for each row, grouped by
-// section, in a scroll area. It owns the scene that its controls show; every accepted change makes
-// a new scene. A refused text changes nothing, and the reason is shown where it was typed; an
-// incomplete scene is kept with a note, but not passed on. GUI thread.
+// The panel of parameters, generated from the table: one ParameterRow for each row, grouped in
+// sections that fold, in a scroll area, below a bar that chooses between the essential rows and all
+// and filters them. It owns the scene that its controls show; every accepted change makes a new
+// scene. A refused text changes nothing, and the reason is shown where it was typed; an incomplete
+// scene is kept with a note, but not passed on. A row with something to read below it is visible in
+// any case. GUI thread.
 #pragma once
 
 #include <QMap>
 #include <QSet>
+#include <QStringList>
 #include <QWidget>
 #include <functional>
 #include <map>
@@ -14,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 #include "ui/panels/profile_defaults.h"
 #include "ui/panels/value_entry.h"
@@ -24,22 +28,33 @@ class QVBoxLayout;
 
 namespace asperity {
 
+class PanelBar;
 class ParameterRow;
+class SectionHeader;
 struct Parameter;
 
 /// Asks the user for a file, beginning in a folder; empty where none was chosen.
 using FileChooser = std::function<QString(QWidget* parent, const QString& folder)>;
 
 /// Rows under one heading, in this order. `title` is asked again for another language; without it
-/// the rows have no heading.
+/// the rows have no heading. A group with a name can be folded, and the name outlives versions of
+/// the program in the settings.
 struct ParameterGroup {
   std::function<QString()> title;
   std::vector<std::string_view> keys;
-  bool isInFirstRow = true;  // whether the heading is that of a choice that comes first
+  QString name{};
 };
 
 /// What a user may do with a row.
 enum class RowAccess { Free, Locked, Hidden };
+
+/// How the panel is looked at; kept from one start to the next.
+struct PanelView {
+  bool showsAll = false;
+  QStringList folded;  // names of groups
+
+  bool operator==(const PanelView&) const = default;
+};
 
 class ParameterPanel : public QWidget {
   Q_OBJECT
@@ -47,7 +62,7 @@ class ParameterPanel : public QWidget {
  public:
   /// All rows of the table, by section.
   explicit ParameterPanel(const Scene& scene, QWidget* parent = nullptr);
-  /// Some rows of the table.
+  /// Some rows of the table, all of them visible; without the bar.
   ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups,
                  QWidget* parent = nullptr);
 
@@ -65,9 +80,25 @@ class ParameterPanel : public QWidget {
   /// Shows values of the present line where the scene takes them from a file.
   void showLine(const LineSize& line);
 
-  /// Sets what a user may do with rows: by key ("load.normal_force") or for all others ("*"). An
-  /// empty map frees everything.
+  /// Sets what a user may do with rows: by key ("load.normal_force"), by section ("load") or for
+  /// all others ("*"). The longest name counts; rows without one are free. A row that is named as
+  /// free is visible among the essential ones, too. An empty map frees everything.
   void setRowAccess(const std::map<std::string, RowAccess>& access);
+
+  /// Shows each note as a warning at the row it is about, until the next call. The notes belong to
+  /// the scene of the panel.
+  void showNotes(const NoteSet& notes);
+
+  /// Shows a row, whatever is folded or filtered, and gives it the focus. Unknown keys are ignored.
+  void reveal(const QString& key);
+
+  /// Puts the cursor into the filter.
+  void focusFilter();
+
+  PanelView view() const;
+  void setView(const PanelView& view);
+  /// Returns the view of the first start.
+  static PanelView defaultView();
 
   /// Replaces the usual file dialog.
   void setFileChooser(FileChooser chooser);
@@ -79,35 +110,53 @@ class ParameterPanel : public QWidget {
   /// Emitted where the user wants to open a measured surface, or a material, for this scene.
   void surfaceWanted(const asperity::Scene& scene);
   void materialWanted(const asperity::Scene& scene);
+  /// Emitted where the user chose other rows, or folded a section.
+  void viewChanged();
 
  protected:
   void changeEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  struct Section {
+    ParameterGroup group;
+    QLabel* label = nullptr;          // of a group that does not fold
+    SectionHeader* header = nullptr;  // of one that does
+    std::vector<ParameterRow*> rows{};
+  };
+
+  ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups, PanelBar* bar,
+                 QWidget* parent);
   void addGroup(QVBoxLayout& column, const ParameterGroup& group);
   ParameterRow& addRow(QVBoxLayout& column, const Parameter& parameter);
   template <class Change>
   void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
+  void followAxis();
+  void arrange();
+  bool showsAll() const;
+  RowAccess accessOf(std::string_view key) const;
+  bool isNamedFree(std::string_view key) const;
   void showMissing();
-  void applyAccess();
   void chooseFile(ParameterRow& row);
   void showTexts();
   void applyStyle();
 
   Scene scene_;
-  Scene passedOn_;  // the newest scene that was set or passed on
+  std::string axis_;  // the key whose values the ends of the axis are shown as
+  Scene passedOn_;    // the newest scene that was set or passed on
   KeptSizes sizes_;
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
-  std::map<std::string, RowAccess> access_;
   QSet<QString> complaints_;           // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
-  /// Titles of groups: with a line of their own, or in the group's first row.
-  std::vector<std::pair<QLabel*, std::function<QString()>>> headings_;
-  QMap<const ParameterRow*, std::function<QString()>> headingRows_;
+  std::vector<Section> sections_;
+  std::map<std::string, RowAccess> access_;
+  NoteSet notes_;
+  QString revealed_;  // key of a row that stays visible while it has the focus
+  PanelBar* bar_;     // may be null
+  QLabel* nothing_;   // where no row passes the filter
   QScrollArea* scroll_;
 };
 

@@ -3,12 +3,15 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QContextMenuEvent>
+#include <QCoreApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/scene/list_text.h"
@@ -48,14 +51,15 @@ QString labelWithSymbol(const Parameter& parameter) {
   return label + "&nbsp; " + symbolHtml(parameter.symbol);
 }
 
-/// Returns the width for the longest label with its symbol. A very long label is broken into two
-/// lines, so that it does not take space from every slider.
+/// Returns the width of the labels beside lists and texts. A very long one is broken into two
+/// lines, so that it does not take space from every list.
 int labelWidth(const QFont& font) {
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QFontMetrics metrics(font);
   const int longest = metrics.horizontalAdvance(QStringLiteral("relaxation time  T"));
   int width = 0;
   for (const Parameter& parameter : parameters()) {
+    if (allowedRange(parameter)) continue;  // a number has a line with room for its label
     const QString text = labelWithSymbol(parameter).remove(tag);
     const auto widthOf = [&metrics](QString part) {
       return metrics.horizontalAdvance(part.replace("&nbsp;", " "));
@@ -66,6 +70,21 @@ int labelWidth(const QFont& font) {
     width = std::max(width, needed);
   }
   return width + 4;
+}
+
+/// Whether a word is found: a long one anywhere in the text, a short one at the beginning of a
+/// word, because one or two letters are found nearly everywhere.
+bool isWordIn(const QString& word, const QString& text) {
+  if (word.size() > 2) return text.contains(word, Qt::CaseInsensitive);
+  static const QRegularExpression between(QStringLiteral(R"([\s._-]+)"));
+  const QStringList parts = text.split(between);
+  return std::ranges::any_of(
+      parts, [&](const QString& part) { return part.startsWith(word, Qt::CaseInsensitive); });
+}
+
+/// Whether a word is a unit in which the parameter may be typed: "mN", "°C".
+bool isUnitOf(const QString& word, const Parameter& parameter) {
+  return !parameter.unit.empty() && unitNamed(word.toStdString(), parameter.unit).has_value();
 }
 
 /// Returns the allowed range in the notation of the entries.
@@ -119,7 +138,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   setObjectName("row:" + fromUtf8(parameter.key));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
+  column->setSpacing(0);
   auto* line = new QHBoxLayout;
   line->setSpacing(kGap);
   column->addLayout(line);
@@ -136,16 +155,15 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
   else if (std::holds_alternative<TextField>(parameter.field) || isList(parameter))
     addText(*line);
   else
-    addNumber(*line);
+    addNumber(*line, *column);
   addReset(*line);
   if (text_) line->setAlignment(reset_, Qt::AlignTop);
 
   addRemarks(*column);
 }
 
-void ParameterRow::showTexts(const QString& heading) {
-  label_->setText(heading.isEmpty() ? labelWithSymbol(parameter_) : heading);
-  if (!heading.isEmpty()) label_->setProperty("role", "heading");
+void ParameterRow::showTexts() {
+  label_->setText(labelWithSymbol(parameter_));
   label_->setToolTip(description());
   for (QWidget* control :
        std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, shifts_, material_, text_})
@@ -166,6 +184,12 @@ void ParameterRow::showTexts(const QString& heading) {
   }
   reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
   setWidths();
+}
+
+void ParameterRow::setParameter(const Parameter& parameter) {
+  parameter_ = parameter;
+  if (slider_) slider_->setScale(SliderScale(parameter_));
+  showTexts();
 }
 
 QString ParameterRow::labelOf(const Parameter& parameter) {
@@ -189,8 +213,8 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   showReset(value, restingValue(parameter_, scene));
   if (isChosenWhereOpen(parameter_))
     reset_->setToolTip(tr("Back to the default, chosen by the scene"));
-  setEnabled(!(placeholder && placeholder->isFixed));
-  setVisible(isApplicable(parameter_, scene));
+  isFixed_ = placeholder && placeholder->isFixed;
+  showEnabled();
 }
 
 void ParameterRow::showEntry(const ParameterValue& value,
@@ -215,13 +239,50 @@ void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& 
 
 void ParameterRow::showError(const QString& reason) {
   if (entry_) entry_->showError(reason);
-  error_->setText(reason);
-  error_->setVisible(!reason.isEmpty());
+  showRemark(*error_, reason);
 }
 
 void ParameterRow::showNote(const QString& text) {
-  note_->setText(text);
-  note_->setVisible(!text.isEmpty());
+  showRemark(*note_, text);
+}
+
+void ParameterRow::showWarning(const QString& text) {
+  showRemark(*warning_, text);
+}
+
+void ParameterRow::showRemark(QLabel& remark, const QString& text) {
+  if (remark.text() == text) return;
+  remark.setText(text);
+  remark.setVisible(!text.isEmpty());
+}
+
+bool ParameterRow::hasRemark() const {
+  return std::ranges::any_of(std::array{note_, warning_, error_},
+                             [](const QLabel* remark) { return !remark->text().isEmpty(); });
+}
+
+void ParameterRow::setLocked(bool locked) {
+  isLocked_ = locked;
+  showEnabled();
+}
+
+void ParameterRow::showEnabled() {
+  setEnabled(!isLocked_ && !isFixed_);
+}
+
+bool ParameterRow::matches(const QStringList& words) const {
+  const QString text =
+      labelOf(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);
+  static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
+  const QString symbol = symbolHtml(parameter_.symbol).remove(tag);
+  return std::ranges::all_of(words, [&](const QString& word) {
+    return isWordIn(word, text) || (!symbol.isEmpty() && word == symbol) ||
+           word == fromUtf8(parameter_.symbol) || isUnitOf(word, parameter_);
+  });
+}
+
+bool ParameterRow::isChanged() const {
+  return reset_->isEnabledTo(this);
 }
 
 void ParameterRow::addRemarks(QVBoxLayout& column) {
@@ -235,6 +296,7 @@ void ParameterRow::addRemarks(QVBoxLayout& column) {
     return label;
   };
   note_ = remark("note");
+  warning_ = remark("warning");
   error_ = remark("error");
 }
 
@@ -244,9 +306,7 @@ void ParameterRow::setWidths() {
   const auto digits = [digit](double count) {
     return static_cast<int>(std::lround(count * digit));
   };
-  const int width = labelWidth(font());
-  label_->setFixedWidth(width);
-  for (QLabel* remark : {note_, error_}) remark->setIndent(width + kGap);
+  if (!slider_) label_->setFixedWidth(labelWidth(font()));
   if (unit_) {
     // A number without a unit is a count with many digits: it also uses the unit's width.
     const bool isCount = parameter_.unit.empty();
@@ -266,6 +326,7 @@ void ParameterRow::addLabel(QHBoxLayout& line) {
   label_ = new QLabel;
   label_->setTextFormat(Qt::RichText);
   label_->setWordWrap(true);
+  label_->setMinimumWidth(1);  // a long word never makes the panel wider
   line.addWidget(label_);
 }
 
@@ -275,16 +336,22 @@ void ParameterRow::addEntry() {
   connect(entry_, &ValueEntry::takenBack, this, [this] { showError({}); });
 }
 
-void ParameterRow::addNumber(QHBoxLayout& line) {
+/// Adds the entry to the line of the label, and below them the slider, which is as wide as the row.
+void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   slider_ = new ValueSlider(SliderScale(parameter_));
   name(*slider_, "slider");
   connect(slider_, &ValueSlider::valuePicked, this,
           [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
-  line.addWidget(slider_, 1);
+  line.setStretchFactor(label_, 1);
+  column.addWidget(slider_);
 
   addEntry();
   connect(entry_, &ValueEntry::textCommitted, this, [this](const QString& text) {
     emit textGiven(inShownUnit(withPoint(text.trimmed()), entry_->unit()));
+  });
+  connect(entry_, &ValueEntry::stepped, slider_, [this](int key, Qt::KeyboardModifiers modifiers) {
+    QKeyEvent step(QEvent::KeyPress, key, modifiers);
+    QCoreApplication::sendEvent(slider_, &step);
   });
   line.addWidget(entry_);
 

@@ -1,10 +1,11 @@
-// One row of the table of parameters as controls: label with symbol, then slider and exact entry,
-// or a list of words, or a text, with a button for files where it names a file, or the table of an
-// elastomer's arms, or the box of materials; description and allowed range as tooltip, a button
-// that resets to the default, and the reason below a refused text. Object names: "slider:KEY",
-// "entry:KEY", "text:KEY", "arms:KEY", "shifts:KEY", "material:KEY", "choice:KEY", "browse:KEY",
-// "reset:KEY", "note:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and emits
-// the user's input. GUI thread.
+// One row of the table of parameters as controls: label with symbol and exact entry, with a slider
+// over the whole width below them, or a list of words, or a text, with a button for files where it
+// names a file, or the table of an elastomer's arms, or the box of materials; description and
+// allowed range as tooltip, a button that resets to the default, and below: what is missing, what
+// to be warned of, and the reason of a refused text. Object names: "slider:KEY", "entry:KEY",
+// "text:KEY", "arms:KEY", "shifts:KEY", "material:KEY", "choice:KEY", "browse:KEY", "reset:KEY",
+// "note:KEY", "warning:KEY", "error:KEY", "row:KEY". The row holds no scene; it shows one and emits
+// the user's input. Its panel decides whether it is visible. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -39,17 +40,34 @@ class ParameterRow : public QWidget {
   /// Returns the parameter's name in the language of the window.
   static QString labelOf(const Parameter& parameter);
 
-  /// Sets all texts in the language of the window. `heading`, where not empty, replaces the row's
-  /// own label as the title of its section.
-  void showTexts(const QString& heading);
+  /// Sets all texts in the language of the window.
+  void showTexts();
 
-  /// Shows the scene's value; hides the row where it does not apply. `replace` also overwrites
-  /// refused input. `known` is the line that is shown.
+  /// Takes another unit, other limits and another slider for the same key.
+  void setParameter(const Parameter& parameter);
+
+  /// Shows the scene's value. `replace` also overwrites refused input. `known` is the line that is
+  /// shown.
   void showScene(const Scene& scene, const LineSize& known, bool replace);
   void showError(const QString& reason);
 
   /// Shows what is missing here; an empty text removes it.
   void showNote(const QString& text);
+
+  /// Shows why results of this value are uncertain; an empty text removes it.
+  void showWarning(const QString& text);
+
+  /// Returns whether there is something to read below the controls.
+  bool hasRemark() const;
+
+  /// A locked row shows its value and cannot be changed.
+  void setLocked(bool locked);
+
+  /// Returns whether all words are found in the row's label, its key, its symbol or its unit.
+  bool matches(const QStringList& words) const;
+
+  /// Returns whether the scene's value differs from that of the reset button.
+  bool isChanged() const;
 
  signals:
   void valueGiven(const asperity::ParameterValue& value);
@@ -63,7 +81,7 @@ class ParameterRow : public QWidget {
  private:
   void addLabel(QHBoxLayout& line);
   void addEntry();
-  void addNumber(QHBoxLayout& line);
+  void addNumber(QHBoxLayout& line, QVBoxLayout& column);
   void addChoice(QHBoxLayout& line, const ChoiceField& field);
   void addText(QHBoxLayout& line);
   void addLongText(QHBoxLayout& line);
@@ -73,6 +91,8 @@ class ParameterRow : public QWidget {
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
   void addRemarks(QVBoxLayout& column);
+  void showRemark(QLabel& remark, const QString& text);
+  void showEnabled();
   void setWidths();
   void showEntry(const ParameterValue& value, const std::optional<Placeholder>& placeholder,
                  bool replace);
@@ -82,7 +102,8 @@ class ParameterRow : public QWidget {
   QString description() const;
   QString accessibleLabel() const;
 
-  const Parameter& parameter_;
+  Parameter parameter_;
+  bool isLocked_ = false, isFixed_ = false;  // by the panel, by the scene
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;
@@ -96,6 +117,7 @@ class ParameterRow : public QWidget {
   QToolButton* reset_ = nullptr;
   ParameterValue resting_;  // value of the reset button
   QLabel* note_ = nullptr;
+  QLabel* warning_ = nullptr;
   QLabel* error_ = nullptr;
 };
 

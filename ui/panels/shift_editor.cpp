@@ -39,7 +39,7 @@ bool isFactor(const std::string& name) {
          (word == QStringLiteral("at") || word.contains(QStringLiteral("factor")));
 }
 
-TemperatureUnit unitOf(const TextBlock& block, std::size_t column, const std::string& name) {
+Unit unitOf(const TextBlock& block, std::size_t column, const std::string& name) {
   std::string stated = block.columns[column].unit;
   // A unit that no table knows stays in the name.
   const std::string& title = block.columns[column].name;
@@ -68,7 +68,7 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
       columns.push_back(i);
   if (columns.size() < 2)
     throw InputError(name, "", "needs two columns: temperature and log10 of the shift");
-  const TemperatureUnit unit = unitOf(block, columns[0], name);
+  const Unit unit = unitOf(block, columns[0], name);
   const bool holdsFactors = isFactor(block.columns[columns[1]].name);
   std::vector<ShiftPoint> table;
   for (std::size_t row = 0; row < block.rows; ++row) {
@@ -78,7 +78,7 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
     if (holdsFactors && shift <= 0)
       throw InputError(name, "", "holds a shift factor that is not above 0");
     if (holdsFactors) shift = std::log10(shift);
-    table.push_back({unit.offset + unit.size * temperature, shift});
+    table.push_back({unit.toSi(temperature), shift});
   }
   std::ranges::sort(table, {}, &ShiftPoint::temperature);
   if (table.empty() || table.size() > kMostShiftPoints)

@@ -72,6 +72,13 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
     emit takenBack();
     return;
   }
+  const int key = event->key();
+  if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp ||
+      key == Qt::Key_PageDown) {
+    commit();
+    if (!hasError()) emit stepped(key, event->modifiers());
+    return;
+  }
   QLineEdit::keyPressEvent(event);
   const bool entered = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (entered && !hasError()) clearFocus();

@@ -33,6 +33,8 @@ class ValueEntry : public QLineEdit {
  signals:
   void textCommitted(const QString& text);
   void unitShown(const QString& unit);
+  /// Emitted for the arrows up and down, PageUp and PageDown, after typed text was passed on.
+  void stepped(int key, Qt::KeyboardModifiers modifiers);
   /// Emitted when the input was discarded: by Escape, or because it is the accepted text again.
   void takenBack();
 

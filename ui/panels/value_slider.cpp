@@ -1,5 +1,6 @@
 #include "ui/panels/value_slider.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -53,6 +54,12 @@ double SliderScale::coordinate(double value) const {
   return scale_ == Scale::Linear ? value : std::log(value);
 }
 
+int SliderScale::largeStep() const {
+  const double first = scale_ == Scale::LogarithmicFromNone ? values_[1] : values_.front();
+  const double decades = scale_ == Scale::Linear ? 10 : std::log10(values_.back() / first);
+  return std::max(1, static_cast<int>(std::lround((count() - 1) / std::max(1.0, decades))));
+}
+
 double SliderScale::valueAt(int position) const {
   return values_[static_cast<std::size_t>(std::clamp(position, 0, count() - 1))];
 }
@@ -71,17 +78,24 @@ namespace {
 
 constexpr double kHandleRadius = 6.5;
 constexpr double kGroove = 4;
+constexpr double kFinely = 0.1;  // of the pointer's way, with Shift
 
 }  // namespace
 
 ValueSlider::ValueSlider(const SliderScale& scale, QWidget* parent)
     : QSlider(Qt::Horizontal, parent), scale_(scale) {
-  setRange(0, scale_.count() - 1);
-  setSingleStep(std::max(1, scale_.count() / 100));
-  setPageStep(std::max(1, scale_.count() / 10));
+  setScale(scale);
   setFocusPolicy(Qt::StrongFocus);  // the wheel does not give it the focus
   connect(this, &QSlider::valueChanged, this,
           [this](int position) { emit valuePicked(scale_.valueAt(position)); });
+}
+
+void ValueSlider::setScale(const SliderScale& scale) {
+  const QSignalBlocker silent(this);
+  scale_ = scale;
+  setRange(0, scale_.count() - 1);
+  setSingleStep(std::max(1, scale_.count() / 100));
+  setPageStep(scale_.largeStep());
 }
 
 void ValueSlider::showValue(double value) {
@@ -91,11 +105,11 @@ void ValueSlider::showValue(double value) {
 }
 
 QSize ValueSlider::sizeHint() const {
-  return {110, 22};
+  return {110, 20};
 }
 
 QSize ValueSlider::minimumSizeHint() const {
-  return {40, 22};  // a smaller one would be a dot
+  return {40, 20};  // a smaller one would be a dot
 }
 
 double ValueSlider::handleX() const {
@@ -115,10 +129,35 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
     initStyleOption(&option);
     const QRect handle =
         style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+    fine_.reset();
     if (!handle.contains(event->position().toPoint()))
       setSliderPosition(positionAt(event->position().x()));
   }
   QSlider::mousePressEvent(event);
+}
+
+/// With Shift the handle moves on from where it is by a part of the pointer's way; without it the
+/// handle is under the pointer again.
+void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
+  const bool isFine = isSliderDown() && event->modifiers().testFlag(Qt::ShiftModifier);
+  if (!isFine) {
+    fine_.reset();
+    return QSlider::mouseMoveEvent(event);
+  }
+  const double x = event->position().x();
+  if (!fine_) fine_ = {sliderPosition(), x};
+  const double perPixel = maximum() / std::max(1.0, width() - 2 * kHandleRadius - 2);
+  setSliderPosition(fine_->position +
+                    static_cast<int>(std::lround(kFinely * (x - fine_->x) * perPixel)));
+}
+
+void ValueSlider::keyPressEvent(QKeyEvent* event) {
+  const int key = event->key();
+  const bool isUp = key == Qt::Key_Right || key == Qt::Key_Up;
+  const bool isDown = key == Qt::Key_Left || key == Qt::Key_Down;
+  if (event->modifiers().testFlag(Qt::ShiftModifier) && (isUp || isDown))
+    return setValue(value() + (isUp ? 1 : -1));
+  QSlider::keyPressEvent(event);
 }
 
 void ValueSlider::wheelEvent(QWheelEvent* event) {

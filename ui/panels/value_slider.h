@@ -1,9 +1,12 @@
 // A thin horizontal slider over a SliderScale. A press anywhere on the groove moves the handle
-// there; the wheel works only while the slider has the focus, so that scrolling the panel changes
-// nothing. GUI thread.
+// there; with Shift the handle follows the pointer ten times more slowly. Arrow keys make steps of
+// a hundredth of the slider, with Shift the smallest ones, PageUp and PageDown decades. The wheel
+// works only while the slider has the focus, so that scrolling the panel changes nothing. GUI
+// thread.
 #pragma once
 
 #include <QSlider>
+#include <optional>
 #include <vector>
 
 #include "core/scene/parameters.h"
@@ -16,6 +19,10 @@ class SliderScale {
   explicit SliderScale(const Parameter& parameter);
 
   int count() const { return static_cast<int>(values_.size()); }
+
+  /// Returns the positions of a large step: a decade of a logarithmic scale, a tenth of a linear
+  /// one.
+  int largeStep() const;
   double valueAt(int position) const;
 
   /// Returns the position with the nearest value, on the row's own scale.
@@ -34,6 +41,9 @@ class ValueSlider : public QSlider {
  public:
   explicit ValueSlider(const SliderScale& scale, QWidget* parent = nullptr);
 
+  /// Replaces the scale without emitting valuePicked.
+  void setScale(const SliderScale& scale);
+
   /// Moves the handle to the nearest position without emitting valuePicked.
   void showValue(double value);
   QSize sizeHint() const override;
@@ -44,7 +54,9 @@ class ValueSlider : public QSlider {
   void valuePicked(double value);
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void enterEvent(QEnterEvent* event) override;
@@ -55,6 +67,12 @@ class ValueSlider : public QSlider {
   int positionAt(double x) const;
 
   SliderScale scale_;
+  /// Where the handle and the pointer were when the fine part of a drag began.
+  struct Grip {
+    int position;
+    double x;
+  };
+  std::optional<Grip> fine_;
 };
 
 }  // namespace asperity

@@ -57,7 +57,7 @@ std::string page(bool isQuick) {
   Table table({"what", "target", "measured", "of the target", ""});
   for (const WindowMeasure& measure : measureWindow(isQuick)) addRow(table, measure);
   return fmt::format(
-      "# The window\n\n{}, {} platform, contacts drawn by software (OSMesa), load average {:.1f} "
+      "# The window\n\n{}, {} platform, contacts drawn by software, load average {:.1f} "
       "before the run.\nTimes by the wall clock: from the start of the process, or from the "
       "slider's step until the new curve's first picture is whole.\n\n{}",
       cpuName(), QGuiApplication::platformName().toStdString(), load, table.text());

@@ -92,5 +92,22 @@ TEST(Units, EveryDimensionTakesItsPrefixes) {
     }
 }
 
+/// Instruments write KHZ and MPA; where a small letter may be two prefixes, only those are taken
+/// that measure anything.
+TEST(Units, AreReadInAnyCaseWhereThatLeavesNoDoubt) {
+  const auto size = [](const char* name, const char* si) {
+    return sizeOfUnit(name, si).value_or(0);
+  };
+  EXPECT_EQ(size("mPa", "Pa"), 1e-3);
+  for (const char* mega : {"MPa", "MPA", "mpa", "Mpa", "N/MM2", "n/mm\u00B2"})
+    EXPECT_EQ(size(mega, "Pa"), 1e6) << mega;
+  EXPECT_EQ(size("KPA", "Pa"), 1e3);
+  EXPECT_EQ(size("KHZ", "Hz"), 1e3);
+  EXPECT_EQ(size("MS", "s"), 1e-3);
+  EXPECT_EQ(size("mn", "N"), 0) << "millinewtons or meganewtons";
+  EXPECT_EQ(size("\u00B0C", "K"), 0) << "has another zero, so no size says it all";
+  EXPECT_EQ(unitInAnyCase("c", "K")->toSi(25), 298.15);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -227,8 +227,11 @@ TEST(CurveDiagram, ATheoryIsDrawnForWhatItSays) {
   set.y = CurveQuantity::ContactFraction;
   addComparisons(set, {});
   EXPECT_EQ(curveSheet(set).diagrams.front().series.size(), 3U);
+  EXPECT_THAT(curveSheet(set).note.english(), testing::Not(testing::HasSubstr("has no line")));
   set.y = CurveQuantity::Indentation;
   EXPECT_EQ(curveSheet(set).diagrams.front().series.size(), 1U);
+  EXPECT_THAT(curveSheet(set).note.english(),
+              testing::HasSubstr("low velocity has no line: it says nothing about this"));
 }
 
 /// Measured friction over force: rows of the scene's own velocity, and a note about the others.

@@ -183,5 +183,14 @@ TEST(TemperatureFit, FormulasComeBackFromTheirOwnTables) {
   EXPECT_EQ(chosenShift(neither, 298.15).kind, ShiftKind::Table);
 }
 
+/// A sweep at 25 degrees is at 298.15 K, not at a mean that rounding moved.
+TEST(Isotherms, HaveTheTemperatureOfTheirRowsExactly) {
+  for (int points = 2; points < 40; ++points) {
+    std::vector<MeasuredModulus> rows;
+    for (int i = 0; i < points; ++i) rows.push_back({298.15, {1.0 + i, 1e6, 1e5}});
+    EXPECT_EQ(isothermsOf(rows).front().temperature, 298.15) << points;
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/measured/length_unit.h"
+#include "core/base/length_unit.h"
 #include "tests/core/measured/surface_expectations.h"
 
 namespace asperity::written {

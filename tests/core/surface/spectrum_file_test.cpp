@@ -30,6 +30,9 @@ TEST(SpectrumFile, MeansTheSameHeightInEveryConvention) {
       {"wave_number spectrum\n1e4 2e-18\n1e5 2e-18\n", SpectrumKind::C1OneSided},
       {"# q, C\n1e4,1e-18\n1e5,1e-18\n", SpectrumKind::C1TwoSided},
       {"q,C\n1/mm,mm^3\n10,1e-9\n100,1e-9\n", SpectrumKind::C1TwoSided},
+      {"Sample: asphalt\nq / \u00B5m^-1\tPSD / \u00B5m\u00B3\n0.01\t1\n0.1\t1\n",
+       SpectrumKind::C1TwoSided},
+      {"Wave number [1/\xB5m];C1 [\xB5m^3]\r\n0,01;1\r\n0,1;1\r\n", SpectrumKind::C1TwoSided},
   };
   for (const auto& one : cases)
     EXPECT_NEAR(squareHeight(parseSpectrum(one.text, "s", one.kind)) / expected, 1, 1e-12)
@@ -68,16 +71,16 @@ TEST(SpectrumFile, SaysWhatIsWrongAndWhere) {
     const char* error;
   } cases[] = {
       {"x,y\n1,2\n2,3\n",
-       "s: line 1: a spectrum is a table whose header names wave_number, "
+       "s: a spectrum is a table whose header names wave_number, "
        "spatial_frequency or wavelength, and the spectrum in another column"},
       {"q,C\n1,1\n", "s: has 1 rows; at least 2 are needed"},
       {"q,C\n1,1\n1,2\n", "s: has two rows for the wave number 1 1/m"},
       {"q,C\n1,1\n2,-1\n", "s: line 3: the spectrum -1 is below 0"},
-      {"q,C\n1,1\n2,nan\n", "s: line 3: 'nan' is not a finite number"},
-      {"q,C\n1,1\n2\n", "s: line 3: has 1 fields; 2 are needed"},
+      {"q,C\n1,1\n2,nan\n", "s: line 3: the value of C is missing"},
+      {"q,C\n1,1\n2\n3,1\n", "s: line 3: has 1 fields where the lines before have 2"},
       {"q,C\n1,0\n2,0\n", "s: has no wave with a strength above 0"},
       {"q [furlong],C\n1,1\n2,1\n",
-       "s: line 1: furlong is not a unit of q; allowed is 1/m, with "
+       "s: furlong is not a unit of q; allowed is 1/m, with "
        "mm, um or nm as well"},
   };
   for (const auto& one : cases) {

@@ -14,7 +14,7 @@
 #include "core/run/simulation.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/draw/pixel_context.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ double cost(const std::function<void()>& work) {
 }
 
 void measure(const char* name, const Frame& frame, const ContactPictureOptions& options) {
-  OsmesaContext context;
+  PixelContext& context = contextOfThread();
   const DrawList list = composeContact(frame, options);
   std::size_t vertices = 0, triangles = 0;
   for (const DrawLayer& layer : list.layers) {

@@ -1,4 +1,4 @@
-// The choice between OSMesa and EGL, and that both draw the same.
+// The choice of what draws, and that all draw the same.
 #include "ui/draw/pixel_context.h"
 
 #include <gmock/gmock.h>
@@ -91,8 +91,9 @@ TEST(PixelContext, EglDrawsTheSameBytesAgainAndOnOtherThreads) {
   EXPECT_EQ(here, there);
 }
 
-TEST(PixelContext, BothRefuseEmptyAndImpossiblePictures) {
-  for (const PixelBackend backend : {PixelBackend::Osmesa, PixelBackend::Egl}) {
+TEST(PixelContext, AllRefuseEmptyAndImpossiblePictures) {
+  for (const PixelBackend backend :
+       {PixelBackend::Raster, PixelBackend::Osmesa, PixelBackend::Egl}) {
     const auto context = makePixelContext(backend);
     EXPECT_THROW(context->draw(blackList(0, 10)), std::runtime_error);
     EXPECT_THROW(context->draw(blackList(32768, 32768)), std::runtime_error);
@@ -111,14 +112,32 @@ TEST(PixelContext, ALibraryThatIsNoEglIsTooOld) {
   EXPECT_THAT(refusal(PixelBackend::Egl), HasSubstr("libm.so.6 is too old"));
 }
 
-TEST(PixelContext, AutomaticTakesTheNextWhereOneIsMissing) {
-  EXPECT_EQ(makePixelContext()->name(), "osmesa");
+TEST(PixelContext, TheProgramsOwnRasterizerNeedsNoLibrary) {
   const Variable noOsmesa("ASPERITY_OSMESA_LIBRARY", "libnowhere.so.8");
-  EXPECT_EQ(makePixelContext()->name(), "egl");
-  EXPECT_THAT(refusal(PixelBackend::Osmesa), HasSubstr("libosmesa6"));
   const Variable noEgl("ASPERITY_EGL_LIBRARY", "libnowhere.so.1");
-  EXPECT_THAT(refusal(PixelBackend::Automatic),
-              AllOf(HasSubstr("libosmesa6"), HasSubstr("libegl1")));
+  EXPECT_EQ(makePixelContext()->name(), "raster");
+  EXPECT_THAT(refusal(PixelBackend::Osmesa), HasSubstr("libosmesa6"));
+  EXPECT_THAT(refusal(PixelBackend::Egl), HasSubstr("libegl1"));
+}
+
+/// OpenGL cuts corners to parts of a pixel: single pixels on edges differ.
+TEST(PixelContext, TheRasterizerDrawsAsOpenGlDoes) {
+  const auto osmesa = makePixelContext(PixelBackend::Osmesa), own = makePixelContext();
+  for (const int size : {17, 640, 301})
+    for (const float alpha : {1.0F, 0.0F}) {
+      DrawList list = richList(size, size / 2 + 1);
+      list.background.a = alpha;
+      const Pixels a = osmesa->draw(list), b = own->draw(list);
+      ASSERT_EQ(a.rgba.size(), b.rgba.size());
+      std::size_t further = 0, far = 0;
+      for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        const int apart = std::abs(a.rgba[i] - b.rgba[i]);
+        further += apart > 1 ? 1 : 0;
+        far += apart > 16 ? 1 : 0;
+      }
+      EXPECT_LE(further, a.rgba.size() / 1000) << size;
+      EXPECT_LE(far, a.rgba.size() / 20000) << size;
+    }
 }
 
 }  // namespace

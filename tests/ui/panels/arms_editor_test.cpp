@@ -27,6 +27,7 @@ Scene prony(std::vector<Arm> arms) {
 class ArmsEditorTest : public testing::Test {
  protected:
   ArmsEditorTest() : panel_(prony({{1e7, 1e-3}, {2e6, 0.1}})) {
+    panel_.setView({true, {}});  // all rows
     panel_.resize(380, 700);
     panel_.show();
     panel_.activateWindow();

@@ -19,6 +19,7 @@ namespace asperity {
 class ParameterPanelTest : public testing::Test {
  protected:
   ParameterPanelTest() : spy_(&panel_, &ParameterPanel::sceneEdited) {
+    panel_.setView({true, {}});  // all rows
     panel_.resize(380, 700);
     panel_.show();
   }

@@ -28,6 +28,7 @@ Scene tabled(std::vector<ShiftPoint> table) {
 class ShiftEditorTest : public testing::Test {
  protected:
   ShiftEditorTest() : panel_(tabled({{263.15, 2.5}, {298.15, 0}, {323.15, -1}})) {
+    panel_.setView({true, {}});  // all rows
     panel_.resize(380, 700);
     panel_.show();
     panel_.activateWindow();

@@ -16,6 +16,7 @@ namespace {
 
 TEST(UnitRoom, IsEnoughForEveryUnitThatIsShown) {
   ParameterPanel panel{Scene{}};
+  panel.setView({true, {}});
   panel.resize(380, 700);
   panel.show();
   int shown = 0;
@@ -40,6 +41,7 @@ TEST(UnitRoom, LeavesTheLargestWholeNumberItsLastDigit) {
   Scene scene;
   scene.surface.elements = 16777216;
   ParameterPanel panel{scene};
+  panel.setView({true, {}});
   panel.resize(380, 700);
   panel.show();
   auto& entry = *panel.findChild<ValueEntry*>("entry:surface.elements");

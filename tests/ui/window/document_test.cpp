@@ -212,6 +212,126 @@ TEST_F(DocumentTest, AnUnchangedSceneIsLeftWithoutAQuestion) {
   EXPECT_EQ(asked_, 0);
 }
 
+TEST(SceneDocument, AnotherSceneIsOneStepThatBringsBackChangesAndOrigin) {
+  SceneDocument document(smallScene());
+  document.begin({{{}, "/somewhere/mine.json", smallScene()}, smallScene()});
+  document.change(withForce(smallScene(), 0.5), 1);
+  Scene other = smallScene();
+  other.title = "other";
+  QSignalSpy opened(&document, &SceneDocument::opening);
+  document.open({"figure_1", {}, other});
+  EXPECT_EQ(document.history().count(), 2);
+  EXPECT_TRUE(document.history().undoText().contains("other"));
+  EXPECT_EQ(document.scene(), other);
+  EXPECT_FALSE(document.isChanged());
+  document.change(withForce(other, 3), 2);
+  document.history().undo();
+  document.history().undo();
+  EXPECT_EQ(document.scene(), withForce(smallScene(), 0.5));
+  EXPECT_EQ(document.file(), "/somewhere/mine.json");
+  EXPECT_TRUE(document.isChanged());
+  EXPECT_EQ(opened.count(), 2);  // there and back
+  document.history().redo();
+  EXPECT_EQ(document.scene(), other);
+  EXPECT_EQ(document.origin().shipped, "figure_1");
+  EXPECT_TRUE(document.file().isEmpty());
+}
+
+TEST(SceneDocument, TheSameSceneAgainIsNoStep) {
+  SceneDocument document(smallScene());
+  QSignalSpy changes(&document, &SceneDocument::sceneChanged);
+  document.open(smallScene());
+  EXPECT_EQ(document.history().count(), 0);
+  EXPECT_EQ(changes.count(), 1);  // it begins anew
+}
+
+TEST(SceneDocument, AStepBackOverASaveKeepsTheFile) {
+  SceneDocument document(smallScene());
+  document.change(withForce(smallScene(), 0.5), 1);
+  document.change(withForce(smallScene(), 0.6), 2);
+  document.saved("/somewhere/mine.json");
+  document.history().undo();
+  EXPECT_EQ(document.file(), "/somewhere/mine.json");
+  EXPECT_TRUE(document.isChanged());
+  document.history().redo();
+  EXPECT_FALSE(document.isChanged());
+  EXPECT_EQ(document.file(), "/somewhere/mine.json");
+  Scene other = smallScene();
+  other.title = "other";
+  document.open({"figure_1", {}, other});
+  document.history().undo();
+  EXPECT_EQ(document.file(), "/somewhere/mine.json");
+  EXPECT_FALSE(document.isChanged());
+  document.history().redo();
+  EXPECT_EQ(document.origin().shipped, "figure_1");
+}
+
+/// A file is named once, with the state in which it was left last.
+TEST(SceneDocument, KnowsTheFilesWhoseChangesAreNotSaved) {
+  const auto stateOf = [](const char* file) {
+    Scene scene = smallScene();
+    scene.title = file;
+    return SceneOrigin{{}, file, scene};
+  };
+  SceneDocument document(smallScene());
+  document.change(withForce(smallScene(), 0.4), 1);
+  EXPECT_TRUE(document.unsavedFiles().empty());  // no file
+  document.open(stateOf("/a.json"));
+  EXPECT_TRUE(document.unsavedFiles().empty());
+  document.change(withForce(document.scene(), 0.5), 2);
+  ASSERT_EQ(document.unsavedFiles().size(), 1U);
+  document.open(stateOf("/b.json"));
+  ASSERT_EQ(document.unsavedFiles().size(), 1U);
+  EXPECT_EQ(document.unsavedFiles()[0].origin.file, "/a.json");
+  EXPECT_EQ(document.unsavedFiles()[0].scene.load.normalForce, 0.5);
+  document.change(withForce(document.scene(), 0.7), 3);
+  ASSERT_EQ(document.unsavedFiles().size(), 2U);
+  EXPECT_EQ(document.unsavedFiles()[0].origin.file, "/b.json");
+  document.saved("/b.json");
+  EXPECT_EQ(document.unsavedFiles().size(), 1U);
+  document.open(stateOf("/a.json"));  // as it is on the disk
+  EXPECT_TRUE(document.unsavedFiles().empty());
+}
+
+TEST(SceneDocument, ATrialEndsWhereItBegan) {
+  SceneDocument document(smallScene());
+  document.change(withForce(smallScene(), 0.5), 1);
+  document.history().undo();
+  Scene tried = smallScene();
+  tried.title = "tried";
+  document.openTrial({"figure_1", {}, tried});
+  EXPECT_TRUE(document.isTrial());
+  EXPECT_FALSE(document.history().canUndo());
+  document.change(withForce(tried, 9), 2);
+  EXPECT_TRUE(document.history().canUndo());
+  EXPECT_TRUE(document.unsavedFiles().empty());
+  document.openTrial({"figure_2", {}, tried});
+  EXPECT_FALSE(document.history().canUndo());
+  QSignalSpy ended(&document, &SceneDocument::trialEnded);
+  document.endTrial();
+  document.endTrial();
+  EXPECT_EQ(ended.count(), 1);
+  EXPECT_EQ(document.scene(), smallScene());
+  EXPECT_FALSE(document.history().canUndo());
+  EXPECT_TRUE(document.history().canRedo());
+  document.history().redo();
+  EXPECT_EQ(document.scene().load.normalForce, 0.5);
+}
+
+TEST(SceneDocument, AnotherSceneEndsATrialAndIsAStepFromTheSceneOfBefore) {
+  SceneDocument document(smallScene());
+  document.change(withForce(smallScene(), 0.5), 1);
+  Scene tried = smallScene(), chosen = smallScene();
+  tried.title = "tried";
+  chosen.title = "chosen";
+  document.openTrial({{}, {}, tried});
+  document.open(chosen);
+  EXPECT_FALSE(document.isTrial());
+  EXPECT_EQ(document.scene(), chosen);
+  document.history().undo();
+  EXPECT_EQ(document.scene(), withForce(smallScene(), 0.5));
+}
+
 /// Who is asked knows what would be lost, and answers by a letter.
 TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   const QTemporaryDir folder;
@@ -233,34 +353,58 @@ TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   EXPECT_TRUE(detail.contains(file)) << detail.toStdString();
   ASSERT_EQ(buttons.size(), 3);
   for (const QString& button : buttons) EXPECT_TRUE(button.contains('&')) << button.toStdString();
-  window_.document().open(smallScene());
 }
 
-TEST_F(DocumentTest, CancelStaysWithTheChangedScene) {
+TEST_F(DocumentTest, AnotherSceneAsksNothingAndUndoBringsTheChangesBack) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("mine.json")));
   press("load.normal_force");
   const Scene changed = session().scene();
   answer(QMessageBox::Cancel);
   action("scene:figure_2").trigger();
-  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(asked_, 0);
+  EXPECT_TRUE(session().scene().title.starts_with("Figure 2"));
+  EXPECT_FALSE(window_.isWindowModified());
+  action("undo").trigger();
   EXPECT_EQ(session().scene(), changed);
-  EXPECT_TRUE(window_.document().history().canUndo());
+  EXPECT_EQ(window_.panel().scene(), changed);
+  EXPECT_TRUE(window_.document().file().endsWith("mine.json"));
+  EXPECT_TRUE(window_.isWindowModified());
+}
+
+/// The next start shows a scene without a file again.
+TEST_F(DocumentTest, TheEndAsksOnlyAboutFiles) {
+  press("load.normal_force");
+  answer(QMessageBox::Cancel);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 0);
+}
+
+TEST_F(DocumentTest, CancelStaysWithTheChangedScene) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("mine.json")));
+  press("load.normal_force");
+  const Scene changed = session().scene();
   answer(QMessageBox::Cancel);
   EXPECT_FALSE(window_.close());
   EXPECT_EQ(asked_, 1);
   EXPECT_TRUE(window_.isVisible());
+  EXPECT_EQ(session().scene(), changed);
+  EXPECT_TRUE(window_.document().history().canUndo());
 }
 
-TEST_F(DocumentTest, DiscardLosesTheChangesAndTheHistory) {
+TEST_F(DocumentTest, DiscardLeavesTheFileAsItIs) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
   press("load.normal_force");
   answer(QMessageBox::Discard);
-  action("scene:figure_2").trigger();
+  EXPECT_TRUE(window_.close());
   EXPECT_EQ(asked_, 1);
-  EXPECT_TRUE(session().scene().title.starts_with("Figure 2"));
-  EXPECT_FALSE(window_.document().history().canUndo());
-  EXPECT_FALSE(window_.isWindowModified());
+  EXPECT_EQ(readSceneFile(file.toStdString()).load.normalForce, smallScene().load.normalForce);
 }
 
-TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
+TEST_F(DocumentTest, SaveWritesTheFileBeforeTheEnd) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.json");
   ASSERT_TRUE(window_.documentCommands().saveTo(file));
@@ -271,6 +415,20 @@ TEST_F(DocumentTest, SaveWritesTheFileBeforeTheSceneIsLeft) {
   EXPECT_EQ(readSceneFile(file.toStdString()).load.normalForce, 0.75);
 }
 
+/// A file that was left for another scene is asked about, too: nothing can be undone after the end.
+TEST_F(DocumentTest, AFileThatWasLeftIsSavedAtTheEnd) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("mine.json");
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
+  type("load.normal_force", "0.75 N");
+  action("scene:figure_2").trigger();
+  answer(QMessageBox::Save);
+  EXPECT_TRUE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(readSceneFile(file.toStdString()).load.normalForce, 0.75);
+  EXPECT_TRUE(session().scene().title.starts_with("Figure 2"));
+}
+
 TEST_F(DocumentTest, SaveThatFailsStays) {
   QTemporaryDir folder;
   ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("mine.json")));
@@ -278,12 +436,12 @@ TEST_F(DocumentTest, SaveThatFailsStays) {
   press("load.normal_force");
   const Scene changed = session().scene();
   answer(QMessageBox::Save);
-  action("scene:figure_2").trigger();
+  EXPECT_FALSE(window_.close());
   EXPECT_EQ(session().scene(), changed);
   EXPECT_TRUE(window_.messages().isVisible());
 }
 
-TEST_F(DocumentTest, ADropAsksToo) {
+TEST_F(DocumentTest, ADropIsAStepToo) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("other.json");
   QFile other(file);
@@ -293,10 +451,13 @@ TEST_F(DocumentTest, ADropAsksToo) {
   other.write(writeScene(scene).c_str());
   other.close();
   press("load.normal_force");
-  answer(QMessageBox::Discard);
+  const Scene changed = session().scene();
+  answer(QMessageBox::Cancel);
   drop(file);
   ASSERT_TRUE(waitFor([&] { return session().scene().title == "dropped"; }));
-  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(asked_, 0);
+  action("undo").trigger();
+  EXPECT_EQ(session().scene(), changed);
 }
 
 TEST_F(DocumentTest, SettingsOfTestsAreTheirOwn) {

@@ -109,23 +109,24 @@ TEST_F(LessonsTest, TheUsersOwnSceneComesBackWithItsChanges) {
   const Scene own = session().scene();
   ASSERT_TRUE(window_.document().isChanged());
   lessons().start(lessonOf(sampleLesson()));
-  EXPECT_FALSE(window_.document().needsSaving());
+  EXPECT_TRUE(window_.document().isTrial());
   EXPECT_NE(session().scene(), own);
   QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
   EXPECT_FALSE(lessons().isRunning());
   EXPECT_EQ(session().scene(), own);
-  EXPECT_TRUE(window_.document().needsSaving());
+  EXPECT_TRUE(window_.document().isChanged());
   EXPECT_FALSE(control<QDockWidget>("lessonDock").isVisible());
   EXPECT_TRUE(control<QWidget>("row:surface.hurst").isEnabled());
 }
 
-TEST_F(LessonsTest, AnOwnSceneIsAskedAboutBeforeAnotherReplacesTheLesson) {
+TEST_F(LessonsTest, AnotherSceneEndsTheLessonAndUndoBringsTheOwnOneBack) {
   type("load.normal_force", "5 mN");
   const Scene own = session().scene();
   lessons().start(lessonOf(sampleLesson()));
-  answer(QMessageBox::Cancel);
   action("scene:figure_2").trigger();
-  EXPECT_EQ(asked_, 1);
+  EXPECT_FALSE(lessons().isRunning());
+  EXPECT_NE(session().scene(), own);
+  action("undo").trigger();
   EXPECT_EQ(session().scene(), own);
 }
 

@@ -51,6 +51,7 @@ inline bool openIn(MainWindow& window, const QString& file) {
 class MainWindowTest : public testing::Test {
  protected:
   MainWindowTest() : window_(smallScene()) {
+    window_.panel().setView({true, {}});  // all rows
     window_.show();
     window_.activateWindow();
   }

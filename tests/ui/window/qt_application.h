@@ -20,6 +20,7 @@ class QtApplication : public testing::Environment {
     qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screens().toUtf8());
     for (const QSettings::Format format : {QSettings::NativeFormat, QSettings::IniFormat})
       QSettings::setPath(format, QSettings::UserScope, settings_.path());
+    qputenv("XDG_CACHE_HOME", settings_.path().toUtf8());
     application_ = std::make_unique<QApplication>(count_, arguments_);
     prepareApplication(*application_);
   }

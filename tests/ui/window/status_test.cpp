@@ -211,7 +211,7 @@ TEST(StatusLine, ADimensionlessVelocityThatIsMissingHasItsReason) {
   auto& velocity = *line.findChild<QLabel*>("factVelocity");
   line.showFrame(movingFrame(1), {});
   EXPECT_FALSE(velocity.toolTip().contains("None here"));
-  line.showDrawing(60, "software (OSMesa)");
+  line.showDrawing(60, "software");
   for (const int width : {1280, 300, 1280}) {
     line.setFixedWidth(width);
     line.show();
@@ -241,7 +241,7 @@ TEST(StatusLine, FactsAreWholeOrLeftOutHoweverNarrowTheWindow) {
     line.setFixedWidth(width);
     line.showFrame(frame, reading);
     line.showWork({Work::State::Idle, 1, 16000});
-    line.showDrawing(60, "software (OSMesa)");
+    line.showDrawing(60, "software");
     QTest::qWait(1);  // the layout is made with the first events
     int shown = 0;
     for (const char* name : {"factMu", "factRegime", "factForce", "factVelocity", "factSimulations",
@@ -277,7 +277,7 @@ TEST(StatusLine, ASettlingPictureIsNamed) {
 TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
   StatusLine line;
   line.showFrame(movingFrame(1), {});
-  line.showDrawing(60, "software (OSMesa)");
+  line.showDrawing(60, "software");
   line.resize(1280, 30);
   line.show();
   const QString text = "On the clipboard: asperity render figure_1.json …";
@@ -343,14 +343,9 @@ struct WithoutLibraries {
 
 class WithoutLibrariesTest : private WithoutLibraries, public MainWindowTest {};
 
-TEST_F(WithoutLibrariesTest, ThePictureIsExplainedAndTheWindowGoesOn) {
-  const auto isExplained = [&] {
-    const auto labels = window_.canvas().findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-      return label->isVisible() && label->text().contains("libosmesa6");
-    });
-  };
-  ASSERT_TRUE(waitFor(isExplained));
+TEST_F(WithoutLibrariesTest, ThePictureIsDrawnAndTheWindowGoesOn) {
+  ASSERT_TRUE(waitFor([&] { return window_.canvas().framesPerSecond() > 0; }));
+  EXPECT_EQ(window_.canvas().backendName(), QStringLiteral("software"));
   ASSERT_TRUE(waitForFrame());
   type("sliding.velocity", "0.125 m/s");
   ASSERT_TRUE(waitForFrame());

@@ -98,16 +98,60 @@ TEST_F(TourTest, WhatIsTriedIsNotAskedAbout) {
   EXPECT_EQ(asked_, 0);
   EXPECT_FALSE(window_.tour().isRunning());
   EXPECT_FALSE(bar().isVisible());
+  EXPECT_TRUE(session().scene().title.starts_with("Figure 2"));
+  action("undo").trigger();
+  EXPECT_EQ(session().scene(), smallScene());
 }
 
-TEST_F(TourTest, AnOwnSceneIsAskedAboutBeforeTheTour) {
+/// However it ends, it leaves scene, changes and history as they were.
+TEST_F(TourTest, ItsEndBringsBackTheOwnScene) {
   press("load.normal_force");
   const Scene own = session().scene();
   answer(QMessageBox::Cancel);
+  for (const bool isCancelled : {false, true}) {
+    action("tour").trigger();
+    EXPECT_NE(session().scene(), own);
+    press("sliding.velocity");
+    if (!isCancelled)
+      while (button("tourNext").isEnabled()) click("tourNext");
+    click("tourEnd");
+    EXPECT_FALSE(window_.tour().isRunning());
+    EXPECT_EQ(session().scene(), own);
+    EXPECT_EQ(window_.panel().scene(), own);
+    EXPECT_EQ(window_.document().history().count(), 1);
+  }
+  EXPECT_EQ(asked_, 0);
+  action("undo").trigger();
+  EXPECT_EQ(session().scene(), smallScene());
+}
+
+/// The frame surrounds the row that the step speaks of, wherever the row goes.
+TEST_F(TourTest, AFrameSurroundsTheControlOfEachStep) {
+  auto& halo = control<QWidget>("halo");
+  EXPECT_FALSE(halo.isVisible());
   action("tour").trigger();
-  EXPECT_EQ(asked_, 1);
-  EXPECT_FALSE(window_.tour().isRunning());
-  EXPECT_EQ(session().scene(), own);
+  const auto surrounds = [&](const char* key) {
+    auto& row = control<QWidget>(QStringLiteral("row:") + key);
+    return waitFor([&] {
+      const QRect place(row.mapTo(&window_, QPoint()), row.size());
+      return halo.isVisible() && halo.geometry().contains(place.center()) &&
+             halo.geometry().left() <= place.left() && halo.geometry().top() <= place.top() &&
+             halo.width() < place.width() + 30 && halo.height() < place.height() + 30;
+    });
+  };
+  for (std::size_t i = 0; i < tourSteps().size(); ++i) {
+    EXPECT_TRUE(surrounds(tourSteps()[i].key)) << tourSteps()[i].key;
+    if (i + 1 < tourSteps().size()) click("tourNext");
+  }
+  window_.resize(window_.width() + 120, window_.height() - 60);
+  EXPECT_TRUE(surrounds(tourSteps().back().key)) << "after a resize";
+  EXPECT_EQ(window_.childAt(halo.geometry().center()) == &halo, false) << "takes no mouse";
+  window_.findChild<QWidget*>("parameterDock")->hide();
+  EXPECT_TRUE(waitFor([&] { return !halo.isVisible(); }));
+  window_.findChild<QWidget*>("parameterDock")->show();
+  EXPECT_TRUE(surrounds(tourSteps().back().key)) << "when the panel is back";
+  click("tourEnd");
+  EXPECT_TRUE(waitFor([&] { return !halo.isVisible(); }));
 }
 
 TEST_F(TourTest, IsOfferedUntilTaken) {

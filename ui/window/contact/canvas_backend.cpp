@@ -103,7 +103,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   }
 
   QWidget* widget() override { return this; }
-  QString name() const override { return ContactCanvas::tr("software (OSMesa)"); }
+  QString name() const override { return ContactCanvas::tr("software"); }
 
   void show(const PictureRequest& request) override {
     request_ = request;

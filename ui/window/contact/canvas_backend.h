@@ -1,7 +1,7 @@
 // Two ways to draw contact pictures on the screen, and the request for a picture. One uses OpenGL
 // in a QOpenGLWidget, whose context is current only inside its overridden functions and its
-// destructor, on the GUI thread. The other shows images that OSMesa makes in the background, where
-// no context of Qt is current. GUI thread; the widgets belong to their parent.
+// destructor, on the GUI thread. The other shows images that the program's own rasterizer draws in
+// the background. GUI thread; the widgets belong to their parent.
 #pragma once
 
 #include <QSize>

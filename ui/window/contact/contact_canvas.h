@@ -1,14 +1,16 @@
 // The contact view. It draws frames with OpenGL where the graphics hardware supports it in a
-// window, else with images from OSMesa: OpenGL in software draws the same pictures, but on the GUI
-// thread and, with the window's own composition, at half the rate. It switches at run time if
-// OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl", "software") overrides
-// this choice.
-// Wheel and pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift
-// they move the view in x. Dragging moves the view. The cursor is a crosshair with a readout. Keys
-// while it has the focus: arrows move the view, with Ctrl they move the crosshair by an element
-// (with Shift by ten), with Shift the up and down arrows change the exaggeration;
-// contact_view_actions.h has the other keys. GUI thread; owned by its parent. Failure: where
-// nothing can draw, it shows a message and stays empty.
+// window, else with images of the program's own
+// rasterizer: OpenGL in software draws the same pictures for five times the processor time. It
+// switches at run time if OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl",
+// "software") overrides this choice. Wheel and pinch zoom at the cursor; with Ctrl they change the
+// vertical exaggeration, with Shift they move the view in x. Dragging moves the view; the rigid
+// body dragged up or down, the force's arrow and the velocity's change the scene
+// (ui/contact/contact_handles.h): shape of the cursor and a tip say so before and during the drag,
+// and Escape undoes it. The cursor is a crosshair with a readout. Keys while it has the focus:
+// arrows move the view, with Ctrl they move the crosshair by an element (with Shift by ten), with
+// Shift the up and down arrows change the exaggeration; contact_view_actions.h has the other keys.
+// GUI thread; owned by its parent. Failure: where nothing can draw, it shows a message and stays
+// empty.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,6 +20,7 @@
 #include <optional>
 
 #include "core/run/frame.h"
+#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/contact/contact_viewer.h"
 #include "ui/window/contact/canvas_backend.h"
@@ -36,6 +39,12 @@ class ContactCanvas : public QWidget {
   void setFrame(std::shared_ptr<const Frame> frame);
   void setTheme(const Theme& theme);
 
+  /// Sets the scene that drags change; without one they only move the view.
+  void setScene(const Scene& scene) { scene_ = scene; }
+  /// Changes what a drag of the handle changes, as by a drag of a few pixels: downwards, or in the
+  /// direction of sliding, for positive steps.
+  void nudge(ContactHandle handle, double steps);
+
   /// Sets a factor for texts and lines, for an audience.
   void setTextScale(double scale);
   double textScale() const { return textScale_; }
@@ -43,7 +52,7 @@ class ContactCanvas : public QWidget {
   /// Covers the picture with a translucent veil that shows the reason; empty: no veil.
   void setVeil(const QString& reason);
 
-  /// Returns "OpenGL" or "software (OSMesa)"; empty where neither works.
+  /// Returns "OpenGL" or "software"; empty where neither works.
   QString backendName() const;
 
   /// Returns the number of pictures shown during the last second.
@@ -62,6 +71,7 @@ class ContactCanvas : public QWidget {
   void follow(bool follows);
   void magnify(bool magnifies);
   void setOverlay(ContactOverlay overlay);
+  void setNavigation(const ViewNavigation& navigation);
 
   /// Returns the optional values that frames need for the present view.
   FrameFields fields() const { return viewer_.fields(); }
@@ -74,6 +84,8 @@ class ContactCanvas : public QWidget {
   void failed(const QString& reason);
   void viewChanged();
   void fieldsWanted(const asperity::FrameFields& fields);
+  /// Emitted at each step of a drag that changes the scene.
+  void sceneEdited(const asperity::Scene& scene);
 
  protected:
   bool event(QEvent* event) override;
@@ -101,6 +113,11 @@ class ContactCanvas : public QWidget {
   void showCrosshair(const QPointF& position);
   void movePointer(int elements);
   QString tipAt(const QPointF& position) const;
+  ContactHandle handleUnder(const QPointF& position) const;
+  void showHandle(ContactHandle handle);
+  void startDrag(const QPointF& position);
+  void continueDrag(const QPointF& position);
+  void endDrag();
   void pinch(const QPointF& position, double factor);
   void changed();
 
@@ -112,6 +129,17 @@ class ContactCanvas : public QWidget {
   Theme theme_ = lightTheme();
   double textScale_ = 1;
   std::optional<QPointF> dragged_;  // last position of the cursor while a button is down
+  std::optional<Scene> scene_;
+  /// What the pressed button may change, from which scene and heights (m) on; a drag of the body
+  /// sideways moves the view, as its first pixels decide.
+  struct Grip {
+    ContactHandle handle;
+    QPointF from;
+    Scene scene;
+    double height;
+    bool isDecided;
+  };
+  std::optional<Grip> grip_;
   bool isPinching_ = false;
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms

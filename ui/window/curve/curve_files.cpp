@@ -7,7 +7,7 @@
 #include "core/scene/scene_file.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/osmesa_context.h"
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/translated.h"
 #include "ui/window/main/picture_files.h"
@@ -63,8 +63,7 @@ QImage imageOf(const CurveSet& set, int width, int height, double scale, const T
   options.height = height;
   options.scale = static_cast<float>(scale);
   options.theme = theme;
-  OsmesaContext context;
-  return renderImage(context, composeDiagrams(curveSheet(set), options));
+  return renderImage(contextOfThread(), composeDiagrams(curveSheet(set), options));
 }
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/gallery_page.h"
+#include "ui/window/gallery/scene_gallery.h"
 #include "ui/window/main/commands.h"
 
 namespace asperity {
@@ -37,6 +38,15 @@ void FigurePages::addTo(Commands& commands) {
             {Qt::CTRL | Qt::Key_G},
             Symbol::Figures,
             [] { return tr("Figures"); }})
+      ->setCheckable(true);
+  commands
+      .add({"gallery",
+            [] { return tr("Gallery…"); },
+            [this] {
+              if (isShowingScenes()) return closeFigures();
+              emit galleryWanted();
+            },
+            {Qt::CTRL | Qt::Key_N}})
       ->setCheckable(true);
 }
 
@@ -78,22 +88,57 @@ GalleryPage& FigurePages::gallery() {
   return *gallery_;
 }
 
+SceneGallery& FigurePages::scenes() {
+  if (scenes_) return *scenes_;
+  scenes_ = new SceneGallery;
+  scenes_->setTheme(theme_);
+  scenes_->setSizePolicy(kNoRoom, kNoRoom);
+  addWidget(scenes_);
+  connect(scenes_, &SceneGallery::closed, this, &FigurePages::closeFigures);
+  connect(scenes_, &SceneGallery::chosen, this, [this](const QString& scene) {
+    closeFigures();
+    emit shippedWanted(scene);
+  });
+  return *scenes_;
+}
+
 bool FigurePages::isShowingFigures() const {
   return gallery_ && currentWidget() == gallery_;
 }
 
-void FigurePages::openFigures() {
-  commands_->get("figures")->setChecked(true);
-  if (isShowingFigures()) return;
-  gallery().setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-  setCurrentWidget(gallery_);
+bool FigurePages::isShowingScenes() const {
+  return scenes_ && currentWidget() == scenes_;
+}
+
+/// Brings a page to the front that covers the views.
+void FigurePages::show(QWidget& page) {
+  closeFigures();
+  commands_->get("figures")->setChecked(&page == gallery_);
+  commands_->get("gallery")->setChecked(&page == scenes_);
+  page.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  setCurrentWidget(&page);
   emit switched(true);
 }
 
+void FigurePages::openFigures() {
+  if (isShowingFigures())
+    commands_->get("figures")->setChecked(true);
+  else
+    show(gallery());
+}
+
+void FigurePages::openScenes(const QString& scene) {
+  if (isShowingScenes())
+    commands_->get("gallery")->setChecked(true);
+  else
+    show(scenes());
+  scenes().choose(scene);
+}
+
 void FigurePages::closeFigures() {
-  commands_->get("figures")->setChecked(false);
-  if (!isShowingFigures()) return;
-  gallery_->setSizePolicy(kNoRoom, kNoRoom);
+  for (const char* name : {"figures", "gallery"}) commands_->get(name)->setChecked(false);
+  if (isShowingViews()) return;
+  currentWidget()->setSizePolicy(kNoRoom, kNoRoom);
   setCurrentIndex(0);
   emit switched(false);
 }
@@ -101,6 +146,7 @@ void FigurePages::closeFigures() {
 void FigurePages::setTheme(const Theme& theme) {
   theme_ = theme;
   if (gallery_) gallery_->setTheme(theme);
+  if (scenes_) scenes_->setTheme(theme);
 }
 
 }  // namespace asperity

@@ -1,6 +1,6 @@
-// Two pages of the window, of which one is shown: the views of the scene, and the page of the
-// paper's figures, which is made when it is first needed. The figures are computed on while the
-// views are shown. GUI thread; belongs to its parent.
+// The pages of the window, of which one is shown: the views of the scene, the page of the paper's
+// figures, and the gallery of scenes. The last two are made when they are first needed. The figures
+// are computed on while another page is shown. GUI thread; belongs to its parent.
 #pragma once
 
 #include <QStackedWidget>
@@ -14,6 +14,7 @@ namespace asperity {
 
 class Commands;
 class GalleryPage;
+class SceneGallery;
 
 class FigurePages : public QStackedWidget {
   Q_OBJECT
@@ -26,22 +27,34 @@ class FigurePages : public QStackedWidget {
   void fillMenu(QMenu& menu);
 
   void openFigures();
+  /// Shows the gallery with the card of this shipped scene as the current one.
+  void openScenes(const QString& scene);
+  /// Shows the views.
   void closeFigures();
   bool isShowingFigures() const;
+  bool isShowingScenes() const;
+  bool isShowingViews() const { return currentIndex() == 0; }
   GalleryPage& gallery();
+  SceneGallery& scenes();
   void setTheme(const Theme& theme);
 
  signals:
-  /// Emitted when the other page came to the front.
-  void switched(bool isShowingFigures);
+  /// Emitted when the views were covered by another page, or came to the front again.
+  void switched(bool areViewsCovered);
   /// Emitted when another figure, or none, is shown on its page.
   void figureShown();
   /// Emitted with the scene of a figure that the user wants to edit.
   void sceneWanted(const asperity::Scene& scene);
+  /// Emitted with the name of a shipped scene that the user chose.
+  void shippedWanted(const QString& scene);
+  /// Emitted when the gallery is asked for, which openScenes() then shows.
+  void galleryWanted();
 
  private:
+  void show(QWidget& page);
   Commands* commands_ = nullptr;
   GalleryPage* gallery_ = nullptr;
+  SceneGallery* scenes_ = nullptr;
   Theme theme_ = lightTheme();
 };
 

@@ -1,7 +1,7 @@
 // One of the paper's figures with its picture's data, made in the background, and its files, with
 // the same names as on the command line.
 // Threading: a figure is made on the thread of a BackgroundWork; the result is immutable. Files may
-// be written on any thread, PNG not on the GUI thread, because it is drawn with OSMesa.
+// be written on any thread, PNG not on the GUI thread, which it would stop for a while.
 // Failure: StudyStopped where the work was stopped, else as makeFigure; InputError for another
 // extension and std::runtime_error where a file cannot be drawn or written.
 #pragma once

@@ -8,6 +8,7 @@
 
 #include "core/base/carried_text.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
@@ -28,12 +29,6 @@ bool isPicture(const std::filesystem::path& file) {
   static constexpr std::array<std::string_view, 7> kExtensions{".png",  ".svg", ".pdf", ".mp4",
                                                                ".webm", ".gif", ".webp"};
   return std::ranges::find(kExtensions, lowerCase(file.extension().string())) != kExtensions.end();
-}
-
-bool isJson(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != text.npos && text[first] == '{';
 }
 
 bool isMaterialJson(std::string_view text) {
@@ -87,12 +82,12 @@ FileKind kindOfFile(const std::filesystem::path& file) {
   try {
     const RegularFile opened(file);
     const std::string beginning = opened.read(0, kBeginning);
-    if (isJson(beginning)) {
+    if (beginsAsObject(beginning)) {
       constexpr std::size_t kLargestMaterial = std::size_t{1} << 20;
       return isMaterialJson(opened.read(0, kLargestMaterial)) ? FileKind::Material
                                                               : FileKind::Scene;
     }
-    if (isPicture(file) || isJson(carriedText(beginning))) return FileKind::Scene;
+    if (isPicture(file) || beginsAsObject(carriedText(beginning))) return FileKind::Scene;
     const bool mayBeText = beginning.find('\0') == beginning.npos ||
                            beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF");
     if (mayBeText && opened.size() <= kLargestTable)

@@ -152,7 +152,7 @@ void ImportCommands::openDropped(const QString& file) {
                 [this, file](FileKind kind) {
                   switch (kind) {
                     case FileKind::Scene:
-                      return parts_.documents.openDropped(file);
+                      return parts_.documents.openFile(file);
                     case FileKind::Material:
                       return takeMaterial(file);
                     case FileKind::Moduli:

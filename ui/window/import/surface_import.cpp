@@ -41,16 +41,13 @@ std::vector<ParameterGroup> groups() {
   return {
       {[] { return SurfaceImport::tr("What the file is"); },
        {"surface.format", "surface.position_unit", "surface.height_unit", "surface.point_spacing",
-        "surface.position_column", "surface.height_column", "surface.direction", "surface.row"},
-       false},
+        "surface.position_column", "surface.height_column", "surface.direction", "surface.row"}},
       {[] { return SurfaceImport::tr("From heights to a profile"); },
        {"surface.gaps", "surface.outliers", "surface.form", "surface.short_wave_cut",
-        "surface.long_wave_cut"},
-       false},
+        "surface.long_wave_cut"}},
       {[] { return SurfaceImport::tr("From the profile to the line"); },
        {"surface.seam", "surface.blend_length", "surface.seed", "surface.line",
-        "surface.contact_side", "surface.length", "surface.elements", "ensemble.realizations"},
-       false}};
+        "surface.contact_side", "surface.length", "surface.elements", "ensemble.realizations"}}};
 }
 
 QString valueText(double value, const std::string& unit) {

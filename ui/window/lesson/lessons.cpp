@@ -33,7 +33,6 @@
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
-#include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
@@ -108,18 +107,12 @@ Lessons::Lessons(const Parts& parts)
           [this](const GivenAnswer& given) { answer(given, false); });
   connect(pane_, &LessonPane::surrendered, this, [this] { answer({}, true); });
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
-  connect(&parts_.document, &SceneDocument::opening, this, [this] {
-    // Another scene was opened: what the lesson had kept was asked about before.
-    if (isRunning() && !isOpening_) {
-      before_.reset();
-      end();
-    }
-  });
+  // Another scene was opened, or the tour begins.
+  connect(&parts_.document, &SceneDocument::trialEnded, this, &Lessons::end);
   connect(&parts_.document, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
             if (isRunning() && change == SceneChange::Edited) holdControls(scene);
           });
-  parts_.documents.setBeforeLeaving([this] { end(); });
 }
 
 Lessons::~Lessons() = default;
@@ -242,9 +235,8 @@ bool Lessons::open(const QString& nameOrFile) {
 void Lessons::start(const Lesson& lesson, int step) {
   if (lesson.steps.empty()) return;
   end();
-  Before before{parts_.document.origin(),
-                parts_.document.scene(),
-                {},
+  parts_.document.endTrial();  // of the tour
+  Before before{{},
                 parts_.session.friction().quantity(),
                 parts_.tabs.currentIndex(),
                 false};
@@ -328,10 +320,8 @@ void Lessons::showTitle() {
 
 void Lessons::showScene() {
   const LessonStep& step = present();
-  isOpening_ = true;
-  parts_.document.open(inLesson(isRevealed() ? step.revealedScene : step.scene, step));
-  parts_.document.setTrial(true);
-  isOpening_ = false;
+  const Scene scene = inLesson(isRevealed() ? step.revealedScene : step.scene, step);
+  parts_.document.openTrial({{}, {}, scene});
   showControls();
   const auto tab = std::ranges::find(kLessonTabs, step.show.tab) - std::begin(kLessonTabs);
   if (QWidget* page = parts_.tabs.widget(static_cast<int>(tab)))
@@ -527,7 +517,6 @@ void Lessons::end() {
   point_->dismiss();
   dock_->hide();
   parts_.panel.setRowAccess({});
-  parts_.document.setTrial(false);
   for (QAction* action : commands_->get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
   comeBack();
@@ -545,8 +534,7 @@ void Lessons::comeBack() {
     for (const auto& curve : before->pinned) plot.pin(curve);
   });
   if (!before) return;
-  parts_.document.open(before->origin);
-  if (!(before->scene == before->origin.scene)) parts_.document.edit(before->scene);
+  parts_.document.endTrial();
   parts_.tabs.setCurrentIndex(before->tab);
   if (before->hasDimensionlessAxes)
     if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) axes->setChecked(true);

@@ -28,7 +28,6 @@ namespace asperity {
 
 class Appearance;
 class Commands;
-class DocumentCommands;
 class LessonEditor;
 class LessonList;
 class LessonPane;
@@ -45,7 +44,6 @@ class Lessons : public QObject {
   struct Parts {
     QMainWindow& window;
     SceneDocument& document;
-    DocumentCommands& documents;
     Session& session;
     ParameterPanel& panel;
     QDockWidget& parameters;
@@ -121,12 +119,9 @@ class Lessons : public QObject {
   LessonResults results_;
   QString file_;  // of the lesson; empty: a shipped one, or one that was never saved
   QString resultsFile_;
-  bool isOpening_ = false;  // a scene of the lesson
 
-  /// What the lesson found, and puts back.
+  /// What the lesson found, and puts back; the document keeps the user's scene.
   struct Before {
-    SceneOrigin origin;
-    Scene scene;
     std::vector<std::shared_ptr<const CurveUpdate>> pinned;
     CurveQuantity quantity;
     int tab;

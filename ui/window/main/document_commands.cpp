@@ -8,7 +8,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
-#include <QTimer>
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -75,22 +74,24 @@ void DocumentCommands::addTo(Commands& commands) {
                 [] { return tr("Save scene as…"); },
                 [this] { askSave(); },
                 {Qt::CTRL | Qt::SHIFT | Qt::Key_S}});
-  QUndoStack& history = document_.history();
   commands.add({"undo",
-                [&history] {
+                [this] {
+                  const QUndoStack& history = document_.history();
                   return history.canUndo() ? tr("Undo %1").arg(history.undoText()) : tr("Undo");
                 },
-                [&history] { history.undo(); },
+                [this] { document_.history().undo(); },
                 {QKeySequence::Undo},
                 Symbol::Undo,
                 [] { return tr("Undo"); }});
   QList<QKeySequence> again = QKeySequence::keyBindings(QKeySequence::Redo);
   if (const QKeySequence y(Qt::CTRL | Qt::Key_Y); !again.contains(y)) again += y;
   commands.add({"redo",
-                [&history] {
+                [this] {
+                  const QUndoStack& history = document_.history();
                   return history.canRedo() ? tr("Redo %1").arg(history.redoText()) : tr("Redo");
                 },
-                [&history] { history.redo(); }, again, Symbol::Redo, [] { return tr("Redo"); }});
+                [this] { document_.history().redo(); }, again, Symbol::Redo,
+                [] { return tr("Redo"); }});
   commands.add(
       {"revert", [] { return tr("Back to the scene as opened"); }, [this] { document_.revert(); }});
   commands.add({"resetAll", [] { return tr("All parameters to their defaults"); },
@@ -115,7 +116,6 @@ void DocumentCommands::showHistory() {
 // ---- Opening
 
 void DocumentCommands::askOpen() {
-  if (!mayLeave()) return;
   const QString file = QFileDialog::getOpenFileName(
       &window_, tr("Open scene"), document_.file(),
       tr("Scenes, and what was made from one (*.json *.png *.svg *.pdf *.csv *.mp4 *.webm *.gif "
@@ -130,14 +130,6 @@ void DocumentCommands::openFile(const QString& file) {
                      messages_.showFailure(MessageBar::Failure::Files, reason);
                      emit sceneRead(file, false);
                    });
-}
-
-void DocumentCommands::openDropped(const QString& file) {
-  if (beforeLeaving_) beforeLeaving_();
-  if (!document_.needsSaving()) return openFile(file);
-  QTimer::singleShot(0, this, [this, file] {  // the source of the drop does not wait for an answer
-    if (mayLeave()) openFile(file);
-  });
 }
 
 void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
@@ -178,27 +170,31 @@ bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
   return box.exec() == QMessageBox::Open;
 }
 
-void DocumentCommands::replace(const SceneOrigin& origin) {
-  if (mayLeave()) document_.open(origin);
-}
-
 // ---- Saving
 
 bool DocumentCommands::saveTo(const QString& file) {
+  if (const Missing missing = missingOf(panel_.scene()); !missing.text.isEmpty()) {
+    const InputError error("", std::string(missing.key), missing.text.toStdString());
+    messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
+    return false;
+  }
+  if (!write(file, document_.scene())) return false;
+  document_.saved(file);
+  addRecentFile(file);
+  fillRecent();
+  return true;
+}
+
+bool DocumentCommands::write(const QString& file, const Scene& scene) {
   try {
-    if (const Missing missing = missingOf(panel_.scene()); !missing.text.isEmpty())
-      throw InputError("", std::string(missing.key), missing.text.toStdString());
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     checkWritable(path);
-    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), document_.scene())));
+    writeFileAtomically(path, writeScene(writtenInto(path.parent_path(), scene)));
   } catch (const std::exception& error) {
     messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
     return false;
   }
   messages_.end(MessageBar::Failure::Files);
-  document_.saved(file);
-  addRecentFile(file);
-  fillRecent();
   return true;
 }
 
@@ -212,21 +208,26 @@ bool DocumentCommands::askSave() {
   return !file.isEmpty() && saveTo(file);
 }
 
-bool DocumentCommands::mayLeave() {
-  if (beforeLeaving_) beforeLeaving_();
-  if (!document_.needsSaving()) return true;
-  const QString name = document_.name();
+bool DocumentCommands::mayClose() {
+  document_.endTrial();
+  for (const SceneState& state : document_.unsavedFiles())
+    if (!mayLose(state)) return false;
+  return true;
+}
+
+/// Asks whether the changes of a file are to be saved, and saves them.
+bool DocumentCommands::mayLose(const SceneState& state) {
+  const bool isPresent = state.origin.file == document_.file();
+  const QString file = QFileInfo(state.origin.file).absoluteFilePath();
+  QString name = sceneText(state.scene.title);
+  if (name.isEmpty()) name = QFileInfo(file).fileName();
   QMessageBox box(QMessageBox::Question, tr("Asperity"),
-                  name.isEmpty() ? tr("The scene was changed. Save the changes?")
-                                 : tr("“%1” was changed. Save the changes?").arg(name),
+                  tr("“%1” was changed. Save the changes?").arg(name),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
   box.setObjectName("saveQuestion");
-  const QString file = document_.file();
-  box.setInformativeText(
-      (file.isEmpty() ? tr("They go into a new file.")
-                      : tr("They go into %1.")
-                            .arg(QDir::toNativeSeparators(QFileInfo(file).absoluteFilePath()))) +
-      ' ' + tr("Otherwise they are lost."));
+  box.setTextFormat(Qt::PlainText);  // titles and file names are not markup
+  box.setInformativeText(tr("They go into %1.").arg(QDir::toNativeSeparators(file)) + ' ' +
+                         tr("Otherwise they are lost."));
   box.setDefaultButton(QMessageBox::Save);
   // Not every desktop gives its standard buttons a shortcut letter.
   box.button(QMessageBox::Save)->setText(tr("&Save"));
@@ -234,8 +235,9 @@ bool DocumentCommands::mayLeave() {
   box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
   switch (box.exec()) {
     case QMessageBox::Save:
-      return save();
+      return isPresent ? saveTo(state.origin.file) : write(file, state.scene);
     case QMessageBox::Discard:
+      if (isPresent) document_.revert();
       return true;
     default:
       return false;
@@ -260,10 +262,8 @@ void DocumentCommands::fillRecent() {
   recent_->clear();
   const QStringList files = recentFiles();
   for (const QString& file : files) {
-    QAction* action =
-        recent_->addAction(QFileInfo(file).fileName().replace('&', "&&"), this, [this, file] {
-          if (mayLeave()) openFile(file);
-        });
+    QAction* action = recent_->addAction(QFileInfo(file).fileName().replace('&', "&&"), this,
+                                         [this, file] { openFile(file); });
     action->setToolTip(file);
   }
   recent_->setEnabled(!files.isEmpty());

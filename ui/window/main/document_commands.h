@@ -1,5 +1,6 @@
 // The commands of the document: opening, saving, dropping a file on the window, undo and redo; and
-// the question before unsaved changes would be lost. It keeps the list of recent files. Owned by
+// the question before the end of the program where changes of a file would be lost. Another scene
+// is a step of the history, so it asks nothing. It keeps the list of recent files. Owned by
 // the main window; GUI thread. Failure: the reason appears in the message bar, and the document
 // stays as it is.
 #pragma once
@@ -7,8 +8,6 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <functional>
-#include <utility>
 
 #include "ui/window/main/scene_document.h"
 #include "ui/window/tasks/background_work.h"
@@ -43,21 +42,13 @@ class DocumentCommands : public QObject {
   /// Shows a scene that was read from a file. Asks first where the scene comes from a picture, film
   /// or table and would read another file, or needs very much memory or time.
   void showFound(const QString& file, const FoundScene& found);
-  /// Opens a file that was dropped on the window.
-  void openDropped(const QString& file);
-
-  /// Called before anybody is asked whether the present scene may be left: what stands in for the
-  /// user's own scene gives it back.
-  void setBeforeLeaving(std::function<void()> leave) { beforeLeaving_ = std::move(leave); }
-
   /// Returns false, with the reason in the message bar, where the file cannot be written.
   bool saveTo(const QString& file);
 
-  /// Returns whether the document may be closed: it is unchanged, has just been saved, or the user
-  /// discards it.
-  bool mayLeave();
-  /// Opens another document, if the present one may be closed.
-  void replace(const SceneOrigin& origin);
+  /// Asks about each file whose changes would be lost at the end of the program. Returns whether
+  /// the window may close: every file is as it was, has just been saved, or the user discards its
+  /// changes, which then also are not kept for the next start.
+  bool mayClose();
 
  signals:
   /// Emitted when a requested file has been read, and its scene is shown or not.
@@ -67,6 +58,8 @@ class DocumentCommands : public QObject {
   bool mayShow(const QString& file, const FoundScene& found);
   bool save();
   bool askSave();
+  bool write(const QString& file, const Scene& scene);
+  bool mayLose(const SceneState& state);
   void askOpen();
   void fillRecent();
   void showHistory();
@@ -77,7 +70,6 @@ class DocumentCommands : public QObject {
   QWidget& window_;
   Commands* commands_ = nullptr;
   QMenu* recent_ = nullptr;
-  std::function<void()> beforeLeaving_;
   BackgroundWork reading_;  // last: its thread ends before other members are destroyed
 };
 

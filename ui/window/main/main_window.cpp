@@ -19,12 +19,15 @@
 
 #include "core/run/transient_diagram.h"
 #include "ui/chart/chart_view.h"
+#include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/contact/motion_view.h"
+#include "ui/window/contact/time_bar.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_comparison.h"
@@ -40,8 +43,10 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/status_line.h"
@@ -54,6 +59,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
+constexpr int kRestingPoll = 100;  // ms, while time stands still and nothing is computed
 constexpr int kUnseenPoll = 250;   // ms, while nobody sees the frames
 
 /// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
@@ -127,6 +133,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   buildMenus();
   connectScene();
   connectFrames();
+  connectTime();
   connectCurve();
   appearance_->setColours(Colours::System);
   showScene(scene);
@@ -136,7 +143,11 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
 
   poll_ = new QTimer(this);
   poll_->setTimerType(Qt::PreciseTimer);
-  connect(poll_, &QTimer::timeout, session_, &Session::poll);
+  connect(poll_, &QTimer::timeout, this, [this] {
+    session_->poll();
+    choosePoll();
+  });
+  connect(session_, &Session::stirred, this, &MainWindow::choosePoll);
   visibility_ = new WindowVisibility(*this);
   connect(visibility_, &WindowVisibility::changed, this, &MainWindow::followVisibility);
   session_->begin();
@@ -160,7 +171,15 @@ void MainWindow::buildViews() {
   splitter_->setObjectName("viewSplitter");
   splitter_->setHandleWidth(1);
   splitter_->setChildrenCollapsible(false);
-  splitter_->addWidget(canvas_);
+  timeBar_ = new TimeBar;
+  auto* contact = new QWidget;
+  contact->setObjectName("contactPage");
+  auto* column = new QVBoxLayout(contact);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(canvas_, 1);
+  column->addWidget(timeBar_);
+  splitter_->addWidget(contact);
   splitter_->addWidget(tabs_);
   splitter_->setStretchFactor(0, 58);
   splitter_->setStretchFactor(1, 42);
@@ -198,9 +217,13 @@ void MainWindow::buildCommands() {
                   Symbol::Pause});
   commands_->add({"step",
                   [] { return tr("Step"); },
-                  [this] { session_->singleStep(partPerStep()); },
+                  [this] { step(QGuiApplication::keyboardModifiers() & Qt::ShiftModifier); },
                   {Qt::Key_Period},
                   Symbol::Step});
+  commands_->add({"stepFinely",
+                  [] { return tr("Fine step"); },
+                  [this] { step(true); },
+                  {Qt::SHIFT | Qt::Key_Period, Qt::Key_Greater, Qt::Key_Colon}});
   commands_->add({"reset",
                   [] { return tr("Reset"); },
                   [this] { session_->reset(); },
@@ -220,19 +243,21 @@ void MainWindow::buildCommands() {
                           *messages_, *status_});
   exports_->addTo(*commands_);
   appearance_->addTo(*commands_);
-  windowLayout_ =
-      new WindowLayout({*this, *dock_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
+  windowLayout_ = new WindowLayout(
+      {*this, *dock_, *panel_, *splitter_, *canvas_, *tabs_, *figures_, *appearance_});
   windowLayout_->addTo(*commands_);
   tabs_->addTo(*commands_);
-  tour_ = new Tour(*document_, *documents_, *tourBar_, *hint_, this);
+  tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
-  lessons_ = new Lessons({*this, *document_, *documents_, *session_, *panel_, *dock_, *tabs_,
+  connect(tour_, &Tour::controlWanted, panel_, &ParameterPanel::reveal);
+  lessons_ = new Lessons({*this, *document_, *session_, *panel_, *dock_, *tabs_,
                           *messages_, *appearance_});
   lessons_->addTo(*commands_);
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
                   {Qt::Key_F1, Qt::Key_Question}});
+  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide(); }});
   commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {QKeySequence::Quit}});
   const auto run = [this](std::function<void()> work, std::function<void()> done) {
@@ -251,9 +276,12 @@ void MainWindow::connectScene() {
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
-  connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
-    documents_->replace({{}, {}, scene});
-  });
+  connect(canvas_, &ContactCanvas::sceneEdited, this,
+          [this](const Scene& scene) { document_->edit(scene); });
+  connect(figures_, &FigurePages::sceneWanted, this,
+          [this](const Scene& scene) { document_->open(scene); });
+  connect(figures_, &FigurePages::shippedWanted, this, &MainWindow::openShipped);
+  connect(figures_, &FigurePages::galleryWanted, this, &MainWindow::openGallery);
   connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
@@ -276,7 +304,18 @@ void MainWindow::connectScene() {
   });
 }
 
+void MainWindow::openShipped(const QString& name) {
+  for (const LibraryScene& entry : libraryScenes())
+    if (entry.name == name) document_->open({entry.name, {}, entry.scene});
+}
+
+void MainWindow::openGallery() {
+  figures_->openScenes(document_->origin().shipped);
+}
+
 void MainWindow::showScene(const Scene& scene) {
+  canvas_->setScene(scene);
+  timeBar_->showScene(scene);
   tabs_->showScene(scene);
   showDescription();
   showTitle();
@@ -329,7 +368,8 @@ void MainWindow::connectFrames() {
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
     // The space bar presses the buttons of the page of figures; it does not pause the run behind
     // it.
-    for (QAction* action : commands_->get({"play", "step", "reset"})) action->setEnabled(!areShown);
+    for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset"}))
+      action->setEnabled(!areShown);
     followVisibility();
     if (areShown) return;
     if (session_->frame()) canvas_->setFrame(session_->frame());
@@ -345,16 +385,49 @@ void MainWindow::connectFrames() {
 
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
-  if (!figures_->isShowingFigures()) canvas_->setFrame(frame);
-  status_->showFrame(*frame, readCurve(*frame, session_->curve()));
+  if (figures_->isShowingViews()) canvas_->setFrame(frame);
+  const CurveReading reading = readCurve(*frame, session_->curve());
+  status_->showFrame(*frame, reading);
   tabs_->showFrame(*frame);
-  if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
+  if (frame->sceneNumber != session_->sceneNumber()) return;
+  timeBar_->showFrame(*frame);
+  panel_->showLine(sizeOf(*frame));
+  showWarnings(*frame, reading.notes);
+}
+
+/// Shows at the parameters how far the present result holds. Until the curve of a changed scene has
+/// its first points, the warnings of before stay, so that rows do not move twice.
+void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
+  const CurveUpdate* curve = session_->curve();
+  if (!curve || !haveSameCurve(*frame.scene, *curve->scene)) return;
+  notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
+  panel_->showNotes(notes);
 }
 
 /// Pauses the moving picture while the window is hidden; curves are still computed.
 void MainWindow::followVisibility() {
-  poll_->setInterval(visibility_->isSeen() ? kPollInterval : kUnseenPoll);
-  session_->setSeen(visibility_->isSeen() && !figures_->isShowingFigures());
+  choosePoll();
+  session_->setSeen(visibility_->isSeen() && figures_->isShowingViews());
+}
+
+/// Asks for news as often as there may be some: a window at rest costs next to nothing.
+void MainWindow::choosePoll() {
+  if (!poll_) return;
+  const bool isSeen = !visibility_ || visibility_->isSeen();
+  const int interval = !isSeen ? kUnseenPoll : session_->isResting() ? kRestingPoll : kPollInterval;
+  if (poll_->interval() != interval) poll_->setInterval(interval);
+}
+
+void MainWindow::connectTime() {
+  connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
+  connect(timeBar_, &TimeBar::momentWanted, session_, &Session::seek);
+  connect(&tabs_->motion(), &MotionView::momentWanted, session_, &Session::seek);
+  // A drag of the moment stops the time, which goes on afterwards if it did before.
+  connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
+    if (isOn) wasPlaying_ = session_->isPlaying();
+    if (isOn && wasPlaying_) session_->setPlaying(false);
+    if (!isOn && wasPlaying_) session_->setPlaying(true);
+  });
 }
 
 /// Requests only the optional values that the contact shows and the statistics count.
@@ -362,13 +435,13 @@ void MainWindow::wantFields() {
   session_->wantFields(canvas_->fields() | tabs_->fields());
 }
 
-/// Returns the part of the period by which a single step moves the line: a small part of the view,
-/// so that the step is visible.
-double MainWindow::partPerStep() const {
-  constexpr double kOfView = 1.0 / 200;
+/// Moves the line by a part of the view that is seen well, or by a pixel or two.
+void MainWindow::step(bool finely) {
+  const double ofView = finely ? 1.0 / 800 : 1.0 / 50;
   const Frame* frame = canvas_->frame();
-  if (!frame || !(frame->length > 0)) return kOfView;
-  return kOfView * canvas_->viewer().options().view.width / frame->length;
+  const bool isKnown = frame && frame->length > 0;
+  session_->singleStep(isKnown ? ofView * canvas_->viewer().options().view.width / frame->length
+                               : ofView);
 }
 
 // ---- The friction curve
@@ -443,8 +516,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->mayLeave()) return event->ignore();
+  if (!documents_->mayClose()) return event->ignore();
   lessons_->end();
+  if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();
   QMainWindow::closeEvent(event);
 }

@@ -1,5 +1,6 @@
 // The main window: contact view above, friction diagram below it, parameters at the right, bars for
-// commands and readings; or the page of the paper's figures in place of the views. It makes the
+// commands and readings; or, in place of the views, the page of the
+// paper's figures or the gallery of scenes. It makes the
 // parts, each of which has its own header, and connects them: the document holds the scene, the
 // session runs it, and everything shown about a state comes from the session's frame. GUI thread.
 // Failure: messages appear in a bar over the views and the window stays usable.
@@ -10,7 +11,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/run/frame.h"
 #include "core/run/runner.h"
+#include "core/scene/notes.h"
 #include "core/scene/scene.h"
 
 class QDockWidget;
@@ -37,6 +40,7 @@ class SceneTabs;
 class Session;
 class StatusLine;
 class Tour;
+class TimeBar;
 class TourBar;
 class WindowLayout;
 class WindowVisibility;
@@ -54,18 +58,25 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }         // the running scene
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
-  SceneTabs& tabs() { return *tabs_; }  // under the contact
+  TimeBar& timeBar() { return *timeBar_; }  // under the contact
+  SceneTabs& tabs() { return *tabs_; }      // under the bar
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
   FigurePages& figures() { return *figures_; }                 // the views, or the paper's figures
   Exports& exports() { return *exports_; }
   MessageBar& messages() { return *messages_; }
+  StatusLine& status() { return *status_; }
   MessageBar& description() { return *description_; }  // of the scene that was opened
   Tour& tour() { return *tour_; }
   Lessons& lessons() { return *lessons_; }
   Appearance& appearance() { return *appearance_; }
   WindowLayout& windowLayout() { return *windowLayout_; }
+
+  /// Shows the gallery of scenes in place of the views.
+  void openGallery();
+  /// Opens the shipped scene of this name; an unknown name changes nothing.
+  void openShipped(const QString& name);
 
   /// Changes the language of all texts at once: Qt informs every part (QEvent::LanguageChange),
   /// which sets its own texts; nothing else changes. An unknown code changes nothing.
@@ -90,19 +101,24 @@ class MainWindow : public QMainWindow {
   void fillLanguages(QMenu& menu);
   void buildToolBar(QMenu& scenes);
   void showShortcuts();
+  void openGuide();
   void showAbout();
 
+  void connectTime();
   void followVisibility();
+  void choosePoll();
   void wantFields();
   void showScene(const Scene& scene);
   void showDescription();
   void showTitle();
   void showFrame();
-  double partPerStep() const;
+  void showWarnings(const Frame& frame, NoteSet notes);
+  void step(bool finely);
 
   Session* session_;
   SceneDocument* document_;
   ContactCanvas* canvas_;
+  TimeBar* timeBar_ = nullptr;
   SceneTabs* tabs_ = nullptr;
   QSplitter* splitter_ = nullptr;
   FigurePages* figures_ = nullptr;
@@ -123,6 +139,7 @@ class MainWindow : public QMainWindow {
   Lessons* lessons_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
+  bool wasPlaying_ = false;               // before a moment was dragged
   std::optional<std::string> described_;  // last text in the bar of the description
 };
 

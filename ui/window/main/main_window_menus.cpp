@@ -2,6 +2,7 @@
 // menu.
 #include <QAction>
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -19,8 +20,10 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/guide.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/menu_keys.h"
+#include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/window_layout.h"
@@ -46,11 +49,13 @@ void MainWindow::buildMenus() {
     menu.addActions(commands_->get(names));
   };
   QMenu& file = *addMenu([] { return tr("&File"); });
-  add(file, {"open"});
+  add(file, {"gallery", "open"});
   documents_->addRecentMenu(file);
   add(file, {"openSurface", "openMaterial"});
   file.addSeparator();
-  add(file, {"save", "saveAs", "savePicture"});
+  add(file, {"save", "saveAs"});
+  file.addSeparator();
+  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable"});
   file.addSeparator();
   add(file, {"quit"});
 
@@ -62,11 +67,13 @@ void MainWindow::buildMenus() {
   add(edit, {"revert", "resetAll"});
 
   QMenu& scenes = *addMenu([] { return tr("&Scenes"); });
+  add(scenes, {"gallery"});
+  scenes.addSeparator();
   fillScenes(scenes);
 
   figures_->fillMenu(*addMenu([] { return tr("Fi&gures"); }));
 
-  add(*addMenu([] { return tr("&Run"); }), {"play", "step", "reset"});
+  add(*addMenu([] { return tr("&Run"); }), {"play", "step", "stepFinely", "reset"});
 
   QMenu& view = *addMenu([] { return tr("&View"); });
   view.setToolTipsVisible(true);
@@ -85,7 +92,7 @@ void MainWindow::buildMenus() {
   help.addSeparator();
   add(help, {"lessons", "lessonBackStep", "lessonNextStep", "lessonEnd", "lessonEditor"});
   help.addSeparator();
-  add(help, {"shortcuts"});
+  add(help, {"guide", "shortcuts"});
   help.addSeparator();
   add(help, {"about"});
 
@@ -112,9 +119,7 @@ void MainWindow::fillScenes(QMenu& menu) {
       if (part != &menu)
         keepTranslated(*part, [part, chapter] { part->setTitle(sceneText(chapter)); });
     }
-    QAction* action = part->addAction(QString(), this, [this, &entry] {
-      documents_->replace({entry.name, {}, entry.scene});
-    });
+    QAction* action = part->addAction(QString(), this, [this, &entry] { openShipped(entry.name); });
     action->setObjectName("scene:" + entry.name);
     keepTranslated(*part, [action, &entry] {
       const QString title = sceneText(entry.scene.title);
@@ -198,6 +203,14 @@ void MainWindow::showShortcuts() {
   auto* sheet = new ShortcutSheet(*this, this);
   sheet->setAttribute(Qt::WA_DeleteOnClose);
   sheet->open();
+}
+
+void MainWindow::openGuide() {
+  const QString reason = openGuideOf(QCoreApplication::applicationDirPath());
+  if (reason.isEmpty())
+    messages_->end(MessageBar::Failure::Files);
+  else
+    messages_->showFailure(MessageBar::Failure::Files, reason);
 }
 
 void MainWindow::showAbout() {

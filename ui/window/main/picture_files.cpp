@@ -6,8 +6,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/osmesa_context.h"
 #include "ui/draw/pdf_file.h"
+#include "ui/draw/pixel_context.h"
 #include "ui/draw/svg_file.h"
 #include "ui/language/translated.h"
 
@@ -41,8 +41,7 @@ std::shared_ptr<const Frame> stillOf(const Frame& frame) {
 }
 
 QImage imageOf(const ContactShot& shot) {
-  OsmesaContext context;
-  return renderImage(context, composeContact(*shot.frame, shot.options));
+  return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
 }
 
 void writePicture(const std::filesystem::path& file, const DrawList& picture,
@@ -50,8 +49,7 @@ void writePicture(const std::filesystem::path& file, const DrawList& picture,
   const std::string extension = file.extension().string();
   if (extension == ".png") {
     checkWritable(file);
-    OsmesaContext context;
-    writePng(file, renderImage(context, picture),
+    writePng(file, renderImage(contextOfThread(), picture),
              {properties.title, properties.metadata, 96 * properties.scale});
   } else if (extension == ".svg") {
     writeSvg(file, picture, {properties.title, properties.metadata});

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QFont>
 #include <QLocale>
 #include <QSettings>
@@ -17,6 +18,7 @@
 #include <utility>
 
 #include "core/scene/provenance.h"
+#include "core/scene/scene_file.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
@@ -24,7 +26,9 @@
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/last_session.h"
 #include "ui/window/main/main_window.h"
+#include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/session.h"
 #include "ui/window/main/tour.h"
@@ -39,9 +43,28 @@ const QString kLanguage = QStringLiteral("language");
 /// Together with the work before and after it, this is less than half a second.
 constexpr std::chrono::milliseconds kQuitTime{400};
 
-Scene firstScene() {
+/// Returns the first scene of the library.
+SceneState firstScene() {
   const std::vector<LibraryScene>& scenes = libraryScenes();
-  return scenes.empty() ? Scene{} : scenes.front().scene;
+  if (scenes.empty()) return {};
+  return {{scenes.front().name, {}, scenes.front().scene}, scenes.front().scene};
+}
+
+/// Returns the scene with where it was read: a file, or the name of a shipped scene.
+SceneState stateOf(const Scene& scene, const std::string& name) {
+  SceneState state{{{}, {}, scene}, scene};
+  try {
+    const QFileInfo file(QString::fromStdString(name));
+    if (file.isFile())
+      state.origin = {{}, file.absoluteFilePath(), readSceneFile(name)};
+    else
+      for (const LibraryScene& entry : libraryScenes())
+        if (entry.name + ".json" == QString::fromStdString(name))
+          state.origin = {entry.name, {}, entry.scene};
+  } catch (const std::exception&) {
+    // With its assignments the scene could be read; without them the file cannot.
+  }
+  return state;
 }
 
 constexpr int kStartField = 19;  // field of /proc/self/stat after the name
@@ -84,8 +107,13 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
   if (start.timing) sayTime("connected to the display");
   prepareApplication(application);
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
-  auto window = std::make_unique<MainWindow>(scene ? *scene : firstScene(), options);
+  const SceneState first = scene ? stateOf(*scene, start.file) : firstScene();
+  auto window = std::make_unique<MainWindow>(first.scene, options);
+  window->document().begin(first);
   window->windowLayout().remember();
+  const bool isWanted = scene.has_value() || start.found;
+  if (restoreLastSession(*window, isWanted) == LastSession::None && !isWanted)
+    window->openGallery();
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
   window->show();

@@ -38,7 +38,7 @@ struct WindowStart {
   std::string_view language{};        // its code, "de"; empty: windowLanguage()
   bool timing = false;                // prints to stderr how long the start takes
   const FoundScene* found = nullptr;  // shown as DocumentCommands::showFound() does; null: none
-  std::string file{};                 // the file in which it was found
+  std::string file{};                 // the file in which it was found, or the scene was read
   std::string lesson{};               // name or file of a lesson to begin; empty: none
 };
 

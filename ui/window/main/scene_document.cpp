@@ -72,61 +72,132 @@ class GestureCounter : public QObject {
 /// A step of the history, from one scene to the next.
 class SceneStep : public QUndoCommand {
  public:
-  SceneStep(SceneDocument& document, Scene after, std::uint64_t gesture, const char* what)
+  SceneStep(SceneDocument& document, SceneState after, SceneChange change, std::uint64_t gesture,
+            const char* what)
       : document_(document),
-        before_(document.scene()),
+        before_{document.origin(), document.scene()},
         after_(std::move(after)),
-        keys_(differingKeys(before_, after_)),
+        change_(change),
+        keys_(differingKeys(before_.scene, after_.scene)),
         gesture_(gesture),
         what_(what) {
     takeName();
   }
 
-  void takeName() { setText(what_ ? SceneDocument::tr(what_) : stepName(before_, after_)); }
+  void takeName() {
+    if (isOpening())
+      setText(openedName(after_));
+    else
+      setText(what_ ? SceneDocument::tr(what_) : stepName(before_.scene, after_.scene));
+  }
 
-  int id() const override { return 1; }
+  /// Steps merge only with steps of the same number, which is not -1.
+  int id() const override { return isOpening() ? -1 : 1; }
 
-  void undo() override { document_.goTo(before_); }
+  void undo() override { document_.goTo(before_, change_); }
 
-  void redo() override { document_.goTo(after_); }
+  void redo() override { document_.goTo(after_, change_); }
 
   bool mergeWith(const QUndoCommand* other) override {
     const auto& next = *static_cast<const SceneStep*>(other);
     if (next.gesture_ != gesture_ || next.keys_ != keys_) return false;
     after_ = next.after_;
-    setObsolete(after_ == before_);
+    setObsolete(after_.scene == before_.scene);
     return true;
   }
 
+  bool isOpening() const { return change_ == SceneChange::Opened; }
+  const SceneState& before() const { return before_; }
+
+  /// Sets where the scene can be read again, after it was saved.
+  void setOriginBefore(const SceneOrigin& origin) { before_.origin = origin; }
+  void setOriginAfter(const SceneOrigin& origin) { after_.origin = origin; }
+
  private:
+  static QString openedName(const SceneState& state) {
+    constexpr int kLongest = 40;  // letters
+    QString name = sceneText(state.scene.title);
+    if (name.isEmpty()) name = QFileInfo(state.origin.file).fileName();
+    if (name.isEmpty()) return SceneDocument::tr("Other scene");
+    if (name.size() > kLongest) name = name.left(kLongest - 1).trimmed() + QChar(0x2026);
+    return SceneDocument::tr("Scene “%1”").arg(name);
+  }
+
   SceneDocument& document_;
-  Scene before_, after_;
+  SceneState before_, after_;
+  SceneChange change_;
   std::vector<std::string_view> keys_;
   std::uint64_t gesture_;
   const char* what_;
 };
 
+namespace {
+
+SceneStep& stepAt(const QUndoStack& history, int index) {
+  return *static_cast<SceneStep*>(const_cast<QUndoCommand*>(history.command(index)));
+}
+
+}  // namespace
+
 SceneDocument::SceneDocument(const Scene& scene, QObject* parent)
     : QObject(parent), scene_(scene), gestures_(new GestureCounter(this)) {
   origin_.scene = scene;
-  history_.setUndoLimit(kMostSteps);
-  connect(&history_, &QUndoStack::indexChanged, this, &SceneDocument::historyChanged);
+  for (QUndoStack* history : {&history_, &trialHistory_}) {
+    history->setUndoLimit(kMostSteps);
+    connect(history, &QUndoStack::indexChanged, this, &SceneDocument::historyChanged);
+  }
   keepTranslated(*this, [this] { nameSteps(); });
 }
 
 /// QUndoStack emits signals while it is destroyed, when this object is partly destroyed already.
 SceneDocument::~SceneDocument() {
-  history_.disconnect(this);
+  for (QUndoStack* history : {&history_, &trialHistory_}) history->disconnect(this);
 }
 
 void SceneDocument::open(const SceneOrigin& origin) {
-  emit opening();
-  origin_ = origin;
-  isTrial_ = false;
-  scene_ = origin.scene;
+  endTrial();
+  const SceneState next{origin, origin.scene};
+  // The same scene again begins anew, but there is nothing to undo.
+  const bool isSame = next.scene == scene_ && origin.shipped == origin_.shipped &&
+                      origin.file == origin_.file && origin.scene == origin_.scene;
+  if (isSame) return goTo(next, SceneChange::Opened);
+  history_.push(new SceneStep(*this, next, SceneChange::Opened, gestures_->present(), nullptr));
+}
+
+void SceneDocument::begin(const SceneState& state) {
+  endTrial();
+  goTo(state, SceneChange::Opened);
   history_.clear();
   emit historyChanged();
-  emit sceneChanged(scene_, SceneChange::Opened);
+}
+
+void SceneDocument::openTrial(const SceneOrigin& origin) {
+  if (!isTrial()) trialBegan_ = SceneState{origin_, scene_};
+  trialHistory_.clear();
+  goTo({origin, origin.scene}, SceneChange::Opened);
+}
+
+void SceneDocument::endTrial() {
+  if (!isTrial()) return;
+  const SceneState before = *std::exchange(trialBegan_, std::nullopt);
+  trialHistory_.clear();
+  emit trialEnded();
+  goTo(before, SceneChange::Opened);
+}
+
+std::vector<SceneState> SceneDocument::unsavedFiles() const {
+  std::vector<SceneState> unsaved;
+  QStringList named;
+  const auto look = [&](const SceneState& state) {
+    const QString& file = state.origin.file;
+    if (file.isEmpty() || named.contains(file)) return;
+    named += file;
+    if (state.isUnsavedFile()) unsaved.push_back(state);
+  };
+  look(trialBegan_ ? *trialBegan_ : SceneState{origin_, scene_});
+  for (int i = history_.index(); i-- > 0;)
+    if (const SceneStep& step = stepAt(history_, i); step.isOpening()) look(step.before());
+  return unsaved;
 }
 
 void SceneDocument::edit(const Scene& scene, const char* what) {
@@ -137,7 +208,7 @@ void SceneDocument::change(const Scene& scene, std::uint64_t gesture, const char
   // Another kind may leave the axis of the curve without a meaning.
   const Scene next = withMeaningfulAxis(scene);
   if (next == scene_) return;
-  history_.push(new SceneStep(*this, next, gesture, what));
+  history().push(new SceneStep(*this, {origin_, next}, SceneChange::Edited, gesture, what));
 }
 
 void SceneDocument::resetAll() {
@@ -152,13 +223,24 @@ void SceneDocument::revert() {
 
 /// Names all steps again in the current language.
 void SceneDocument::nameSteps() {
-  for (int i = 0; i < history_.count(); ++i)
-    static_cast<SceneStep*>(const_cast<QUndoCommand*>(history_.command(i)))->takeName();
+  for (QUndoStack* history : {&history_, &trialHistory_})
+    for (int i = 0; i < history->count(); ++i) stepAt(*history, i).takeName();
   emit historyChanged();
 }
 
+/// The steps by which the scene was opened, and left for another one that may be redone, go to the
+/// file from now on.
 void SceneDocument::saved(const QString& file) {
   origin_ = {{}, file, scene_};
+  const QUndoStack& steps = history();
+  int opened = steps.index(), left = steps.index();
+  while (--opened >= 0 && !stepAt(steps, opened).isOpening()) {
+  }
+  while (left < steps.count() && !stepAt(steps, left).isOpening()) ++left;
+  for (int i = std::max(opened, 0); i < std::min(left + 1, steps.count()); ++i) {
+    if (i >= opened && i < left) stepAt(steps, i).setOriginAfter(origin_);
+    if (i > opened && i <= left) stepAt(steps, i).setOriginBefore(origin_);
+  }
   emit historyChanged();
 }
 
@@ -182,9 +264,13 @@ QString SceneDocument::proposedFile() const {
          QStringLiteral(".json");
 }
 
-void SceneDocument::goTo(const Scene& scene) {
-  scene_ = scene;
-  emit sceneChanged(scene_, SceneChange::Edited);
+void SceneDocument::goTo(const SceneState& state, SceneChange change) {
+  const bool isOpened = change == SceneChange::Opened;
+  if (isOpened) emit opening();
+  scene_ = state.scene;
+  origin_ = state.origin;
+  if (isOpened) emit historyChanged();
+  emit sceneChanged(scene_, change);
 }
 
 std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {

@@ -1,14 +1,17 @@
 // The scene as a document: its undo history, its origin, and whether it differs from the scene that
 // was opened or saved last. Every change is a step from one immutable Scene to the next; changes of
-// the same parameters within one gesture (a drag, a key held down) are one step. This is the only
-// place that holds the window's scene; everything that shows it follows sceneChanged(). Owned by
-// the main window; GUI thread. Cannot fail.
+// the same parameters within one gesture (a drag, a key held down) are one step, and so is opening
+// another scene: undo brings back the one before, with its changes and its file. A trial, as in the
+// guided tour or a lesson, has a history of its own and ends where it began. This is the only place
+// that holds the window's scene; everything that shows it follows sceneChanged(). Owned by the main
+// window; GUI thread. Cannot fail.
 #pragma once
 
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +30,15 @@ struct SceneOrigin {
   bool isKnown() const { return !shipped.isEmpty() || !file.isEmpty(); }
 };
 
+/// A scene as the user left it, and where it came from.
+struct SceneState {
+  SceneOrigin origin;
+  Scene scene;
+
+  /// Returns whether the scene differs from the file that it came from.
+  bool isUnsavedFile() const { return !origin.file.isEmpty() && !(scene == origin.scene); }
+};
+
 /// The kind of change. Opened: the scene is unrelated to the one before.
 enum class SceneChange { Edited, Opened };
 
@@ -37,9 +49,20 @@ class SceneDocument : public QObject {
   explicit SceneDocument(const Scene& scene, QObject* parent = nullptr);
   ~SceneDocument() override;
 
-  /// Begins a new document: no history, unchanged. It does not ask about unsaved changes.
+  /// Shows another scene, as one step of the history. A trial ends before.
   void open(const SceneOrigin& origin);
   void open(const Scene& scene) { open(SceneOrigin{{}, {}, scene}); }
+
+  /// Begins with this scene, without a history, as at the start of the program.
+  void begin(const SceneState& state);
+
+  /// Shows a scene that is tried out, as in a step of the tour. The first call begins a trial,
+  /// which has a history of its own; a further one shows the next scene of the trial with a new
+  /// history.
+  void openTrial(const SceneOrigin& origin);
+  /// Returns from a trial to the scene before it, with its history; does nothing without one.
+  void endTrial();
+  bool isTrial() const { return trialBegan_.has_value(); }
 
   /// Makes the next step, within the present gesture of the user. `what` names it in the menu, a
   /// source text of this class; null: it is named after the parameters that differ. Nothing happens
@@ -56,11 +79,10 @@ class SceneDocument : public QObject {
   /// Declares that the file now contains the present scene.
   void saved(const QString& file);
 
-  /// Marks the scene as a trial, as in a step of the tour: nobody is asked to save it, until
-  /// open().
-  void setTrial(bool isTrial) { isTrial_ = isTrial; }
-  /// Returns whether changes that the user may want would be lost with the document.
-  bool needsSaving() const { return isChanged() && !isTrial_; }
+  /// Returns the scenes that came from files and differ from them: the present one first, then
+  /// those that were left for another scene and can only be reached by undo. A file is named once,
+  /// with its newest state. Nothing that is tried out counts.
+  std::vector<SceneState> unsavedFiles() const;
 
   /// Returns the title of the scene, or else the name of its file; may be empty.
   QString name() const;
@@ -78,11 +100,14 @@ class SceneDocument : public QObject {
   /// Compares values: moving a slider there and back leaves the scene unchanged.
   bool isChanged() const { return !(scene_ == origin_.scene); }
 
-  QUndoStack& history() { return history_; }
+  /// Returns the history of the trial, or of the document where there is none.
+  QUndoStack& history() { return isTrial() ? trialHistory_ : history_; }
 
  signals:
-  /// Emitted before another document replaces this one; sceneChanged() follows.
+  /// Emitted before another scene replaces this one; sceneChanged() follows.
   void opening();
+  /// Emitted when a trial ends, before the scene before it returns.
+  void trialEnded();
   /// Emitted when the scene has changed, whatever changed it: a control, undo, a file.
   void sceneChanged(const asperity::Scene& scene, asperity::SceneChange change);
   /// Emitted when origin or history have changed, or their names.
@@ -90,14 +115,14 @@ class SceneDocument : public QObject {
 
  private:
   friend class SceneStep;
-  void goTo(const Scene& scene);
+  void goTo(const SceneState& state, SceneChange change);
   void nameSteps();
 
   Scene scene_;
   SceneOrigin origin_;
-  bool isTrial_ = false;
+  std::optional<SceneState> trialBegan_;  // the state to which the end of a trial returns
   GestureCounter* gestures_;
-  QUndoStack history_;
+  QUndoStack history_, trialHistory_;
 };
 
 /// Returns the keys of the parameters in which the scenes differ, in the table's order.

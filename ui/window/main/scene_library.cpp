@@ -26,8 +26,8 @@ const QString kFolder = QStringLiteral(":/asperity/scenes");
 /// Returns the rank of a chapter; unknown ones come last.
 std::size_t rankOf(const std::string& chapter) {
   static const std::string_view order[] = {
-      "Regions I to IV", "Full contact", "Single asperities",    "Rheology",
-      "Temperature",     "Transients",   "Correlated roughness", "Everyday surfaces"};
+      "The basics", "Regions of Eq. (11)", "Roughness",        "Materials and temperature",
+      "Motions",    "Limits and checks",   "Everyday surfaces"};
   return static_cast<std::size_t>(std::ranges::find(order, chapter) - std::begin(order));
 }
 

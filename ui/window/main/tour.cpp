@@ -10,8 +10,9 @@
 #include <array>
 
 #include "ui/window/main/commands.h"
-#include "ui/window/main/document_commands.h"
+#include "ui/window/main/halo.h"
 #include "ui/window/main/message_bar.h"
+#include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -25,40 +26,46 @@ constexpr std::array kSteps{
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "A rough line rests on rubber: only its highest summits touch."),
              QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Drag the normal force up: contacts grow in number and length.")},
+                               "Drag the normal force up: contacts grow in number and length."),
+             "load.normal_force"},
     TourStep{"region_1", QT_TRANSLATE_NOOP("asperity::Tour", "Slide slowly"),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "The rubber has time to come back behind every summit, and friction "
                                "grows in proportion to the velocity."),
              QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Double the velocity: the coefficient of friction doubles.")},
+                               "Double the velocity: the coefficient of friction doubles."),
+             "sliding.velocity"},
     TourStep{"region_3", QT_TRANSLATE_NOOP("asperity::Tour", "The plateau"),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Faster, friction stops growing: it is now set by the slope of the "
                                "line, not by the rubber."),
              QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Change the shear modulus or the force: the plateau stays.")},
+                               "Change the shear modulus or the force: the plateau stays."),
+             "elastomer.shear_modulus"},
     TourStep{"one_sided", QT_TRANSLATE_NOOP("asperity::Tour", "One-sided contact"),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "A single summit shows why: the rubber is too slow to touch its "
                                "trailing side, so it pushes only from the front."),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Lower the velocity to 0.001 m/s: contact becomes even on both "
-                               "sides, and friction vanishes.")},
+                               "sides, and friction vanishes."),
+             "sliding.velocity"},
     TourStep{"region_4", QT_TRANSLATE_NOOP("asperity::Tour", "Region IV"),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Faster still, only the tips of the highest summits touch, and they "
                                "are smooth: friction falls again."),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Raise the elements: finer tips move the fall to higher "
-                               "velocities.")},
+                               "velocities."),
+             "surface.elements"},
     TourStep{"full_contact", QT_TRANSLATE_NOOP("asperity::Tour", "Full contact"),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Under a high load the rubber fills every valley, and friction is "
                                "known exactly."),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Raise the velocity until the first valleys open: there the "
-                               "straight line ends.")},
+                               "straight line ends."),
+             "sliding.velocity"},
 };
 
 }  // namespace
@@ -159,10 +166,14 @@ void TourBar::changeEvent(QEvent* event) {
 
 // ---- The steps
 
-Tour::Tour(SceneDocument& document, DocumentCommands& documents, TourBar& bar, MessageBar& hint,
-           QObject* parent)
-    : QObject(parent), document_(document), documents_(documents), bar_(bar), hint_(hint) {
-  connect(&document_, &SceneDocument::opening, this, &Tour::end);
+Tour::Tour(SceneDocument& document, TourBar& bar, MessageBar& hint, QWidget& window)
+    : QObject(&window),
+      document_(document),
+      window_(window),
+      halo_(new Halo(window)),
+      bar_(bar),
+      hint_(hint) {
+  connect(&document_, &SceneDocument::trialEnded, this, &Tour::close);
   connect(&bar_, &TourBar::stepWanted, this, &Tour::show);
   connect(&bar_, &TourBar::ended, this, &Tour::end);
   connect(&hint_, &MessageBar::accepted, this, &Tour::start);
@@ -181,7 +192,7 @@ void Tour::addTo(Commands& commands) {
                 [] { return tr("Tour: next"); },
                 [this] { show(bar_.step() + 1); },
                 {Qt::ALT | Qt::Key_Right, Qt::Key_PageDown}});
-  end();
+  close();
 }
 
 void Tour::offer() {
@@ -193,32 +204,45 @@ void Tour::offer() {
 void Tour::start() {
   QSettings().setValue(kOffered, true);
   hint_.hide();
-  if (!documents_.mayLeave()) return;
+  document_.endTrial();  // of a lesson
   emit starting();
   isRunning_ = true;
   show(0);
 }
 
-/// Shows a step. Changes that were tried in a step are discarded without a question.
+/// Shows a step. Changes that were tried in a step are discarded.
 void Tour::show(int step) {
   if (!isRunning_ || step < 0 || step >= stepCount()) return;
-  const QString name = QString::fromLatin1(tourSteps()[static_cast<std::size_t>(step)].scene);
+  const TourStep& shown = tourSteps()[static_cast<std::size_t>(step)];
+  const QString name = QString::fromLatin1(shown.scene);
   const std::vector<LibraryScene>& library = libraryScenes();
   const auto found = std::ranges::find(library, name, &LibraryScene::name);
   if (found == library.end()) return end();
-  document_.open({name, {}, found->scene});
-  document_.setTrial(true);
-  isRunning_ = true;
+  document_.openTrial({name, {}, found->scene});
   bar_.showStep(step);
   commands_->get("tourStepBack")->setEnabled(step > 0);
   commands_->get("tourStepNext")->setEnabled(step + 1 < stepCount());
   emit stepShown();
+  surround(shown.key);
 }
 
-/// Ends the tour. The scene stays, with the user's changes.
+/// Draws the frame around the row of a parameter, once the panel shows the scene's rows.
+void Tour::surround(const char* key) {
+  emit controlWanted(QString::fromLatin1(key));
+  halo_->surround(window_.findChild<QWidget*>(QStringLiteral("row:") + QLatin1String(key)));
+}
+
+/// Ends the tour. The scene of before returns.
 void Tour::end() {
+  if (isRunning_)
+    document_.endTrial();
+  else
+    close();
+}
+
+void Tour::close() {
   isRunning_ = false;
-  document_.setTrial(false);
+  halo_->surround(nullptr);
   bar_.hide();
   for (QAction* action : commands_->get({"tourStepBack", "tourStepNext"}))
     action->setEnabled(false);

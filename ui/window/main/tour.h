@@ -1,6 +1,7 @@
-// The guided tour: six shipped scenes in order, each with one sentence and one thing to try; the
-// bar over the views that leads through them; and the offer of the tour. GUI thread; owned by the
-// main window. Cannot fail: where a scene is missing the tour ends.
+// The guided tour: six shipped scenes in order, each with one sentence and one thing to try, and a
+// frame around the control to try it with; the bar over the views that leads through them; and the
+// offer of the tour. At its end the scene of before returns. GUI thread; owned by the main window.
+// Cannot fail: where a scene is missing the tour ends.
 #pragma once
 
 #include <QFrame>
@@ -15,7 +16,7 @@ class QPushButton;
 namespace asperity {
 
 class Commands;
-class DocumentCommands;
+class Halo;
 class MessageBar;
 class SceneDocument;
 
@@ -24,6 +25,7 @@ struct TourStep {
   const char* title;     // what happens
   const char* sentence;  // what can be seen
   const char* attempt;   // what to try
+  const char* key;       // the parameter to try it with
 };
 
 std::span<const TourStep> tourSteps();
@@ -65,9 +67,8 @@ class Tour : public QObject {
   Q_OBJECT
 
  public:
-  /// `hint`: the bar that shows the offer.
-  Tour(SceneDocument& document, DocumentCommands& documents, TourBar& bar, MessageBar& hint,
-       QObject* parent);
+  /// `hint`: the bar that shows the offer. `window`: where the controls are.
+  Tour(SceneDocument& document, TourBar& bar, MessageBar& hint, QWidget& window);
 
   void addTo(Commands& commands);
 
@@ -81,13 +82,18 @@ class Tour : public QObject {
   void starting();
   /// Emitted when a step is shown; the bar then replaces the description of the scene.
   void stepShown();
+  /// Emitted when the frame goes around the control of this key, which has to be visible.
+  void controlWanted(const QString& key);
 
  private:
   void show(int step);
   void end();
+  void close();
+  void surround(const char* key);
 
   SceneDocument& document_;
-  DocumentCommands& documents_;
+  QWidget& window_;
+  Halo* halo_;
   TourBar& bar_;
   MessageBar& hint_;
   Commands* commands_ = nullptr;

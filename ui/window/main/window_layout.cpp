@@ -14,6 +14,7 @@
 #include <QToolBar>
 #include <algorithm>
 
+#include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/main/appearance.h"
@@ -67,6 +68,10 @@ void WindowLayout::addTo(Commands& commands) {
       ->setEnabled(false);
   commands.add(
       {"restoreLayout", [] { return tr("Restore layout"); }, [this] { restoreDefault(); }});
+  commands.add({"filterParameters",
+                [] { return tr("Filter parameters"); },
+                [this] { filterParameters(); },
+                {Qt::Key_Slash}});
   QAction* parameters = parts_.dock.toggleViewAction();
   parameters->setObjectName("parameters");
   parameters->setShortcut(Qt::Key_F9);
@@ -75,12 +80,20 @@ void WindowLayout::addTo(Commands& commands) {
 
 void WindowLayout::fillMenu(QMenu& menu) {
   menu.addAction(parts_.dock.toggleViewAction());
+  menu.addAction(commands_->get("filterParameters"));
   parts_.tabs.addMenu(menu);
   menu.addSeparator();
   menu.addActions(commands_->get({"fullScreen", "present", "leave"}));
   menu.addSeparator();
   parts_.appearance.addMenu(menu);
   menu.addAction(commands_->get("restoreLayout"));
+}
+
+void WindowLayout::filterParameters() {
+  if (parts_.figures.isShowingFigures()) return;
+  parts_.dock.show();
+  parts_.dock.raise();
+  parts_.panel.focusFilter();
 }
 
 void WindowLayout::setFullScreen(bool full) {
@@ -91,13 +104,13 @@ void WindowLayout::setFullScreen(bool full) {
   showScreenMode();
 }
 
-/// While the figures are shown, Escape closes their page instead of the presentation.
+/// While another page covers the views, Escape closes that page instead of the presentation.
 void WindowLayout::showScreenMode() {
   const bool isFull = parts_.window.isFullScreen();
   commands_->get("fullScreen")->setChecked(isFull);
   commands_->get("present")->setChecked(isPresenting());
   commands_->get("leave")->setEnabled((isFull || isPresenting()) &&
-                                      !parts_.figures.isShowingFigures());
+                                      parts_.figures.isShowingViews());
 }
 
 /// Hides the parameters and readings of the contact while the figures are shown.
@@ -183,6 +196,7 @@ void WindowLayout::restoreDefault() {
   parts_.window.restoreState(default_);
   parts_.splitter.setSizes(defaultSplit());
   parts_.tabs.hideTabs({});
+  parts_.panel.setView(ParameterPanel::defaultView());
 }
 
 void WindowLayout::remember() {
@@ -191,12 +205,24 @@ void WindowLayout::remember() {
   settings.beginGroup("window");
   parts_.window.restoreGeometry(settings.value("geometry").toByteArray());
   fitToScreen();
-  parts_.window.restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
+  if (!parts_.window.restoreState(settings.value("docks").toByteArray(), kLayoutVersion))
+    giveRoomToViews();
   parts_.splitter.restoreState(settings.value("split").toByteArray());
   parts_.tabs.hideTabs(settings.value("hiddenTabs").toStringList());
+  const PanelView usual = ParameterPanel::defaultView();
+  parts_.panel.setView({settings.value("showsAllParameters", usual.showsAll).toBool(),
+                        settings.value("foldedSections", usual.folded).toStringList()});
   const int colours = std::clamp(settings.value("colours", 0).toInt(), 0, 2);
   parts_.appearance.setColours(static_cast<Colours>(colours));
   showScreenMode();
+}
+
+/// On a small screen the parameters take only the width that they need.
+void WindowLayout::giveRoomToViews() {
+  constexpr int kSmall = 1200;  // pixels
+  const int width = parts_.window.width() < kSmall ? parts_.panel.minimumWidth()
+                                                   : parts_.panel.sizeHint().width();
+  parts_.window.resizeDocks({&parts_.dock}, {width}, Qt::Horizontal);
 }
 
 /// Saves the layout as it is without the figures and without a presentation.
@@ -211,6 +237,9 @@ void WindowLayout::save() {
   settings.setValue("docks", before ? before->docks : parts_.window.saveState(kLayoutVersion));
   settings.setValue("split", parts_.splitter.saveState());
   settings.setValue("hiddenTabs", parts_.tabs.hiddenTabs());
+  const PanelView panel = parts_.panel.view();
+  settings.setValue("showsAllParameters", panel.showsAll);
+  settings.setValue("foldedSections", panel.folded);
   settings.setValue("colours", static_cast<int>(parts_.appearance.colours()));
 }
 

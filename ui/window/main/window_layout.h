@@ -23,6 +23,7 @@ class Appearance;
 class Commands;
 class ContactCanvas;
 class FigurePages;
+class ParameterPanel;
 class SceneTabs;
 
 /// The minimum size of the window. It is fixed, because a temporary need for space, from large
@@ -32,7 +33,8 @@ inline constexpr QSize kLeastWindow{900, 560};
 
 struct LayoutParts {
   QMainWindow& window;
-  QDockWidget& dock;    // of the parameters
+  QDockWidget& dock;  // of the parameters
+  ParameterPanel& panel;
   QSplitter& splitter;  // between contact and tabs
   ContactCanvas& canvas;
   SceneTabs& tabs;
@@ -53,6 +55,7 @@ class WindowLayout : public QObject {
   /// Restores size, docks, tabs and colours from the settings, as far as the screen has room for
   /// them. From then on closing the window saves its own. Call before the window is shown.
   void remember();
+  bool remembers() const { return remembers_; }
   /// Saves the layout to the settings when the window closes, if remember() was called.
   void save();
 
@@ -63,6 +66,9 @@ class WindowLayout : public QObject {
   /// Moves the window onto its screen, together with the normal size of a maximized or full-screen
   /// window. Call it before the window is shown.
   void fitToScreen();
+
+  /// Shows the parameters and puts the cursor into their filter.
+  void filterParameters();
 
   /// Shows contact and curve alone on the whole screen, with large texts, for an audience; Escape
   /// leaves.
@@ -75,6 +81,7 @@ class WindowLayout : public QObject {
   void setFullScreen(bool full);
   void showScreenMode();
   void makeRoomForFigures(bool areShown);
+  void giveRoomToViews();
 
   LayoutParts parts_;
   Commands* commands_ = nullptr;

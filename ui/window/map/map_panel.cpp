@@ -49,12 +49,6 @@ bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Para
   return same == b;
 }
 
-double numberOf(const Parameter& row, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::get<double>(value);
-}
-
 bool holds(const MapAxis& axis, double value) {
   const auto [least, most] = std::ranges::minmax(axis.values);
   return value >= least && value <= most;

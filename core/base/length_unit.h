@@ -11,4 +11,13 @@ namespace asperity {
 /// Empty where the text is no unit of length.
 std::optional<double> metresPer(std::string_view unit);
 
+/// A power of a length: metres^power is one of the unit in SI.
+struct LengthPower {
+  double metres = 1;
+  int power = 1;
+};
+
+/// Reads "1/um", "rad/m", "nm^-1", "m^3", "um\u00B3", "mm". Empty where the text is none.
+std::optional<LengthPower> lengthPowerNamed(std::string_view text);
+
 }  // namespace asperity

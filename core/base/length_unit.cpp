@@ -1,4 +1,4 @@
-#include "core/measured/length_unit.h"
+#include "core/base/length_unit.h"
 
 #include <array>
 #include <cmath>
@@ -122,6 +122,39 @@ std::optional<double> metresPer(std::string_view unit) {
   const auto factor = factorIn(unit.substr(0, between + 1));
   if (!metres || !factor || !(*factor > 0)) return {};
   return *metres * *factor;
+}
+
+std::optional<LengthPower> lengthPowerNamed(std::string_view text) {
+  // Longer endings first, for "-1" ends in a digit, too.
+  constexpr std::array<std::pair<std::string_view, int>, 14> kPowers{{{"\u207B\u00B9", -1},
+                                                                      {"{-1}", -1},
+                                                                      {"-1", -1},
+                                                                      {"{2}", 2},
+                                                                      {"{3}", 3},
+                                                                      {"{4}", 4},
+                                                                      {"\u00B2", 2},
+                                                                      {"\u00B3", 3},
+                                                                      {"\u2074", 4},
+                                                                      {"2", 2},
+                                                                      {"3", 3},
+                                                                      {"4", 4},
+                                                                      {"1", 1},
+                                                                      {"", 1}}};
+  text = withoutBrackets(text);
+  int sign = 1;
+  for (const std::string_view front : {"1/", "rad/"})
+    if (text.starts_with(front)) {
+      sign = -1;
+      text.remove_prefix(front.size());
+      break;
+    }
+  for (const auto& [ending, power] : kPowers) {
+    if (!text.ends_with(ending)) continue;
+    std::string_view length = text.substr(0, text.size() - ending.size());
+    if (length.ends_with('^')) length.remove_suffix(1);
+    if (const auto metres = metresPer(length)) return LengthPower{*metres, sign * power};
+  }
+  return {};
 }
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/study/study_members.h"
+#include "core/base/json_members.h"
 
 #include <fmt/format.h>
 
@@ -13,19 +13,19 @@ namespace asperity {
 
 using Json = nlohmann::ordered_json;
 
-void refuseStudy(const std::string& key, const Message& why) {
+void refuseMember(const std::string& key, const Message& why) {
   throw InputError("", key, why);
 }
 
 void checkMembers(const Json& object, const std::string& where,
                   std::initializer_list<std::string_view> list) {
   const std::span<const std::string_view> known(list.begin(), list.size());
-  if (!object.is_object()) refuseStudy(where, "needs an object");
+  if (!object.is_object()) refuseMember(where, "needs an object");
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
     const std::string path = where.empty() ? shortened(key) : where + "." + shortened(key);
     const std::string_view nearest = nearestOf(key, known);
-    refuseStudy(
+    refuseMember(
         path, nearest.empty()
                   ? message("unknown key; known are {}", fmt::format("{}", fmt::join(known, ", ")))
                   : message("unknown key; the nearest known one is {}", nearest));
@@ -34,8 +34,8 @@ void checkMembers(const Json& object, const std::string& where,
 
 double numberIn(const Json& object, const std::string& where, const char* member) {
   const auto found = object.find(member);
-  if (found == object.end()) refuseStudy(where + "." + member, "is missing; it needs a number");
-  if (!found->is_number()) refuseStudy(where + "." + member, "needs a number");
+  if (found == object.end()) refuseMember(where + "." + member, "is missing; it needs a number");
+  if (!found->is_number()) refuseMember(where + "." + member, "needs a number");
   return found->get<double>();
 }
 
@@ -50,8 +50,8 @@ std::int64_t wholeIn(const Json& object, const char* member, std::int64_t least,
   const double number = object.at(member).is_number() ? object.at(member).get<double>() : 0.5;
   if (number != std::floor(number) || number < static_cast<double>(least) ||
       number > static_cast<double>(most))
-    refuseStudy(path, message("{} is not a whole number from {} to {}",
-                              shortened(object.at(member).dump()), least, most));
+    refuseMember(path, message("{} is not a whole number from {} to {}",
+                               shortened(object.at(member).dump()), least, most));
   return static_cast<std::int64_t>(number);
 }
 
@@ -60,7 +60,7 @@ std::string textIn(const Json& object, const char* member, const std::string& ot
   const auto found = object.find(member);
   if (found == object.end()) return otherwise;
   if (!found->is_string())
-    refuseStudy(where.empty() ? member : where + "." + member, "needs a text");
+    refuseMember(where.empty() ? member : where + "." + member, "needs a text");
   return found->get<std::string>();
 }
 

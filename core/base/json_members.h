@@ -1,5 +1,5 @@
-// Members of the JSON objects of a study, read with errors that name their place. Pure; any thread.
-// Failure: InputError with the place and what is allowed.
+// Members of JSON objects, read with errors that name their place: "space.load.normal_force.from".
+// Pure; any thread. Failure: InputError with the place and what is allowed.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace asperity {
 
-[[noreturn]] void refuseStudy(const std::string& place, const Message& why);
+/// Throws InputError with the place.
+[[noreturn]] void refuseMember(const std::string& place, const Message& why);
 
 /// Throws where the value is no object, or has a member that is not known.
 void checkMembers(const nlohmann::ordered_json& object, const std::string& where,
@@ -31,21 +32,21 @@ std::string textIn(const nlohmann::ordered_json& object, const char* member,
 
 /// Names and what they stand for.
 template <class Choice, std::size_t N>
-using StudyChoices = std::array<std::pair<std::string_view, Choice>, N>;
+using NamedChoices = std::array<std::pair<std::string_view, Choice>, N>;
 
 template <class Choice, std::size_t N>
-Choice chosen(const StudyChoices<Choice, N>& choices, const std::string& word,
+Choice chosen(const NamedChoices<Choice, N>& choices, const std::string& word,
               const std::string& where) {
   std::array<std::string_view, N> known;
   for (std::size_t i = 0; i < N; ++i) {
     if (choices[i].first == word) return choices[i].second;
     known[i] = choices[i].first;
   }
-  refuseStudy(where, notOneOf(word, known));
+  refuseMember(where, notOneOf(word, known));
 }
 
 template <class Choice, std::size_t N>
-std::string_view wordOf(const StudyChoices<Choice, N>& choices, Choice choice) {
+std::string_view wordOf(const NamedChoices<Choice, N>& choices, Choice choice) {
   for (const auto& [word, one] : choices)
     if (one == choice) return word;
   return {};

@@ -1,0 +1,97 @@
+#include "core/scene/essentials.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/scene/parameters.h"
+
+namespace asperity {
+
+namespace {
+
+/// In the order in which they are shown. Rows of another kind have no meaning and are left out.
+constexpr std::array<std::string_view, 20> kShown{"sliding.velocity",
+                                                  "sliding.velocity_after",
+                                                  "sliding.amplitude",
+                                                  "sliding.frequency",
+                                                  "load.normal_force",
+                                                  "load.depth",
+                                                  "load.nominal_pressure",
+                                                  "elastomer.material",
+                                                  "elastomer.shear_modulus",
+                                                  "elastomer.relaxation_time",
+                                                  "elastomer.equilibrium_modulus",
+                                                  "elastomer.temperature",
+                                                  "surface.file",
+                                                  "surface.rms_height",
+                                                  "surface.hurst",
+                                                  "surface.amplitude",
+                                                  "surface.waves",
+                                                  "surface.slope",
+                                                  "surface.radius",
+                                                  "interface.friction_coefficient"};
+
+/// The first of these that are too many are left out, beginning with the last.
+constexpr std::array<std::string_view, 4> kLeastImportant{"elastomer.equilibrium_modulus",
+                                                          "surface.hurst", "elastomer.temperature",
+                                                          "elastomer.relaxation_time"};
+
+bool hasMeaning(std::string_view key, const Scene& scene) {
+  return isApplicable(*findParameter(key), scene);
+}
+
+/// Whether the row is essential in this scene, beside having a meaning.
+bool isWanted(std::string_view key, const Scene& scene) {
+  const bool isShifted = scene.elastomer.rheology == Rheology::StandardSolid ||
+                         scene.elastomer.rheology == Rheology::Prony;
+  if (key == "elastomer.temperature") return isShifted;
+  if (key == "elastomer.equilibrium_modulus") return scene.elastomer.material.empty();
+  if (key == "interface.friction_coefficient") return scene.interface.frictionCoefficient > 0;
+  return true;
+}
+
+/// Returns the first of the keys that has a meaning.
+template <std::size_t Count>
+std::string_view firstOf(const std::array<std::string_view, Count>& keys, const Scene& scene) {
+  const auto found =
+      std::ranges::find_if(keys, [&](std::string_view key) { return hasMeaning(key, scene); });
+  return found == keys.end() ? std::string_view("sliding.velocity") : *found;
+}
+
+constexpr std::array<std::string_view, 3> kLoads{"load.normal_force", "load.depth",
+                                                 "load.nominal_pressure"};
+constexpr std::array<std::string_view, 5> kRoughness{
+    "surface.rms_height", "surface.amplitude", "surface.slope", "surface.radius", "surface.file"};
+
+}  // namespace
+
+std::vector<std::string_view> essentialKeys(const Scene& scene) {
+  std::vector<std::string_view> keys;
+  for (const std::string_view key : kShown)
+    if (hasMeaning(key, scene) && isWanted(key, scene)) keys.push_back(key);
+  for (const std::string_view key : kLeastImportant)
+    if (keys.size() > kMostEssentials) std::erase(keys, key);
+  keys.resize(std::min(keys.size(), kMostEssentials));
+  return keys;
+}
+
+std::string_view keyOfNote(Note note, const Scene& scene) {
+  switch (note) {
+    case Note::SlopeAbove:
+      return firstOf(kRoughness, scene);
+    case Note::FewContacts:
+    case Note::StrainBeyondMeasured:
+    case Note::UnresolvedFriction:
+      return firstOf(kLoads, scene);
+    case Note::ExtrapolatedTemperature:
+      return firstOf(std::array<std::string_view, 1>{"elastomer.temperature"}, scene);
+    case Note::SeamJump:
+      return firstOf(std::array<std::string_view, 2>{"surface.seam", "surface.file"}, scene);
+    case Note::ExtrapolatedMaterial:
+    case Note::FastEnoughToHeat:
+      break;
+  }
+  return "sliding.velocity";
+}
+
+}  // namespace asperity

@@ -1,0 +1,23 @@
+// Which few parameters of a scene a person changes first, and which one a note is about. Pure; any
+// thread.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/scene/notes.h"
+#include "core/scene/scene.h"
+
+namespace asperity {
+
+inline constexpr std::size_t kMostEssentials = 8;
+
+/// Returns the keys that matter first: velocity, load, stiffness, roughness. Each one has a meaning
+/// in the scene; at most kMostEssentials, in the order in which they are shown.
+std::vector<std::string_view> essentialKeys(const Scene& scene);
+
+/// Returns the key of the number or the file that a note is about, which has a meaning in the
+/// scene: the one whose change makes the note go away.
+std::string_view keyOfNote(Note note, const Scene& scene);
+
+}  // namespace asperity

@@ -1,0 +1,360 @@
+// The export dialog: a preview of the newest wish, what is wrong with a value, and a file that has
+// the same bytes as that of the command it shows.
+#include "ui/window/export/export_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "core/scene/scene_file.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/export/export_form.h"
+#include "ui/window/export/export_preview.h"
+
+namespace asperity {
+namespace {
+
+constexpr int kLong = 60000;  // ms, for films on a busy machine
+
+QByteArray bytesOf(const QString& file) {
+  QFile in(file);
+  return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+}
+
+class ExportDialogTest : public MainWindowTest {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(waitForFrame());
+    session().setPlaying(false);
+    window_.exports().setProgram(ASPERITY_PROGRAM);
+  }
+  void TearDown() override {
+    delete dialog_.data();
+    QSettings().remove("export");
+  }
+
+  void openDialog(ExportKind kind) {
+    dialog_ = &window_.exports().openDialog(kind);
+    previews_ = std::make_unique<QSignalSpy>(dialog_, &ExportDialog::previewed);
+    exports_ = std::make_unique<QSignalSpy>(dialog_, &ExportDialog::exported);
+  }
+  template <class Widget>
+  Widget& in(const char* name) {
+    return *dialog_->findChild<Widget*>(QLatin1String(name));
+  }
+  void choose(const char* box, const QString& data) {
+    auto& choices = in<QComboBox>(box);
+    const int index = choices.findData(data);
+    ASSERT_GE(index, 0) << box << " " << data.toStdString();
+    choices.setCurrentIndex(index);
+  }
+  void enter(const char* entry, const QString& text) {
+    auto& field = in<QLineEdit>(entry);
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
+  }
+  /// Whether there is a preview of the present wish.
+  bool waitForPreview() {
+    previews_->clear();
+    return QTest::qWaitFor([&] { return !previews_->isEmpty(); }, kLong) &&
+           previews_->last().at(0).toBool();
+  }
+  QString reason() { return in<QLabel>("exportFailure").text(); }
+  QString command() { return in<QPlainTextEdit>("exportCommand").toPlainText(); }
+
+  /// Writes the file by the dialog and then, in its place, by the command in a shell.
+  void expectSameBytes(const QString& name) {
+    SCOPED_TRACE(name.toStdString());
+    const QString file = folder_.filePath(name);
+    dialog_->setFile(file);
+    const QString text = command();
+    dialog_->write();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return !exports_->isEmpty() || !reason().isEmpty(); }, kLong));
+    ASSERT_FALSE(exports_->isEmpty()) << reason().toStdString();
+    const QByteArray made = bytesOf(file);
+    EXPECT_GT(made.size(), 300);
+    ASSERT_TRUE(QFile::remove(file));
+    QProcess shell;
+    shell.setWorkingDirectory(folder_.path());
+    shell.start("/bin/sh", {"-c", "asperity() { \"" ASPERITY_PROGRAM "\" \"$@\"; }; " + text});
+    ASSERT_TRUE(shell.waitForFinished(kLong));
+    EXPECT_EQ(shell.exitCode(), 0) << shell.readAllStandardError().toStdString();
+    EXPECT_TRUE(bytesOf(file) == made) << text.toStdString();
+  }
+
+  QTemporaryDir folder_;
+  QPointer<ExportDialog> dialog_;
+  std::unique_ptr<QSignalSpy> previews_, exports_;
+};
+
+TEST_F(ExportDialogTest, APictureHasTheBytesOfItsCommand) {
+  type("load.normal_force", "12 mN");
+  window_.canvas().zoom(3);
+  ASSERT_TRUE(waitForFrame());
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  expectSameBytes("contact.png");
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "both");
+  choose("exportPreset", "slide");
+  choose("exportTheme", "dark");
+  in<QCheckBox>("exportTransparent").setChecked(true);
+  expectSameBytes("both.png");
+}
+
+TEST_F(ExportDialogTest, VectorsAndStylesHaveTheBytesOfTheirCommands) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "curve");
+  choose("exportFormat", ".pdf");
+  choose("exportStyle", "journal");
+  EXPECT_EQ(in<QComboBox>("exportPreset").currentData(), "style");
+  EXPECT_TRUE(command().contains("--style journal"));
+  EXPECT_FALSE(command().contains("--size"));
+  expectSameBytes("curve.pdf");
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  choose("exportFormat", ".svg");
+  choose("exportPreset", "column");
+  EXPECT_TRUE(command().contains("--size 86mmx62mm --scale 600dpi"));
+  expectSameBytes("contact.svg");
+}
+
+TEST_F(ExportDialogTest, ATableHasTheBytesOfItsCommand) {
+  openDialog(ExportKind::Table);
+  enter("exportColumns", "velocity, mu");
+  EXPECT_TRUE(command().contains("--columns velocity,mu"));
+  expectSameBytes("curve.csv");
+  openDialog(ExportKind::Table);
+  choose("exportContent", "shape");
+  choose("exportFormat", ".json");
+  expectSameBytes("shape.json");
+}
+
+TEST_F(ExportDialogTest, AFilmHasTheBytesOfItsCommand) {
+  openDialog(ExportKind::Film);
+  choose("exportContent", "contact");
+  choose("exportFormat", ".gif");
+  enter("exportWidth", "320");
+  enter("exportHeight", "200");
+  enter("exportDuration", "0,4");  // as people write it
+  enter("exportRate", "10");
+  enter("exportSpeedValue", "0.5");
+  EXPECT_TRUE(command().contains("--size 320x200"));
+  EXPECT_TRUE(command().contains("--duration 0.4 --fps 10 --cycles 0.5"));
+  expectSameBytes("film.gif");
+}
+
+TEST_F(ExportDialogTest, AMotionHasItsOwnContentsAndSpeeds) {
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Start;
+  moving.sliding.duration = 0.01;
+  window_.document().open(moving);
+  ASSERT_TRUE(waitForFrame());
+  openDialog(ExportKind::Film);
+  EXPECT_EQ(in<QComboBox>("exportContent").currentData(), "transient");
+  choose("exportSpeed", "slow");
+  enter("exportSpeedValue", "100");
+  EXPECT_FALSE(in<QLineEdit>("exportDuration").isEnabled());
+  EXPECT_TRUE(command().contains("--slow-motion 100"));
+  EXPECT_FALSE(command().contains("--duration"));
+  dialog_->form().setKind(ExportKind::Table);
+  EXPECT_EQ(in<QComboBox>("exportContent").currentData(), "motion");
+  expectSameBytes("motion.csv");
+}
+
+TEST_F(ExportDialogTest, ThePreviewShowsTheNewestWish) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  ASSERT_TRUE(waitForPreview());
+  const QImage light = dialog_->preview().image();
+  ASSERT_FALSE(light.isNull());
+  EXPECT_LE(std::max(light.width(), light.height()), 1000);
+  // Many wishes, of which the last counts.
+  for (const char* theme : {"print", "paper", "light", "dark"}) choose("exportTheme", theme);
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_LT(dialog_->preview().image().pixelColor(2, 2).lightness(), 100);
+  EXPECT_GT(light.pixelColor(2, 2).lightness(), 150);
+  in<QCheckBox>("exportTransparent").setChecked(true);
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_EQ(dialog_->preview().image().pixelColor(2, 2).alpha(), 0);
+  dialog_->form().setKind(ExportKind::Table);
+  ASSERT_TRUE(waitForPreview());
+  EXPECT_TRUE(dialog_->preview().text().contains("velocity,mu"));
+}
+
+/// The preview of a large picture has its shape, and the same layout on less pixels.
+TEST_F(ExportDialogTest, ThePreviewOfALargePictureIsSmall) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  choose("exportPreset", "4k");
+  ASSERT_TRUE(waitForPreview());
+  const QSize size = dialog_->preview().image().size();
+  EXPECT_LE(size.width(), 1000);
+  EXPECT_NEAR(1.0 * size.width() / size.height(), 16.0 / 9, 0.01);
+  choose("exportPreset", "page");
+  ASSERT_TRUE(waitForPreview());
+  const QSize paper = dialog_->preview().image().size();
+  EXPECT_NEAR(1.0 * paper.width() / paper.height(), 1.78, 0.02);
+}
+
+TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  const struct {
+    const char *entry, *bad, *good, *said;
+  } cases[] = {{"exportWidth", "20", "800", "--size"},   {"exportWidth", "wide", "800", "--size"},
+               {"exportHeight", "", "600", "--size"},    {"exportHeight", "1e300", "600", "--size"},
+               {"exportDensity", "-3", "96", "--scale"}, {"exportDensity", "nan", "96", "--scale"}};
+  for (const auto& [entry, bad, good, said] : cases) {
+    in<QLineEdit>(entry).clear();
+    enter(entry, bad);
+    emit in<QLineEdit>(entry).textEdited(bad);
+    EXPECT_FALSE(waitForPreview()) << entry << " " << bad;
+    EXPECT_TRUE(reason().contains(said)) << bad << ": " << reason().toStdString();
+    EXPECT_FALSE(in<QPushButton>("exportWrite").isEnabled());
+    enter(entry, good);
+    EXPECT_TRUE(waitForPreview()) << entry << " " << good << reason().toStdString();
+    EXPECT_EQ(reason(), "");
+    EXPECT_TRUE(in<QPushButton>("exportWrite").isEnabled());
+  }
+  dialog_->form().setKind(ExportKind::Table);
+  enter("exportColumns", "velocity,no_such_column");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(reason().contains("no_such_column")) << reason().toStdString();
+}
+
+TEST_F(ExportDialogTest, AFolderThatIsNotThereIsSaid) {
+  openDialog(ExportKind::Table);
+  dialog_->setFile(folder_.filePath("no_such_folder/curve.csv"));
+  dialog_->write();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !reason().isEmpty(); }, kLong));
+  EXPECT_TRUE(reason().contains("no_such_folder")) << reason().toStdString();
+  EXPECT_TRUE(dialog_->isVisible());
+  EXPECT_TRUE(exports_->isEmpty());
+}
+
+TEST_F(ExportDialogTest, AProgramThatCannotBeStartedIsSaid) {
+  window_.exports().setProgram("/no/such/program");
+  openDialog(ExportKind::Picture);
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(reason().contains("/no/such/program"));
+}
+
+/// Escape cancels the export first and then closes the dialog; a file of before is untouched.
+TEST_F(ExportDialogTest, ACancelledExportLeavesTheFileAsItWas) {
+  openDialog(ExportKind::Film);
+  choose("exportContent", "contact");
+  choose("exportPreset", "hd");
+  enter("exportDuration", "600");
+  const QString file = folder_.filePath("film.webp");
+  choose("exportFormat", ".webp");
+  QFile before(file);
+  ASSERT_TRUE(before.open(QIODevice::WriteOnly));
+  before.write("before");
+  before.close();
+  dialog_->setFile(file);
+  answer(QMessageBox::Yes);
+  dialog_->write();
+  EXPECT_EQ(asked_, 1);
+  QTest::qWait(500);
+  EXPECT_FALSE(dialog_->form().isEnabled());
+  dialog_->reject();
+  ASSERT_TRUE(dialog_);
+  EXPECT_TRUE(dialog_->form().isEnabled());
+  QTest::qWait(1500);
+  EXPECT_EQ(bytesOf(file), "before");
+  EXPECT_EQ(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+  dialog_->reject();
+  EXPECT_TRUE(waitFor([&] { return dialog_.isNull(); }));
+}
+
+TEST_F(ExportDialogTest, AnExistingFileIsReplacedOnlyAfterAQuestion) {
+  const QString file = folder_.filePath("curve.csv");
+  QFile before(file);
+  ASSERT_TRUE(before.open(QIODevice::WriteOnly));
+  before.write("before");
+  before.close();
+  openDialog(ExportKind::Table);
+  dialog_->setFile(file);
+  answer(QMessageBox::Cancel);
+  dialog_->write();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_EQ(bytesOf(file), "before");
+  answer(QMessageBox::Yes);
+  dialog_->write();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  EXPECT_NE(bytesOf(file), "before");
+}
+
+/// The command has to make what the window shows, whatever became of the file meanwhile.
+TEST_F(ExportDialogTest, AFileThatWasChangedMeanwhileIsNotTakenForTheScene) {
+  const QString file = folder_.filePath("mine.json");
+  ASSERT_TRUE(window_.documentCommands().saveTo(file));
+  openDialog(ExportKind::Table);
+  EXPECT_TRUE(command().contains("mine.json"));
+  Scene other = smallScene();
+  other.load.normalForce *= 3;
+  QFile changed(file);
+  ASSERT_TRUE(changed.open(QIODevice::WriteOnly));
+  changed.write(writeScene(other).c_str());
+  changed.close();
+  openDialog(ExportKind::Table);
+  EXPECT_FALSE(command().contains("mine.json"));
+  EXPECT_TRUE(command().contains("--set"));
+}
+
+TEST_F(ExportDialogTest, TheFormatIsThatOfTheFileAndTheCommandIsCopied) {
+  openDialog(ExportKind::Picture);
+  dialog_->setFile(folder_.filePath("my.results.png"));
+  choose("exportFormat", ".svg");
+  EXPECT_TRUE(dialog_->file().endsWith("my.results.svg"));
+  dialog_->form().setKind(ExportKind::Film);
+  EXPECT_TRUE(dialog_->file().endsWith("my.results.mp4"));
+  in<QPushButton>("exportCopy").click();
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), command());
+}
+
+TEST_F(ExportDialogTest, EveryControlHasANameAndFitsASmallScreen) {
+  for (const ExportKind kind : {ExportKind::Picture, ExportKind::Film, ExportKind::Table}) {
+    openDialog(kind);
+    dialog_->resize(900, 560);
+    QCoreApplication::processEvents();
+    EXPECT_LE(dialog_->minimumSizeHint().width(), 940);
+    EXPECT_LE(dialog_->minimumSizeHint().height(), 620);
+    auto* area = dialog_->findChild<QScrollArea*>();
+    EXPECT_GE(area->viewport()->width(), dialog_->form().minimumSizeHint().width());
+    for (QWidget* widget : dialog_->findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->focusPolicy() == Qt::NoFocus) continue;
+      if (!qobject_cast<QComboBox*>(widget) && !qobject_cast<QLineEdit*>(widget)) continue;
+      EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
+    }
+  }
+}
+
+TEST_F(ExportDialogTest, ClosingTheWindowEndsWhatRuns) {
+  auto window = std::make_unique<MainWindow>(smallScene());
+  window->exports().setProgram(ASPERITY_PROGRAM);
+  ExportDialog& dialog = window->exports().openDialog(ExportKind::Film);
+  dialog.setFile(folder_.filePath("film.webp"));
+  dialog.write();
+  QElapsedTimer time;
+  time.start();
+  window.reset();
+  EXPECT_LT(time.elapsed(), 3000);
+}
+
+}  // namespace
+}  // namespace asperity

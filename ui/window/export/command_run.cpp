@@ -1,0 +1,87 @@
+#include "ui/window/export/command_run.h"
+
+#include <QCoreApplication>
+#include <QProcessEnvironment>
+#include <QTimer>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPatience = 3000;  // ms, until a call that was asked to end is killed
+
+}  // namespace
+
+CommandRun::CommandRun(const QString& program, QObject* parent)
+    : QObject(parent),
+      program_(program.isEmpty() ? QCoreApplication::applicationFilePath() : program) {}
+
+CommandRun::~CommandRun() {
+  cancel();
+}
+
+void CommandRun::run(const QStringList& words, const QString& folder) {
+  cancel();
+  errors_.clear();
+  auto* process = new QProcess(this);
+  process_ = process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("ASPERITY_PROGRESS", "1");
+  process->setProcessEnvironment(environment);
+  process->setWorkingDirectory(folder);
+  process->setProgram(program_);
+  process->setArguments(words.mid(1));
+  process->setStandardInputFile(QProcess::nullDevice());
+  connect(process, &QProcess::readyReadStandardError, this, &CommandRun::readErrors);
+  connect(process, &QProcess::finished, this, [this](int status, QProcess::ExitStatus end) {
+    finish(status, end == QProcess::CrashExit);
+  });
+  connect(process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error != QProcess::FailedToStart || !process_) return;
+    process_->deleteLater();
+    process_ = nullptr;
+    emit failed(tr("The program %1 cannot be started").arg(program_));
+  });
+  process->start();
+}
+
+/// Asks the call to end, as Ctrl+C does, and does not wait for it.
+void CommandRun::cancel() {
+  QProcess* process = process_;
+  process_ = nullptr;
+  if (!process) return;
+  process->disconnect(this);
+  process->setParent(nullptr);
+  connect(process, &QProcess::finished, process, &QObject::deleteLater);
+  if (process->state() == QProcess::NotRunning) return process->deleteLater();
+  process->terminate();
+  QTimer::singleShot(kPatience, process, &QProcess::kill);
+}
+
+/// Takes whole lines: those of progress are numbers, the others say what is wrong.
+void CommandRun::readErrors() {
+  if (!process_) return;
+  errors_ += process_->readAllStandardError();
+  for (qsizetype end = 0; (end = errors_.indexOf('\n')) >= 0 && errors_.startsWith("progress ");) {
+    const QList<QByteArray> words = errors_.left(end).split(' ');
+    errors_.remove(0, end + 1);
+    if (words.size() == 3 && words[2].toDouble() > 0)
+      emit progressed(words[1].toDouble() / words[2].toDouble());
+  }
+}
+
+void CommandRun::finish(int status, bool hasCrashed) {
+  if (!process_) return;
+  readErrors();
+  QProcess* process = process_;
+  process_ = nullptr;
+  process->deleteLater();
+  if (!hasCrashed && status == 0) return emit done(process->readAllStandardOutput());
+  QString reason;
+  for (const QByteArray& line : errors_.split('\n'))
+    if (line.startsWith("asperity: ")) reason = QString::fromUtf8(line.mid(10));
+  if (reason.isEmpty()) reason = tr("The program ended without a reason");
+  emit failed(reason);
+}
+
+}  // namespace asperity

@@ -1,0 +1,331 @@
+#include "ui/window/export/export_dialog.h"
+
+#include <QClipboard>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/window/export/command_run.h"
+#include "ui/window/export/export_form.h"
+#include "ui/window/export/export_preview.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kPause = 250;            // ms without a change before the preview is requested
+constexpr double kPreview = 640;       // largest width or height of a preview, pixels
+constexpr double kLeast = 160;         // smallest side of a picture that a command draws
+constexpr double kLeastDensity = 24;   // smallest density, pixels per inch
+constexpr std::int64_t kLines = 8;     // of the curve in a preview
+constexpr int kSteps = 1000;           // of the progress bar
+constexpr qint64 kTableBytes = 16000;  // of a table that are shown
+const QString kFolder = QStringLiteral("export/folder");
+
+QString usualFolder() {
+  const QString last = QSettings().value(kFolder).toString();
+  if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
+  return QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
+}
+
+/// Returns the beginning of a table, up to the end of a line.
+QString firstLines(QFile& table) {
+  QByteArray text = table.read(kTableBytes);
+  if (!table.atEnd()) text.truncate(text.lastIndexOf('\n') + 1);
+  return QString::fromUtf8(text);
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& program,
+                           QWidget* parent)
+    : QDialog(parent),
+      subject_(std::move(subject)),
+      form_(new ExportForm(subject_.scene.sliding.kind != SlidingKind::Steady, subject_.shown)),
+      preview_(new ExportPreview),
+      file_(new QLineEdit),
+      command_(new QPlainTextEdit),
+      failure_(new QLabel),
+      progress_(new QProgressBar),
+      quiet_(new QTimer(this)),
+      previews_(new CommandRun(program, this)),
+      writing_(new CommandRun(program, this)) {
+  setObjectName("exportDialog");
+  setWindowTitle(tr("Export"));
+  form_->setKind(kind);
+
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(form_);
+  scroll->setMinimumWidth(form_->minimumWidth() + 16);
+  auto* middle = new QHBoxLayout;
+  middle->setSpacing(14);
+  middle->addWidget(scroll, 2);
+  middle->addWidget(preview_, 3);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(middle, 1);
+  column->addWidget(makeBottom());
+
+  quiet_->setSingleShot(true);
+  quiet_->setInterval(kPause);
+  connect(quiet_, &QTimer::timeout, this, &ExportDialog::requestPreview);
+  connect(form_, &ExportForm::changed, this, &ExportDialog::wishChanged);
+  connect(file_, &QLineEdit::textEdited, this, &ExportDialog::showCommand);
+  connect(previews_, &CommandRun::done, this, &ExportDialog::takePreview);
+  connect(previews_, &CommandRun::failed, this, [this](const QString& reason) {
+    showFailure(reason);
+    preview_->showWork(tr("No preview."));
+    emit previewed(false);
+  });
+  connect(writing_, &CommandRun::progressed, this, [this](double part) {
+    progress_->setRange(0, kSteps);
+    progress_->setValue(static_cast<int>(kSteps * part));
+  });
+  connect(writing_, &CommandRun::done, this, [this] {
+    showRunning(false);
+    const QString written = file();
+    emit exported(written);
+    QDialog::accept();
+  });
+  connect(writing_, &CommandRun::failed, this, [this](const QString& reason) {
+    showRunning(false);
+    showFailure(reason);
+  });
+  setFile(QDir(usualFolder()).filePath(subject_.name + form_->extension()));
+  resize(940, 620);
+  wishChanged();
+}
+
+ExportDialog::~ExportDialog() = default;
+
+/// Makes file, command, message and buttons.
+QWidget* ExportDialog::makeBottom() {
+  auto* bottom = new QWidget;
+  auto* grid = new QGridLayout(bottom);
+  grid->setContentsMargins(0, 4, 0, 0);
+  auto* fileLabel = new QLabel(tr("File &name"));
+  fileLabel->setBuddy(file_);
+  file_->setObjectName("exportFile");
+  file_->setAccessibleName(tr("file name"));
+  auto* browse = new QPushButton(tr("&Browse…"));
+  browse->setObjectName("exportBrowse");
+  browse->setAutoDefault(false);
+  connect(browse, &QPushButton::clicked, this, &ExportDialog::askFile);
+  grid->addWidget(fileLabel, 0, 0);
+  grid->addWidget(file_, 0, 1);
+  grid->addWidget(browse, 0, 2);
+
+  auto* commandLabel = new QLabel(tr("The same in a shell"));
+  commandLabel->setAlignment(Qt::AlignTop);
+  command_->setObjectName("exportCommand");
+  command_->setAccessibleName(tr("command line that writes the same file"));
+  command_->setReadOnly(true);
+  command_->setTabChangesFocus(true);
+  command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  command_->setFixedHeight(3 * QFontMetrics(command_->font()).lineSpacing() + 14);
+  auto* copy = new QPushButton(tr("&Copy"));
+  copy->setObjectName("exportCopy");
+  copy->setAutoDefault(false);
+  connect(copy, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(command_->toPlainText()); });
+  grid->addWidget(commandLabel, 1, 0);
+  grid->addWidget(command_, 1, 1);
+  grid->addWidget(copy, 1, 2, Qt::AlignTop);
+
+  failure_->setObjectName("exportFailure");
+  failure_->setWordWrap(true);
+  failure_->setTextFormat(Qt::PlainText);
+  failure_->setMinimumHeight(2 * QFontMetrics(failure_->font()).lineSpacing());
+  progress_->setObjectName("exportProgress");
+  progress_->setAccessibleName(tr("progress of the export"));
+  progress_->setTextVisible(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(failure_, 1);
+  row->addWidget(progress_, 1);
+  write_ = new QPushButton(tr("&Export"));
+  write_->setObjectName("exportWrite");
+  write_->setDefault(true);
+  connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
+  close_ = new QPushButton;
+  close_->setObjectName("exportClose");
+  close_->setAutoDefault(false);
+  connect(close_, &QPushButton::clicked, this, &ExportDialog::reject);
+  row->addWidget(write_);
+  row->addWidget(close_);
+  grid->addLayout(row, 2, 0, 1, 3);
+  showRunning(false);
+  return bottom;
+}
+
+QString ExportDialog::file() const {
+  return file_->text().trimmed();
+}
+
+void ExportDialog::setFile(const QString& file) {
+  file_->setText(file);
+  showCommand();
+}
+
+QStringList ExportDialog::words() const {
+  const QString name = file().isEmpty() ? subject_.name + form_->extension() : file();
+  return exportWords(subject_.origin, subject_.scene, form_->wish(), subject_.shown,
+                     QFileInfo(QDir(usualFolder()), name).absoluteFilePath());
+}
+
+void ExportDialog::askFile() {
+  QFileDialog dialog(this, tr("Export"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(form_->extension().mid(1));
+  dialog.setNameFilter(QStringLiteral("*") + form_->extension());
+  dialog.selectFile(file());
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  chosenFile_ = dialog.selectedFiles().front();
+  setFile(chosenFile_);
+}
+
+/// Shows the command at once; the preview waits until the user pauses.
+void ExportDialog::wishChanged() {
+  static const QStringList known{".png", ".svg",  ".pdf", ".mp4", ".webm",
+                                 ".gif", ".webp", ".csv", ".json"};
+  const QFileInfo named(file());
+  const QString last = '.' + named.suffix().toLower();
+  if (known.contains(last) && last != form_->extension())
+    file_->setText(file().chopped(last.size()) + form_->extension());
+  showCommand();
+  previews_->cancel();
+  showFailure({});
+  preview_->showWork(tr("The preview is being made…"));
+  quiet_->start();
+}
+
+void ExportDialog::showCommand() {
+  command_->setPlainText(commandText(words()));
+}
+
+// ---- Preview
+
+/// Runs the command for fewer pixels and fewer lines. A film is shown by one picture.
+void ExportDialog::requestPreview() {
+  ExportWish wish = form_->wish();
+  QString extension = form_->extension();
+  QStringList notes;
+  if (wish.kind == ExportKind::Film) {
+    wish.kind = ExportKind::Picture;
+    notes += tr("One picture of the film.");
+  }
+  if (wish.kind == ExportKind::Picture) {
+    extension = ".png";
+    if (const QSizeF pixels = form_->pixels(); !pixels.isEmpty() && !wish.size.isEmpty()) {
+      const double large = std::max(pixels.width(), pixels.height());
+      const double small = std::min(pixels.width(), pixels.height());
+      const QString given = QString(wish.scale).remove("dpi");
+      const bool isOnPaper = wish.size.contains("mm");
+      const double density = given.isEmpty() ? (isOnPaper ? 300 : 96) : given.toDouble();
+      const double factor = std::max({std::min(1.0, kPreview / large), kLeast / small,
+                                      density > 0 ? kLeastDensity / density : 1});
+      // A size that is not allowed is passed on, so that the command says what is wrong with it.
+      if (factor < 1 && large <= 16384 && density >= kLeastDensity && density <= 1536) {
+        wish.scale = QString::number(density * factor, 'g', 8) + "dpi";
+        if (!isOnPaper)
+          wish.size = QStringLiteral("%1x%2")
+                          .arg(std::lround(pixels.width() * factor))
+                          .arg(std::lround(pixels.height() * factor));
+      }
+    }
+  }
+  const bool hasCurve = wish.content == "curve" || wish.content == "both";
+  if (hasCurve && subject_.scene.ensemble.realizations > kLines) {
+    wish.further += {"--set", QStringLiteral("ensemble.realizations=%1").arg(kLines)};
+    notes += tr("The curve of the preview is the mean of %1 lines, that of the file of %2.")
+                 .arg(kLines)
+                 .arg(subject_.scene.ensemble.realizations);
+  }
+  previewNote_ = notes.join(' ');
+  previewFile_ = folder_.filePath(QStringLiteral("preview_%1%2").arg(++number_).arg(extension));
+  previews_->run(exportWords(subject_.origin, subject_.scene, wish, subject_.shown, previewFile_) +
+                     QStringList{"--threads", "1"},
+                 folder_.path());
+}
+
+void ExportDialog::takePreview() {
+  showFailure({});
+  QFile made(previewFile_);
+  if (form_->kind() == ExportKind::Table) {
+    if (made.open(QIODevice::ReadOnly)) preview_->showTable(firstLines(made), previewNote_);
+  } else {
+    preview_->showPicture(QImage(previewFile_), previewNote_);
+  }
+  made.remove();
+  emit previewed(true);
+}
+
+// ---- Writing
+
+void ExportDialog::write() {
+  const QFileInfo target(words().at(words().indexOf("-o") + 1));
+  if (target.exists() && target.absoluteFilePath() != chosenFile_) {
+    QMessageBox box(QMessageBox::Question, windowTitle(),
+                    tr("%1 exists already. Replace it?").arg(target.fileName()),
+                    QMessageBox::Yes | QMessageBox::Cancel, this);
+    box.setObjectName("replaceQuestion");
+    box.setTextFormat(Qt::PlainText);
+    box.button(QMessageBox::Yes)->setText(tr("&Replace"));
+    box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    if (box.exec() != QMessageBox::Yes) return;
+  }
+  QSettings().setValue(kFolder, target.absolutePath());
+  file_->setText(target.absoluteFilePath());
+  showCommand();
+  previews_->cancel();
+  quiet_->stop();
+  showFailure({});
+  showRunning(true);
+  writing_->run(words(), folder_.path());
+}
+
+void ExportDialog::showFailure(const QString& reason) {
+  failure_->setText(reason);
+  write_->setEnabled(reason.isEmpty() && !writing_->isRunning());
+}
+
+/// While the file is written nothing can be changed, and the button at the right cancels.
+void ExportDialog::showRunning(bool isRunning) {
+  form_->setEnabled(!isRunning);
+  file_->setEnabled(!isRunning);
+  write_->setEnabled(!isRunning);
+  progress_->setVisible(isRunning);
+  failure_->setVisible(!isRunning);
+  progress_->setRange(0, 0);
+  close_->setText(isRunning ? tr("Cance&l") : tr("Close"));
+}
+
+/// Escape first cancels the export.
+void ExportDialog::reject() {
+  if (!writing_->isRunning()) return QDialog::reject();
+  writing_->cancel();
+  showRunning(false);
+  showFailure({});
+  wishChanged();
+}
+
+}  // namespace asperity

@@ -1,0 +1,89 @@
+// The export dialog: pictures, films and tables of the scene with a preview, and the command line
+// that makes the same file. What is seen and what is written are made by that command, which runs
+// beside the window as a process of its own, so both cannot differ and a value is checked in one
+// place. GUI thread; belongs to the window. Failure: the command's sentence in the dialog.
+#pragma once
+
+#include <QDialog>
+#include <QTemporaryDir>
+
+#include "ui/window/export/asperity_command.h"
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QTimer;
+
+namespace asperity {
+
+class CommandRun;
+class ExportForm;
+class ExportPreview;
+
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// What is exported: the scene and the view when the dialog was opened.
+  struct Subject {
+    SceneOrigin origin;
+    Scene scene;
+    RenderCommandOptions shown;
+    QString name;  // proposed for the file, without an extension
+  };
+
+  /// program: what runs the commands; empty: this program.
+  ExportDialog(Subject subject, ExportKind kind, const QString& program, QWidget* parent = nullptr);
+  ~ExportDialog() override;
+
+  ExportForm& form() { return *form_; }
+  ExportPreview& preview() { return *preview_; }
+
+  /// Returns the file that is written, and sets it.
+  QString file() const;
+  void setFile(const QString& file);
+
+  /// Returns the words of the command that writes the file.
+  QStringList words() const;
+
+  /// Writes the file; exported() or an error in the dialog follows. Asks before it replaces a file
+  /// that was not chosen in the file dialog.
+  void write();
+
+ signals:
+  void exported(const QString& file);
+  /// Emitted when the preview of the newest wish is shown, or the reason why there is none.
+  void previewed(bool isGood);
+
+ public slots:
+  void reject() override;
+
+ private:
+  QWidget* makeBottom();
+  void askFile();
+  void wishChanged();
+  void showCommand();
+  void requestPreview();
+  void takePreview();
+  void showFailure(const QString& reason);
+  void showRunning(bool isRunning);
+
+  Subject subject_;
+  ExportForm* form_;
+  ExportPreview* preview_;
+  QLineEdit* file_;
+  QPlainTextEdit* command_;
+  QLabel* failure_;
+  QProgressBar* progress_;
+  QPushButton *write_, *close_;
+  QTimer* quiet_;         // until the user pauses in changing values
+  QTemporaryDir folder_;  // of previews; also where commands run
+  CommandRun *previews_, *writing_;
+  QString previewFile_, previewNote_;
+  QString chosenFile_;  // in the file dialog, which asked about replacing it
+  int number_ = 0;      // of the newest preview
+};
+
+}  // namespace asperity

@@ -1,0 +1,365 @@
+#include "ui/window/export/export_form.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include "core/chart/figure_style.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/number_text.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kScreen = 96, kPaper = 300;  // usual pixels per inch
+constexpr double kInch = 25.4;                // mm
+
+/// A size with a name. Pixels or mm.
+struct SizePreset {
+  const char* word;
+  double width, height;
+  bool isOnPaper;
+  double density;  // pixels per inch
+};
+
+constexpr const char *kUsual = "usual", *kOfStyle = "style", *kOwn = "own";
+constexpr std::array<SizePreset, 5> kSizes{{{"slide", 1280, 720, false, 96},
+                                            {"hd", 1920, 1080, false, 144},
+                                            {"4k", 3840, 2160, false, 288},
+                                            {"column", 86, 62, true, 600},
+                                            {"page", 178, 100, true, 600}}};
+
+/// Returns what a command reads where people may type a decimal comma.
+QString machineNumber(const QLineEdit& entry) {
+  return entry.text().trimmed().replace(',', '.');
+}
+
+void choose(QComboBox& box, const QString& word) {
+  if (const int index = box.findData(word); index >= 0) box.setCurrentIndex(index);
+}
+
+QString chosen(const QComboBox& box) {
+  return box.currentData().toString();
+}
+
+}  // namespace
+
+ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget* parent)
+    : QWidget(parent), isMotion_(isMotion), shown_(shown), rows_(new QFormLayout(this)) {
+  setObjectName("exportForm");
+  rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  rows_->setContentsMargins(0, 0, 6, 0);
+  kind_ = addChoice("exportKind", [] { return tr("&Kind"); });
+  kind_->addItem(tr("Picture"), "picture");
+  kind_->addItem(tr("Film"), "film");
+  kind_->addItem(tr("Table"), "table");
+  content_ = addChoice("exportContent", [] { return tr("&What"); });
+  format_ = addChoice("exportFormat", [] { return tr("&Format"); });
+  style_ = addChoice("exportStyle", [] { return tr("St&yle"); });
+  style_->addItem(tr("none"), "");
+  for (const std::string_view name : shippedStyles())
+    style_->addItem(fromUtf8(name), fromUtf8(name));
+  addSize();
+  density_ = addEntry(
+      "exportDensity", [] { return tr("&Resolution (dpi)"); },
+      [] {
+        return tr(
+            "Pixels per inch. More of them make texts and lines of a picture in pixels "
+            "larger, and a picture on paper finer.");
+      });
+  theme_ = addChoice("exportTheme", [] { return tr("&Theme"); });
+  theme_->addItem(tr("automatic"), "");
+  theme_->addItem(tr("light"), "light");
+  theme_->addItem(tr("dark"), "dark");
+  theme_->addItem(tr("print"), "print");
+  theme_->addItem(tr("paper, in light tints"), "paper");
+  transparent_ = new QCheckBox(tr("Trans&parent background"));
+  transparent_->setObjectName("exportTransparent");
+  rows_->addRow(transparent_);
+  asShown_ = new QCheckBox(tr("P&art of the line and moment as in the window"));
+  asShown_->setObjectName("exportAsShown");
+  asShown_->setChecked(true);
+  rows_->addRow(asShown_);
+  duration_ = addEntry(
+      "exportDuration", [] { return tr("&Duration (s)"); },
+      [] { return tr("Length of the film in seconds"); });
+  duration_->setText("6");
+  rate_ = addEntry(
+      "exportRate", [] { return tr("Fra&mes per s"); }, [] { return tr("0.001 to 1000"); });
+  rate_->setText("25");
+  speedRow_ = new QWidget;
+  auto* speed = new QHBoxLayout(speedRow_);
+  speed->setContentsMargins(0, 0, 0, 0);
+  speed_ = new ChoiceBox;
+  speed_->setObjectName("exportSpeed");
+  speed_->setAccessibleName(tr("speed"));
+  if (isMotion_)
+    speed_->addItem(tr("the whole motion"), "whole");
+  else
+    speed_->addItem(tr("periods of the line"), "cycles");
+  speed_->addItem(tr("times slower"), "slow");
+  speedValue_ = new QLineEdit("1");
+  speedValue_->setObjectName("exportSpeedValue");
+  speedValue_->setAccessibleName(tr("value of the speed"));
+  speedValue_->setMaximumWidth(90);
+  speed->addWidget(speedValue_);
+  speed->addWidget(speed_, 1);
+  rows_->addRow(tr("&Speed"), speedRow_);
+  columns_ = addEntry(
+      "exportColumns", [] { return tr("Co&lumns"); },
+      [] { return tr("Names of columns, separated by commas; empty: all"); });
+  columns_->setPlaceholderText(tr("all"));
+
+  fillContents();
+  choose(*theme_, shown_.dark ? "dark" : "");
+  for (QComboBox* box : {kind_, content_, format_, style_, preset_, unit_, theme_, speed_})
+    connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
+      if (isFilling_) return;
+      if (box == kind_) fillContents();
+      if (box == content_) fillFormats();
+      if (box == style_) {
+        fillSizes();
+        choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
+      }
+      if (box == preset_ || box == style_ || box == content_ || box == kind_) takePreset();
+      if (box == unit_) choose(*preset_, kOwn);
+      showRows();
+      emit changed();
+    });
+  for (QLineEdit* entry : {width_, height_})
+    connect(entry, &QLineEdit::textEdited, this, [this] { choose(*preset_, kOwn); });
+  for (QLineEdit* entry : {width_, height_, density_, duration_, rate_, speedValue_, columns_})
+    connect(entry, &QLineEdit::textEdited, this, &ExportForm::changed);
+  for (QCheckBox* box : {transparent_, asShown_})
+    connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
+  takePreset();
+  // The widest kind of export sets the width, so that nothing moves with the kind.
+  setMinimumWidth(rows_->minimumSize().width());
+  showRows();
+}
+
+QComboBox* ExportForm::addChoice(const char* name, QString (*label)()) {
+  auto* box = new ChoiceBox;
+  box->setObjectName(name);
+  rows_->addRow(label(), box);
+  box->setAccessibleName(label().remove('&'));
+  return box;
+}
+
+QLineEdit* ExportForm::addEntry(const char* name, QString (*label)(), QString (*tip)()) {
+  auto* entry = new QLineEdit;
+  entry->setObjectName(name);
+  entry->setToolTip(tip());
+  rows_->addRow(label(), entry);
+  entry->setAccessibleName(label().remove('&'));
+  entry->setAccessibleDescription(tip());
+  return entry;
+}
+
+/// Adds the named sizes, and below them width, height and unit in one row.
+void ExportForm::addSize() {
+  preset_ = addChoice("exportPreset", [] { return tr("S&ize"); });
+  size_ = new QWidget;
+  auto* row = new QHBoxLayout(size_);
+  row->setContentsMargins(0, 0, 0, 0);
+  width_ = new QLineEdit;
+  width_->setObjectName("exportWidth");
+  width_->setAccessibleName(tr("width"));
+  height_ = new QLineEdit;
+  height_->setObjectName("exportHeight");
+  height_->setAccessibleName(tr("height"));
+  unit_ = new ChoiceBox;
+  unit_->setObjectName("exportUnit");
+  unit_->setAccessibleName(tr("unit of width and height"));
+  unit_->addItem(tr("pixels"), "");
+  unit_->addItem("mm", "mm");
+  row->addWidget(width_, 1);
+  row->addWidget(new QLabel(QStringLiteral("×")));
+  row->addWidget(height_, 1);
+  row->addWidget(unit_);
+  rows_->addRow(QString(), size_);
+}
+
+void ExportForm::setKind(ExportKind kind) {
+  kind_->setCurrentIndex(static_cast<int>(kind));
+}
+
+ExportKind ExportForm::kind() const {
+  return static_cast<ExportKind>(kind_->currentIndex());
+}
+
+/// Offers what this kind can contain, first what the window shows.
+void ExportForm::fillContents() {
+  isFilling_ = true;
+  content_->clear();
+  if (kind() == ExportKind::Table) {
+    content_->addItem(tr("Friction curve"), "curve");
+    if (isMotion_) content_->addItem(tr("Motion in time"), "motion");
+    content_->addItem(tr("Contact, point by point"), "shape");
+    content_->addItem(tr("List of contacts"), "contacts");
+    if (isMotion_) choose(*content_, "motion");
+  } else {
+    content_->addItem(tr("Contact"), "contact");
+    content_->addItem(tr("Contact and friction curve"), "both");
+    if (isMotion_) content_->addItem(tr("Contact and motion in time"), "transient");
+    if (kind() == ExportKind::Picture) {
+      content_->addItem(tr("Friction curve"), "curve");
+      if (isMotion_) content_->addItem(tr("Motion in time"), "motion");
+    }
+    choose(*content_, shown_.layout);
+  }
+  isFilling_ = false;
+  fillFormats();
+}
+
+void ExportForm::fillFormats() {
+  isFilling_ = true;
+  const QString before = chosen(*format_);
+  format_->clear();
+  switch (kind()) {
+    case ExportKind::Picture:
+      format_->addItem(tr("PNG, pixels"), ".png");
+      format_->addItem(tr("SVG, vectors"), ".svg");
+      format_->addItem(tr("PDF, vectors"), ".pdf");
+      break;
+    case ExportKind::Film:
+      format_->addItem("MP4", ".mp4");
+      format_->addItem("WebM", ".webm");
+      format_->addItem(tr("GIF, animated"), ".gif");
+      format_->addItem(tr("WebP, animated"), ".webp");
+      break;
+    case ExportKind::Table:
+      format_->addItem("CSV", ".csv");
+      format_->addItem("JSON", ".json");
+      break;
+  }
+  choose(*format_, before);
+  isFilling_ = false;
+  fillSizes();
+}
+
+void ExportForm::fillSizes() {
+  isFilling_ = true;
+  const QString before = chosen(*preset_);
+  const bool isChart = chosen(*content_) == "curve" || chosen(*content_) == "motion";
+  preset_->clear();
+  preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kUsual);
+  if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
+  const QStringList names{tr("Slide, 1280 × 720"), tr("Full HD, 1920 × 1080"),
+                          tr("4K, 3840 × 2160"), tr("Column of a journal, 86 × 62 mm"),
+                          tr("Page of a journal, 178 × 100 mm")};
+  for (std::size_t i = 0; i < kSizes.size(); ++i)
+    preset_->addItem(names[static_cast<int>(i)], kSizes[i].word);
+  preset_->addItem(tr("Own size"), kOwn);
+  choose(*preset_, before);
+  isFilling_ = false;
+}
+
+/// Shows the numbers of the named size.
+void ExportForm::takePreset() {
+  const QString word = chosen(*preset_);
+  if (word == kOwn || word == kOfStyle) return;
+  SizePreset size{kUsual, 1200, 800, false, kScreen};
+  if (chosen(*content_) == "motion") size.height = 1000;
+  if (const QSize window = renderSize(shown_, chosen(*content_));
+      content_->currentData() != "curve" && content_->currentData() != "motion" &&
+      !window.isEmpty())
+    size = {kUsual, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
+  for (const SizePreset& each : kSizes)
+    if (word == each.word) size = each;
+  isFilling_ = true;
+  width_->setText(QString::number(size.width));
+  height_->setText(QString::number(size.height));
+  choose(*unit_, size.isOnPaper ? "mm" : "");
+  density_->setText(QString::number(size.density));
+  isFilling_ = false;
+}
+
+bool ExportForm::isOnPaper() const {
+  return chosen(*unit_) == "mm";
+}
+
+/// Shows the rows that have a meaning for the kind.
+void ExportForm::showRows() {
+  const bool isTable = kind() == ExportKind::Table, isFilm = kind() == ExportKind::Film;
+  const bool isOfStyle = chosen(*preset_) == kOfStyle;
+  const QString content = chosen(*content_);
+  const bool hasContact = content != "curve" && content != "motion";
+  const bool isSlow = chosen(*speed_) == "slow";
+  const auto show = [this](QWidget* field, bool isShown) {
+    // QFormLayout::setRowVisible() would move the rows below; these few do so only with the kind.
+    field->setVisible(isShown);
+    if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);
+  };
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{style_, preset_, size_, density_, theme_, transparent_})
+    show(field, !isTable);
+  for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, unit_, density_})
+    field->setEnabled(!isOfStyle);
+  show(asShown_, hasContact);
+  for (QWidget* field : std::initializer_list<QWidget*>{duration_, rate_, speedRow_})
+    show(field, isFilm);
+  duration_->setEnabled(!(isMotion_ && isSlow));
+  speedValue_->setEnabled(chosen(*speed_) != "whole");
+  show(columns_, isTable);
+}
+
+ExportWish ExportForm::wish() const {
+  ExportWish wish;
+  wish.kind = kind();
+  wish.content = chosen(*content_);
+  wish.asShown = asShown_->isChecked();
+  if (wish.kind == ExportKind::Table) {
+    wish.columns = columns_->text().simplified().remove(' ');
+    return wish;
+  }
+  wish.style = chosen(*style_);
+  wish.theme = chosen(*theme_);
+  wish.isTransparent = transparent_->isChecked();
+  if (chosen(*preset_) != kOfStyle) {
+    const QString unit = chosen(*unit_);
+    wish.size = machineNumber(*width_) + unit + 'x' + machineNumber(*height_) + unit;
+    const QString usual = QString::number(isOnPaper() ? kPaper : kScreen);
+    if (const QString density = machineNumber(*density_); density != usual || !wish.style.isEmpty())
+      wish.scale = density + QStringLiteral("dpi");
+  }
+  if (wish.kind != ExportKind::Film) return wish;
+  const bool isSlow = chosen(*speed_) == "slow";
+  if (!(isMotion_ && isSlow)) wish.duration = machineNumber(*duration_);
+  wish.framesPerSecond = machineNumber(*rate_);
+  if (isSlow) wish.slowMotion = machineNumber(*speedValue_);
+  if (chosen(*speed_) == "cycles") wish.cycles = machineNumber(*speedValue_);
+  return wish;
+}
+
+QString ExportForm::extension() const {
+  return chosen(*format_);
+}
+
+QSizeF ExportForm::pixels() const {
+  QSizeF size(machineNumber(*width_).toDouble(), machineNumber(*height_).toDouble());
+  double density = machineNumber(*density_).toDouble();
+  bool onPaper = isOnPaper();
+  if (chosen(*preset_) == kOfStyle) {
+    try {
+      const FigureStyle style = readStyle(chosen(*style_).toStdString());
+      const auto given = pictureSizeFrom(style.size);
+      if (!given) return {};
+      onPaper = given->isOnPaper();
+      size = {given->width, given->height};
+      if (onPaper) size *= kInch / given->perInch;
+      density = style.dotsPerInch > 0 ? style.dotsPerInch : kPaper;
+    } catch (const std::exception&) {
+      return {};
+    }
+  }
+  return onPaper ? size * (density / kInch) : size;
+}
+
+}  // namespace asperity

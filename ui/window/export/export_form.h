@@ -1,0 +1,60 @@
+// The controls of the export dialog: what is exported, its size and look, the time of a film. They
+// make an ExportWish; what is wrong with a value is said by the command that is run with it. GUI
+// thread; belongs to its parent.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/window/export/asperity_command.h"
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+
+namespace asperity {
+
+class ExportForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// isMotion: the scene has a motion in time. shown: as the window shows it.
+  ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget* parent = nullptr);
+
+  void setKind(ExportKind kind);
+  ExportKind kind() const;
+  ExportWish wish() const;
+
+  /// Returns the extension of the file: ".png".
+  QString extension() const;
+
+  /// Returns the width and height in pixels as far as they are known; empty where the style or the
+  /// command chooses them.
+  QSizeF pixels() const;
+
+ signals:
+  void changed();
+
+ private:
+  QComboBox* addChoice(const char* name, QString (*label)());
+  QLineEdit* addEntry(const char* name, QString (*label)(), QString (*tip)());
+  void addSize();
+  void fillContents();
+  void fillFormats();
+  void fillSizes();
+  void takePreset();
+  void showRows();
+  bool isOnPaper() const;
+
+  bool isMotion_;
+  RenderCommandOptions shown_;
+  QFormLayout* rows_;
+  QComboBox *kind_, *content_, *format_, *preset_, *unit_, *theme_, *style_, *speed_;
+  QLineEdit *width_, *height_, *density_, *duration_, *rate_, *speedValue_, *columns_;
+  QWidget *size_, *speedRow_;
+  QCheckBox *transparent_, *asShown_;
+  bool isFilling_ = false;
+};
+
+}  // namespace asperity

@@ -1,0 +1,104 @@
+#include "ui/window/export/export_preview.h"
+
+#include <QFontDatabase>
+#include <QLabel>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+#include "ui/language/language.h"
+
+namespace asperity {
+
+/// The picture in the middle, as large as fits.
+class ExportPreview::Picture : public QWidget {
+ public:
+  explicit Picture(const ExportPreview& preview) : preview_(preview) {
+    setObjectName("exportPicture");
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::AlternateBase));
+    const QImage& image = preview_.image_;
+    if (image.isNull()) return;
+    const QSizeF room = rect().adjusted(8, 8, -8, -8).size();
+    const QSizeF size = QSizeF(image.size()).scaled(room, Qt::KeepAspectRatio);
+    const QRectF place(QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())),
+                       size);
+    if (image.hasAlphaChannel()) paintChequers(painter, place);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(place, image);
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawRect(place);
+  }
+
+ private:
+  static void paintChequers(QPainter& painter, const QRectF& place) {
+    constexpr int kField = 8;  // pixels
+    painter.save();
+    painter.setClipRect(place);
+    painter.fillRect(place, Qt::white);
+    const QRect all = place.toAlignedRect();
+    for (int y = 0; y < all.height(); y += kField)
+      for (int x = (y / kField % 2) * kField; x < all.width(); x += 2 * kField)
+        painter.fillRect(all.x() + x, all.y() + y, kField, kField, QColor(0xdd, 0xdd, 0xdd));
+    painter.restore();
+  }
+
+  const ExportPreview& preview_;
+};
+
+ExportPreview::ExportPreview(QWidget* parent)
+    : QWidget(parent),
+      pages_(new QStackedLayout),
+      picture_(new Picture(*this)),
+      table_(new QPlainTextEdit),
+      note_(new QLabel) {
+  setObjectName("exportPreview");
+  table_->setObjectName("exportTableText");
+  table_->setReadOnly(true);
+  table_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  table_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  note_->setObjectName("exportNote");
+  note_->setWordWrap(true);
+  // Two lines are kept free, so that nothing moves when a note comes and goes.
+  note_->setMinimumHeight(2 * QFontMetrics(note_->font()).lineSpacing());
+  note_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  pages_->addWidget(picture_);
+  pages_->addWidget(table_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(pages_, 1);
+  column->addWidget(note_);
+  keepTranslated(*this, [this] {
+    picture_->setAccessibleName(tr("preview"));
+    table_->setAccessibleName(tr("first lines of the table"));
+  });
+}
+
+void ExportPreview::showPicture(const QImage& image, const QString& note) {
+  image_ = image;
+  pages_->setCurrentWidget(picture_);
+  picture_->update();
+  note_->setText(note);
+}
+
+void ExportPreview::showTable(const QString& text, const QString& note) {
+  table_->setPlainText(text);
+  pages_->setCurrentWidget(table_);
+  note_->setText(note);
+}
+
+void ExportPreview::showWork(const QString& note) {
+  note_->setText(note);
+}
+
+QString ExportPreview::text() const {
+  return table_->toPlainText();
+}
+
+}  // namespace asperity

@@ -1,0 +1,41 @@
+// What an export will be: a small picture, or the first lines of a table, or why there is none.
+// GUI thread; belongs to its parent.
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+class QLabel;
+class QPlainTextEdit;
+class QStackedLayout;
+
+namespace asperity {
+
+class ExportPreview : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExportPreview(QWidget* parent = nullptr);
+
+  /// Shows a picture; transparent parts are chequered. note: a line below it; may be empty.
+  void showPicture(const QImage& image, const QString& note);
+  void showTable(const QString& text, const QString& note);
+  /// Says that what is shown is not up to date.
+  void showWork(const QString& note);
+
+  const QImage& image() const { return image_; }
+  QString text() const;
+
+  QSize sizeHint() const override { return {520, 380}; }
+  QSize minimumSizeHint() const override { return {260, 200}; }
+
+ private:
+  class Picture;
+  QImage image_;
+  QStackedLayout* pages_;
+  Picture* picture_;
+  QPlainTextEdit* table_;
+  QLabel* note_;
+};
+
+}  // namespace asperity

@@ -1,0 +1,52 @@
+// The page of the shipped scenes: a filter, and below it a card with a picture for each scene, by
+// chapter. It is the first page of a first start. It replaces the views in the main window, which
+// owns it. GUI thread. Failure: a scene whose picture cannot be drawn has none.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/draw/theme.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace asperity {
+
+class CardList;
+class SceneThumbnails;
+
+class SceneGallery : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneGallery(QWidget* parent = nullptr);
+
+  /// Makes the card of this scene the current one; an unknown name leaves it.
+  void choose(const QString& scene);
+  void setTheme(const Theme& theme);
+
+  CardList& cards() { return *cards_; }
+  SceneThumbnails& thumbnails() { return *thumbnails_; }
+
+ signals:
+  /// Emitted with the name of a shipped scene that the user chose.
+  void chosen(const QString& scene);
+  void closed();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeHeading();
+  void showCards();
+  void showTexts();
+  void leave();
+
+  SceneThumbnails* thumbnails_;
+  QLabel *title_ = nullptr, *none_ = nullptr;
+  QLineEdit* filter_ = nullptr;
+  CardList* cards_ = nullptr;
+};
+
+}  // namespace asperity

@@ -1,0 +1,66 @@
+// The pictures of the gallery: drawn in the background, one at a time, and kept as PNG files in the
+// user's cache, named by the content of the scene, the theme and the program. Owned by the gallery;
+// GUI thread. Failure: a scene without a picture; a cache that cannot be read or written is passed
+// over.
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QPixmap>
+#include <deque>
+#include <functional>
+
+#include "core/scene/scene.h"
+#include "ui/draw/theme.h"
+#include "ui/window/gallery/scene_cards.h"
+#include "ui/window/tasks/background_work.h"
+
+namespace asperity {
+
+class SceneThumbnails : public QObject {
+  Q_OBJECT
+
+ public:
+  using Drawing =
+      std::function<QImage(const Scene&, SceneView, const Theme&, const std::stop_token&)>;
+
+  /// draw: what makes a picture (drawScenePicture). folder: of the cache; empty: the user's.
+  explicit SceneThumbnails(Drawing draw, const QString& folder = {}, QObject* parent = nullptr);
+
+  /// Begins with the pictures of this theme; those of another theme stay until they are replaced.
+  void setTheme(const Theme& theme);
+
+  /// Returns the picture of a shipped scene; null before changed() was emitted for it. The first
+  /// call requests it.
+  QPixmap picture(const QString& scene);
+
+  /// Requests all further pictures after the present ones.
+  void requestAll();
+
+  /// Returns whether pictures are still to come.
+  bool isWorking() const { return isDrawing_; }
+
+ signals:
+  void changed(const QString& scene);
+
+ private:
+  void request(const QString& scene);
+  void drawNext();
+
+  const Drawing draw_;
+  const QString folder_;
+  Theme theme_ = lightTheme();
+  QHash<QString, QPixmap> pictures_;
+  QSet<QString> requested_;      // in this theme
+  std::deque<QString> waiting_;  // the newest first
+  bool isDrawing_ = false;
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
+};
+
+/// Returns the name of a picture's file in the cache: a digest of all that shapes it.
+QString thumbnailName(const Scene& scene, SceneView view, const Theme& theme);
+
+/// Returns the folder of pictures in the user's cache.
+QString thumbnailFolder();
+
+}  // namespace asperity

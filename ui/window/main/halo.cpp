@@ -1,0 +1,98 @@
+#include "ui/window/main/halo.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QScrollArea>
+
+namespace asperity {
+
+namespace {
+
+constexpr int kRoom = 5;        // pixels between the control and the outer edge of the frame
+constexpr double kWidth = 2.5;  // of the line, pixels
+constexpr double kCorner = 7;   // radius, pixels
+
+QScrollArea* scrollAreaAround(QWidget& control) {
+  for (QWidget* each = control.parentWidget(); each; each = each->parentWidget())
+    if (auto* area = qobject_cast<QScrollArea*>(each)) return area;
+  return nullptr;
+}
+
+}  // namespace
+
+Halo::Halo(QWidget& window) : QWidget(&window), window_(window) {
+  setObjectName("halo");
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+  hide();
+}
+
+void Halo::surround(QWidget* control) {
+  for (const QPointer<QWidget>& widget : watched_)
+    if (widget) widget->removeEventFilter(this);
+  watched_.clear();
+  control_ = control;
+  for (QWidget* each = control; each && each != &window_; each = each->parentWidget()) {
+    each->installEventFilter(this);
+    watched_.emplace_back(each);
+  }
+  window_.removeEventFilter(this);
+  if (control) {
+    window_.installEventFilter(this);
+    if (QScrollArea* area = scrollAreaAround(*control)) area->ensureWidgetVisible(control);
+  }
+  follow();
+}
+
+/// Places of several widgets may change one after the other; the frame moves once, afterwards.
+bool Halo::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Move:
+    case QEvent::Resize:
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::ParentChange:
+      QMetaObject::invokeMethod(
+          this, [this] { follow(); }, Qt::QueuedConnection);
+      break;
+    default:
+      break;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+/// Returns the part of the control that nothing around it cuts off, in pixels of the window.
+QRect Halo::visiblePart() const {
+  QRect part(control_->mapTo(&window_, QPoint()), control_->size());
+  for (QWidget* each = control_->parentWidget(); each && each != &window_;
+       each = each->parentWidget())
+    part &= QRect(each->mapTo(&window_, QPoint()), each->size());
+  return part;
+}
+
+void Halo::follow() {
+  // A panel that floats is a window of its own.
+  const bool isHere = control_ && control_->window() == &window_ && control_->isVisible();
+  const QRect part = isHere ? visiblePart() : QRect();
+  setVisible(!part.isEmpty());
+  if (part.isEmpty()) return;
+  setGeometry(part.adjusted(-kRoom, -kRoom, kRoom, kRoom) & window_.rect());
+  raise();
+  update();
+}
+
+void Halo::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor colour = palette().color(QPalette::Highlight);
+  const QRectF line = QRectF(rect()).adjusted(kWidth, kWidth, -kWidth, -kWidth);
+  QColor glow = colour;
+  glow.setAlphaF(0.25F);
+  painter.setPen(QPen(glow, 2 * kWidth));
+  painter.drawRoundedRect(line, kCorner, kCorner);
+  painter.setPen(QPen(colour, kWidth));
+  painter.drawRoundedRect(line, kCorner, kCorner);
+}
+
+}  // namespace asperity

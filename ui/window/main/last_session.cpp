@@ -1,0 +1,116 @@
+#include "ui/window/main/last_session.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+
+#include "core/base/input_error.h"
+#include "core/scene/scene_file.h"
+#include "ui/language/translated.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/main/main_window.h"
+#include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
+#include "ui/window/main/scene_tabs.h"
+#include "ui/window/main/status_line.h"
+
+namespace asperity {
+
+namespace {
+
+struct LastSessionText {
+  Q_DECLARE_TR_FUNCTIONS(asperity::LastSessionText)
+};
+
+const QString kGroup = QStringLiteral("lastSession");
+
+/// Returns where the scene came from, read again; an unknown origin where it is gone.
+SceneOrigin originFrom(const QString& shipped, const QString& file) {
+  const std::vector<LibraryScene>& library = libraryScenes();
+  if (const auto found = std::ranges::find(library, shipped, &LibraryScene::name);
+      !shipped.isEmpty() && found != library.end())
+    return {shipped, {}, found->scene};
+  if (!file.isEmpty() && QFileInfo(file).isFile())
+    return {{}, file, readSceneFile(file.toStdString())};
+  return {};
+}
+
+/// Throws InputError where a file is gone that the scene reads only when it runs.
+void checkFiles(const Scene& scene) {
+  if (!hasSurfaceFile(scene.surface)) return;
+  const std::filesystem::path file = scene.folder / scene.surface.file;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) throw InputError(file.string(), "", "is not there");
+}
+
+/// Reads the scene. Throws InputError or std::exception where it cannot be read.
+SceneState lastScene(const QSettings& settings) {
+  SceneState state;
+  state.origin =
+      originFrom(settings.value("shipped").toString(), settings.value("file").toString());
+  const bool isKnown = state.origin.isKnown();
+  if (isKnown && !settings.value("isChanged").toBool()) {
+    state.scene = state.origin.scene;
+  } else {
+    std::filesystem::path folder = settings.value("folder").toString().toStdString();
+    if (isKnown) folder = state.origin.scene.folder;
+    state.scene = readScene(settings.value("scene").toString().toStdString(), {}, folder);
+    if (!isKnown) state.origin.scene = state.scene;
+  }
+  checkFiles(state.scene);
+  return state;
+}
+
+void restoreView(ContactCanvas& canvas, const QSettings& settings) {
+  canvas.setNavigation(ViewNavigation::fromText(settings.value("view").toString().toStdString()));
+  const std::string word = settings.value("overlay").toString().toStdString();
+  for (const ContactOverlay overlay : {ContactOverlay::None, ContactOverlay::Pressure,
+                                       ContactOverlay::Relaxation, ContactOverlay::Power})
+    if (wordFor(overlay) == word) canvas.setOverlay(overlay);
+}
+
+}  // namespace
+
+void saveLastSession(MainWindow& window) {
+  const SceneDocument& document = window.document();
+  const SceneOrigin& origin = document.origin();
+  const bool isDiscarded = SceneState{origin, document.scene()}.isUnsavedFile();
+  const Scene& scene = isDiscarded ? origin.scene : document.scene();
+  QSettings settings;
+  settings.beginGroup(kGroup);
+  settings.setValue("scene", QString::fromStdString(writeScene(scene)));
+  settings.setValue("isChanged", !(scene == origin.scene));
+  settings.setValue(
+      "folder", QString::fromStdString((std::filesystem::current_path() / scene.folder).string()));
+  settings.setValue("shipped", origin.shipped);
+  settings.setValue("file",
+                    origin.file.isEmpty() ? QString() : QFileInfo(origin.file).absoluteFilePath());
+  const ContactViewer& viewer = window.canvas().viewer();
+  settings.setValue("view", QString::fromStdString(viewer.navigation().toText()));
+  settings.setValue("overlay", QString::fromUtf8(wordFor(viewer.overlay()).data()));
+  settings.setValue("tab", window.tabs().currentWidget()->objectName());
+}
+
+LastSession restoreLastSession(MainWindow& window, bool hasScene) {
+  QSettings settings;
+  settings.beginGroup(kGroup);
+  if (!settings.contains("scene")) return LastSession::None;
+  LastSession answer = LastSession::Restored;
+  if (!hasScene) {
+    try {
+      window.document().begin(lastScene(settings));
+      restoreView(window.canvas(), settings);
+    } catch (const std::exception& error) {
+      answer = LastSession::Broken;
+      window.status().say(LastSessionText::tr("The scene of last time cannot be shown: %1")
+                              .arg(translatedError(error)));
+    }
+  }
+  window.tabs().bringToFront(settings.value("tab").toString());
+  return answer;
+}
+
+}  // namespace asperity
