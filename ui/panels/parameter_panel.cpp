@@ -278,9 +278,9 @@ RowAccess ParameterPanel::accessOf(std::string_view key) const {
   }
 }
 
-bool ParameterPanel::isNamedFree(std::string_view key) const {
+bool ParameterPanel::isNamed(std::string_view key) const {
   const auto found = access_.find(std::string(key));
-  return found != access_.end() && found->second == RowAccess::Free;
+  return found != access_.end() && found->second != RowAccess::Hidden;
 }
 
 /// Shows and hides rows and headings.
@@ -302,7 +302,7 @@ void ParameterPanel::arrange() {
       if (!isFiltered)
         isWanted = isWhole
                        ? isOpen
-                       : std::ranges::find(essentials, key) != essentials.end() || isNamedFree(key);
+                       : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
       const bool isNeeded = row->hasRemark() || fromUtf8(key) == revealed_;
       const bool isSeen = isPossible && (isWanted || isNeeded);
       row->setVisible(isSeen);

@@ -82,7 +82,7 @@ class ParameterPanel : public QWidget {
 
   /// Sets what a user may do with rows: by key ("load.normal_force"), by section ("load") or for
   /// all others ("*"). The longest name counts; rows without one are free. A row that is named as
-  /// free is visible among the essential ones, too. An empty map frees everything.
+  /// free or locked is visible among the essential ones, too. An empty map frees everything.
   void setRowAccess(const std::map<std::string, RowAccess>& access);
 
   /// Shows each note as a warning at the row it is about, until the next call. The notes belong to
@@ -137,7 +137,7 @@ class ParameterPanel : public QWidget {
   void arrange();
   bool showsAll() const;
   RowAccess accessOf(std::string_view key) const;
-  bool isNamedFree(std::string_view key) const;
+  bool isNamed(std::string_view key) const;
   void showMissing();
   void chooseFile(ParameterRow& row);
   void showTexts();

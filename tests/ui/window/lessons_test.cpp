@@ -241,6 +241,20 @@ TEST_F(LessonsTest, GoesForwardAndBackByKeys) {
   EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
 }
 
+TEST_F(LessonsTest, AStepBringsItsTabToTheFront) {
+  const std::pair<const char*, const char*> tabs[] = {
+      {"curve", "frictionPlot"},    {"spectrum", "spectrumView"},  {"statistics", "statisticsView"},
+      {"material", "materialView"}, {"accuracy", "accuracyPanel"}, {"plan", "planList"},
+      {"map", "mapPanel"}};
+  for (const auto& [word, name] : tabs) {
+    Json json = sampleLesson();
+    json["steps"] = Json::array({json["steps"][0]});
+    json["steps"][0]["show"]["tab"] = word;
+    lessons().start(lessonOf(json));
+    EXPECT_EQ(window_.tabs().currentWidget()->objectName(), name);
+  }
+}
+
 TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   action("lessons").trigger();
   auto& list = control<LessonList>("lessonList");

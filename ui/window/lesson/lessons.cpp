@@ -207,8 +207,8 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   const auto shownNow = [this] {
     LessonStep step;
     step.scene = step.revealedScene = withWholePaths(parts_.document.scene());
-    step.show.tab = std::string(kLessonTabs[static_cast<std::size_t>(
-        std::clamp(parts_.tabs.currentIndex(), 0, static_cast<int>(std::size(kLessonTabs)) - 1))]);
+    const auto tab = static_cast<std::size_t>(std::max(0, parts_.tabs.currentIndex()));
+    if (tab < std::size(kLessonTabs)) step.show.tab = kLessonTabs[tab];
     step.show.quantity = std::string(entryOf(parts_.session.friction().quantity()).word.text());
     return step;
   };
@@ -236,10 +236,7 @@ void Lessons::start(const Lesson& lesson, int step) {
   if (lesson.steps.empty()) return;
   end();
   parts_.document.endTrial();  // of the tour
-  Before before{{},
-                parts_.session.friction().quantity(),
-                parts_.tabs.currentIndex(),
-                false};
+  Before before{{}, parts_.session.friction().quantity(), parts_.tabs.currentIndex(), false};
   for (const PinnedCurve& pinned : parts_.session.friction().pinned())
     before.pinned.push_back(pinned.curve);
   if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) {
