@@ -123,6 +123,7 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
 
 void PictureComposer::checkStrips(const Scene& scene) {
   if (content_.layout != PictureLayout::Transient) return;
+  if (settings_.isOnPaper) return growFor(styled(transientSheet(scene, {}, 0, 0), settings_.style));
   const auto hasRoom = [&](int height) {
     const DiagramSheet strips =
         withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
@@ -136,10 +137,6 @@ void PictureComposer::checkStrips(const Scene& scene) {
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
   const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
-  if (settings_.isOnPaper) {
-    settings_.height = least;
-    return;
-  }
   throw InputError("", "--size",
                    message("{} leaves no room for the strips over time; {}x{} does", given,
                            settings_.width, least));
@@ -153,7 +150,11 @@ void PictureComposer::checkRoom(const Scene& scene) {
   if (layout == PictureLayout::Both) sheet.title = {};
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
-  if (!settings_.isOnPaper) return;
+  if (settings_.isOnPaper) growFor(sheet);
+}
+
+void PictureComposer::growFor(const DiagramSheet& sheet) {
+  const int above = content_.layout == PictureLayout::Curve ? 0 : contactHeight();
   DiagramOptions options = optionsFor(settings_.height - above, 0);
   if (above > 0) options.above = FrameAbove{};
   const double part = 1 - static_cast<double>(above) / settings_.height;

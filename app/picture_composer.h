@@ -52,6 +52,8 @@ class PictureComposer {
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene);
+  /// Makes a picture on paper as high as the sheet of its chart needs.
+  void growFor(const DiagramSheet& sheet);
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureSettings settings_;
