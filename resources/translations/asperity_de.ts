@@ -1342,6 +1342,14 @@
         <source>&amp;Speed</source>
         <translation>Tem&amp;po</translation>
     </message>
+    <message>
+        <source>&amp;Other options</source>
+        <translation>Weitere Opti&amp;onen</translation>
+    </message>
+    <message>
+        <source>Any other options of the command, such as --font-size 9 --title none; asperity render --help lists them</source>
+        <translation>Alle weiteren Optionen des Befehls, etwa --font-size 9 --title none; asperity render --help nennt sie</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
