@@ -131,6 +131,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
     layout->addWidget(bar_);
     connect(bar_, &PanelBar::changed, this, [this] {
       scroll_->verticalScrollBar()->setValue(0);
+      revealed_.clear();
       arrange();
       emit viewChanged();
     });
@@ -222,6 +223,7 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
   connect(row, &ParameterRow::textGiven, this,
           [this, row](const QString& text) { takeText(*row, text); });
   connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
+  connect(row, &ParameterRow::guideWanted, this, &ParameterPanel::guideWanted);
   return *row;
 }
 

@@ -110,6 +110,8 @@ class ParameterPanel : public QWidget {
   /// Emitted where the user wants to open a measured surface, or a material, for this scene.
   void surfaceWanted(const asperity::Scene& scene);
   void materialWanted(const asperity::Scene& scene);
+  /// Emitted where the user wants to read about a parameter, at this place of the guide.
+  void guideWanted(const QString& anchor);
   /// Emitted where the user chose other rows, or folded a section.
   void viewChanged();
 
@@ -154,7 +156,7 @@ class ParameterPanel : public QWidget {
   std::vector<Section> sections_;
   std::map<std::string, RowAccess> access_;
   NoteSet notes_;
-  QString revealed_;  // key of a row that stays visible while it has the focus
+  QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
   QLabel* nothing_;   // where no row passes the filter
   QScrollArea* scroll_;

@@ -77,7 +77,7 @@ class StatusLine : public QWidget {
   void showNotes(const NoteSet& notes);
   void addWork(QHBoxLayout& line);
   void pressed();
-  void fallSilent();
+  void keepRooms();
   void fitFacts();
 
   Work work_;
