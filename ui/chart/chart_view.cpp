@@ -487,16 +487,13 @@ QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
     const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
     QStringList lines{QString::fromStdString(span.label.text)};
     const auto explanation = explanationAt(target, place);
-    if (explanation && !explanation->formula.empty())
-      lines += QString::fromUtf8(explanation->formula.data(),
-                                 static_cast<qsizetype>(explanation->formula.size()));
+    if (explanation && !explanation->formula.empty()) lines += formulaText(explanation->formula);
     for (const Message& note : span.notes) lines += QString::fromStdString(note.text);
     return lines.join('\n');
   }
   if (const auto explanation = explanationAt(target, place))
-    return QString::fromUtf8(explanation->formula.data(),
-                             static_cast<qsizetype>(explanation->formula.size())) +
-           '\n' + translatedText(Message(explanation->sentence));
+    return formulaText(explanation->formula) + '\n' +
+           translatedText(Message(explanation->sentence));
   return place.y() > frames_.back().area.bottom() ? panels_.back()->cutTitle() : QString();
 }
 

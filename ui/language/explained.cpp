@@ -15,6 +15,13 @@ QString formulaHtml(std::string_view formula) {
   return text.replace(raised, QStringLiteral("<sup>\\1\\2</sup>"));
 }
 
+QString formulaText(std::string_view formula) {
+  QString text = QString::fromUtf8(formula.data(), static_cast<qsizetype>(formula.size()));
+  static const QRegularExpression low(QStringLiteral("_(\\p{L}[\\p{L}\\d]*|∞)"));
+  text.replace(QStringLiteral("_N"), QStringLiteral("ₙ"));
+  return text.replace(low, QStringLiteral("(\\1)"));
+}
+
 QString explanationHtml(const Explanation& explanation, const QString& title) {
   QString text;
   if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";

@@ -154,12 +154,9 @@ void ParameterPanel::setScene(const Scene& scene) {
   passedOn_ = scene;
   sizes_ = KeptSizes(scene.surface);
   complaints_.clear();
-  notes_ = {};
   followAxis();
-  for (ParameterRow* row : std::as_const(rows_)) {
-    row->showWarning({});
-    row->showScene(scene_, line_, true);
-  }
+  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
+  showNotes(notes_);
   showMissing();
 }
 
@@ -242,7 +239,7 @@ void ParameterPanel::showTexts() {
 // ---- Which rows are seen
 
 PanelView ParameterPanel::defaultView() {
-  return {false, {"interface", "sweep", "accuracy", "comparison", "texts"}};
+  return {false, {"interface", "sweep", "accuracy", "texts", "comparison"}};
 }
 
 PanelView ParameterPanel::view() const {

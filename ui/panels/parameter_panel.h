@@ -85,8 +85,7 @@ class ParameterPanel : public QWidget {
   /// free is visible among the essential ones, too. An empty map frees everything.
   void setRowAccess(const std::map<std::string, RowAccess>& access);
 
-  /// Shows each note as a warning at the row it is about, until the next call. The notes belong to
-  /// the scene of the panel.
+  /// Shows each note as a warning at the row it is about, until the next call.
   void showNotes(const NoteSet& notes);
 
   /// Shows a row, whatever is folded or filtered, and gives it the focus. Unknown keys are ignored.

@@ -11,6 +11,7 @@
 #include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
 #include "ui/chart/friction_chart_model.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
@@ -104,11 +105,7 @@ AxisChoosers::AxisChoosers(Session& session, ChartView& view, CurveCommands& com
 
 void AxisChoosers::showTexts() {
   x_->setAccessibleName(tr("horizontal axis"));
-  x_->setToolTip(
-      tr("What the curve goes over: any number that changes friction in this scene. The "
-         "marker then sets it."));
   y_->setAccessibleName(tr("vertical axis"));
-  y_->setToolTip(tr("What the curve shows"));
   for (AxisBox* box : {x_, y_}) box->view()->setAccessibleName(box->accessibleName());
   fillKeys();
   fillQuantities();
@@ -140,6 +137,23 @@ void AxisChoosers::fillQuantities() {
   follow();
 }
 
+/// Says under the pointer what each axis shows.
+void AxisChoosers::explain() {
+  const bool isPlain = !commands_.hasDimensionlessAxes();
+  const auto tip = [](std::string_view id, const QString& hint) {
+    const auto explanation = explanationOf(id);
+    return (explanation ? explanationHtml(*explanation) : QString()) + "<p><small>" +
+           hint.toHtmlEscaped() + "</small></p>";
+  };
+  x_->setToolTip(
+      tip(isPlain ? std::string_view(session_.scene().sweep.key) : "dimensionless_velocity",
+          tr("What the curve goes over: any number that changes friction in this scene. "
+             "The marker then sets it.")));
+  y_->setToolTip(tip(
+      isPlain ? std::string_view(entryOf(session_.friction().quantity()).word) : "normalized_mu",
+      tr("What the curve shows")));
+}
+
 /// Selects what is shown.
 void AxisChoosers::follow() {
   const QSignalBlocker silentX(x_), silentY(y_);
@@ -148,6 +162,7 @@ void AxisChoosers::follow() {
   x_->setCurrentIndex(x_->findData(isPlain ? key : kDimensionless));
   const auto quantity = static_cast<int>(session_.friction().quantity());
   y_->setCurrentIndex(y_->findData(isPlain ? QVariant(quantity) : QVariant(kDimensionless)));
+  explain();
 }
 
 }  // namespace asperity

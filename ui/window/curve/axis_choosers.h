@@ -24,6 +24,7 @@ class AxisChoosers : public QObject {
   void fillKeys();
   void fillQuantities();
   void follow();
+  void explain();
   void showTexts();
   void showTitles(const QString& x, const QString& y);
 

@@ -258,6 +258,7 @@ void MainWindow::connectScene() {
           [this](const Scene& scene, SceneChange change) {
             const bool isOpened = change == SceneChange::Opened;
             if (isOpened) described_.reset();
+            if (isOpened) panel_->showNotes({});
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene, isOpened ? Session::Begin::Opened : Session::Begin::GoesOn);

@@ -216,8 +216,9 @@ void StatusLine::keepRooms() {
                   .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
   force_->setMinimumWidth(widthOf(tr("force F̄ = %1").arg(number)));
   velocity_->setMinimumWidth(widthOf(tr("velocity v̄ = %1").arg(number)));
-  simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(880000))));
-  simulations_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(8800000))));
+  rate_->setMinimumWidth(widthOf(tr("%1 frames/s").arg(888)));
+  for (QLabel* fact : {simulations_, rate_}) fact->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   int widest = 0;
   for (const char* name : {"I", "II", "III", "IV"})
     widest = std::max(widest, widthOf(regionText(name)));
@@ -304,6 +305,7 @@ void StatusLine::showWork(const Work& work) {
 }
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
+  hasRegions_ = frame.scene->sweep.isOfVelocity();
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
@@ -350,7 +352,7 @@ void StatusLine::fitFacts() {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
     // Those that come with the work have their room while they say nothing.
-    const bool keepsRoom = fact == simulations_ || fact == regime_;
+    const bool keepsRoom = fact == simulations_ || (fact == regime_ && hasRegions_);
     if ((fact->text().isEmpty() && !keepsRoom) || isSaidOver) {
       fact->hide();
       continue;

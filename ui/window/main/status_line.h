@@ -82,6 +82,7 @@ class StatusLine : public QWidget {
 
   Work work_;
   int framesPerSecond_ = 0;
+  bool hasRegions_ = true;  // the curve goes over velocity
   ElidedLabel* said_;
   QTimer* silence_;
   QLabel* regime_;
