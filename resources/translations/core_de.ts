@@ -2163,8 +2163,8 @@
         <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ</translation>
     </message>
     <message>
-        <source>friction F_x/F_N</source>
-        <translation>Reibung F_x/F_N</translation>
+        <source>friction μ, signed</source>
+        <translation>Reibung μ mit Vorzeichen</translation>
     </message>
     <message>
         <source>friction μ, deformation alone</source>
