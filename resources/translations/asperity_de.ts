@@ -2814,6 +2814,10 @@
         <source>in contact %1 %</source>
         <translation>in Kontakt %1 %</translation>
     </message>
+    <message>
+        <source>normal force %1</source>
+        <translation>Normalkraft %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PairEditor</name>

@@ -5439,8 +5439,8 @@
         <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
     </message>
     <message>
-        <source>friction F_x/F_N</source>
-        <translation>Reibung F_x/F_N</translation>
+        <source>friction μ, signed</source>
+        <translation>Reibung μ mit Vorzeichen</translation>
     </message>
 </context>
 <context>
