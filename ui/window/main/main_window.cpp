@@ -259,7 +259,7 @@ void MainWindow::buildCommands() {
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
                   {Qt::Key_F1, Qt::Key_Question}});
-  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide(); }});
+  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide({}); }});
   commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {QKeySequence::Quit}});
   const auto run = [this](std::function<void()> work, std::function<void()> done) {
@@ -268,6 +268,8 @@ void MainWindow::buildCommands() {
   curveCommands_ = new CurveCommands(*session_, tabs_->plot(), run, this);
   exports_->setCurves(*curveCommands_);
   new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
+  connect(curveCommands_, &CurveCommands::guideWanted, this, &MainWindow::openGuide);
+  connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
 }
 
 // ---- Connections: whatever changes the scene changes the document, which informs all parts
