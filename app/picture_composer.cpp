@@ -109,6 +109,7 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
 }
 
 int PictureComposer::contactHeight() const {
+  if (above_) return *above_;
   const bool hasDifference = content_.layout == PictureLayout::Both && content_.curves.difference;
   return static_cast<int>(
       std::lround((hasDifference ? kContactPartOfThree : kContactPart) * settings_.height));
@@ -157,8 +158,8 @@ void PictureComposer::growFor(const DiagramSheet& sheet) {
   const int above = content_.layout == PictureLayout::Curve ? 0 : contactHeight();
   DiagramOptions options = optionsFor(settings_.height - above, 0);
   if (above > 0) options.above = FrameAbove{};
-  const double part = 1 - static_cast<double>(above) / settings_.height;
-  settings_.height = static_cast<int>(std::ceil(heightInPrint(sheet, options) / part));
+  settings_.height = above + heightInPrint(sheet, options);
+  if (above > 0) above_ = above;  // the contact does not grow with its chart
 }
 
 ContactPictureOptions PictureComposer::contactOptions(int height) const {

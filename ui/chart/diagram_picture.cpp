@@ -453,6 +453,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
 }
 
 int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
+  if (english.diagrams.size() < 2) return asked.height;
   const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   // Steps of half a letter, to three times the width, which is more than a page.
