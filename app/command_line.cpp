@@ -222,16 +222,19 @@ class CommandLine {
                      "d ln mu / d ln x")
         ->capture_default_str();
     addOutputs(command, map_.outputs,
-               "FILE.csv (one row a cell, x fastest), .json, .png, .svg or .pdf; may be repeated "
+               "FILE.csv (one row a cell, x fastest), .json, .png, .svg, .pdf, .eps or .tif; may "
+               "be repeated "
                "(default: CSV to standard output)");
     addPictureOptions(*command, map_.picture, "1200x900", "print", FigurePart::Chart);
+    addColumnChoice(command, map_.columns);
   }
   void addSensitivity() {
     CLI::App* command =
         addCommand("sensitivity", "How much friction changes with each parameter of a scene",
                    sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
     addOutputs(command, sensitivity_.outputs,
-               "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: a table for people "
+               "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
+               "for people "
                "to standard output)");
     addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
   }
@@ -240,7 +243,8 @@ class CommandLine {
         "cutoff", "Friction against the short-wave cut-off: which waves of the line make it",
         cutoff_.common, [this] { return runCutoff(cutoff_); });
     addOutputs(command, cutoff_.outputs,
-               "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: CSV to standard "
+               "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: CSV to "
+               "standard "
                "output)");
     addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
   }
@@ -271,7 +275,8 @@ class CommandLine {
                                    render_.common, [this] { return runRender(render_); });
     command
         ->add_option("-o,--output", render_.output,
-                     "FILE.png, .svg or .pdf for one picture; FILE.mp4, .webm, .gif or .webp for a "
+                     "FILE.png, .svg, .pdf, .eps or .tif for one picture; FILE.mp4, .webm, .gif or "
+                     ".webp for a "
                      "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
                      "standard output) for a table of the contact")
         ->required();
@@ -327,7 +332,7 @@ class CommandLine {
     addOutputs(
         command, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
-        "FILE.png, .svg or .pdf; - is CSV to standard output; may repeat");
+        "FILE.png, .svg, .pdf, .eps or .tif; - is CSV to standard output; may repeat");
     command
         ->add_option("--table", surface_.table,
                      "Of .csv: line (position, height), spectrum, or statistics")
@@ -361,6 +366,7 @@ class CommandLine {
     command->add_flag("--no-profiles", fit_.withoutProfiles,
                       "Leave out the profiles of the objective, which take most of the time");
     addPictureOptions(*command, fit_.picture, "1200x900", "print", FigurePart::Curve);
+    addColumnChoice(command, fit_.columns);
   }
   void addMaterial() {
     CLI::App* command = app_.add_subcommand(
@@ -435,6 +441,7 @@ class CommandLine {
     command->add_option("--source", material.source,
                         "Where the numbers come from, kept in material.json");
     addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
+    addColumnChoice(command, material.tableColumns);
     addShared(*command, material.common);
     command->callback([this, fit = std::move(fit)] {
       for (const CLI::Option* option : fit)
@@ -462,6 +469,7 @@ class CommandLine {
                    ->capture_default_str(),
                1, 1000000);
     addPictureOptions(*command, figure_.picture, "that of the figure", "print", FigurePart::Curve);
+    addColumnChoice(command, figure_.columns);
     addShared(*command, figure_.common);
     command->footer("Figures:\n" + words);
     command->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
@@ -502,7 +510,8 @@ class CommandLine {
     command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     command->add_flag("--contact-sheet", batch_.contactSheet,
                       "Make contact sheets of more than 100 scenes, too");
-    addPictureOptions(*command, batch_.picture, "the batch's", "light");
+    addPictureOptions(*command, batch_.picture, "the batch's", "light", FigurePart::Curve);
+    addColumnChoice(command, batch_.columns);
     addShared(*command, batch_.common);
     command->remove_option(
         command->get_option("--set"));  // each entry of the batch has its own "set"
@@ -570,6 +579,7 @@ class CommandLine {
         ->required();
     addPictureOptions(*command, accuracy_.picture, "that of the diagrams", "print",
                       FigurePart::Chart);
+    addColumnChoice(command, accuracy_.columns);
   }
   void addExplain() {
     CLI::App* command = addCommand(

@@ -109,6 +109,7 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
 }
 
 int PictureComposer::contactHeight() const {
+  if (above_) return *above_;
   const bool hasDifference = content_.layout == PictureLayout::Both && content_.curves.difference;
   return static_cast<int>(
       std::lround((hasDifference ? kContactPartOfThree : kContactPart) * settings_.height));
@@ -123,6 +124,7 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
 
 void PictureComposer::checkStrips(const Scene& scene) {
   if (content_.layout != PictureLayout::Transient) return;
+  if (settings_.isOnPaper) return growFor(styled(transientSheet(scene, {}, 0, 0), settings_.style));
   const auto hasRoom = [&](int height) {
     const DiagramSheet strips =
         withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
@@ -136,10 +138,6 @@ void PictureComposer::checkStrips(const Scene& scene) {
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
   const int least = kStep * (static_cast<int>(height / (1 - kContactPart)) / kStep + 1);
-  if (settings_.isOnPaper) {
-    settings_.height = least;
-    return;
-  }
   throw InputError("", "--size",
                    message("{} leaves no room for the strips over time; {}x{} does", given,
                            settings_.width, least));
@@ -153,11 +151,15 @@ void PictureComposer::checkRoom(const Scene& scene) {
   if (layout == PictureLayout::Both) sheet.title = {};
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
-  if (!settings_.isOnPaper) return;
+  if (settings_.isOnPaper) growFor(sheet);
+}
+
+void PictureComposer::growFor(const DiagramSheet& sheet) {
+  const int above = content_.layout == PictureLayout::Curve ? 0 : contactHeight();
   DiagramOptions options = optionsFor(settings_.height - above, 0);
   if (above > 0) options.above = FrameAbove{};
-  const double part = 1 - static_cast<double>(above) / settings_.height;
-  settings_.height = static_cast<int>(std::ceil(heightInPrint(sheet, options) / part));
+  settings_.height = above + heightInPrint(sheet, options);
+  if (above > 0) above_ = above;  // the contact does not grow with its chart
 }
 
 ContactPictureOptions PictureComposer::contactOptions(int height) const {

@@ -52,12 +52,15 @@ class PictureComposer {
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene);
+  /// Makes a picture on paper as high as the sheet of its chart needs.
+  void growFor(const DiagramSheet& sheet);
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureSettings settings_;
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // options of the last frame
+  std::optional<int> above_;  // height of the contact on paper, where its chart has grown
   std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
 };
 

@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "ui/contact/contact_overlay.h"
+#include "ui/draw/font_choice.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 
@@ -134,7 +135,7 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
     const std::string extension = extensionOf(file);
     const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
     hasPicture |= !isTable;
-    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf";
+    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf" && extension != ".eps";
   }
   const auto refuse = [](const char* option, bool given, const char* why) {
     if (given) throw InputError("", option, why);
@@ -152,7 +153,7 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
            "belongs to pictures, and no output is one");
   if (!hasPixels)
     refuse("--backend", !arguments.backend.empty(),
-           "draws pixels; .svg and .pdf are written without them");
+           "draws pixels; .svg, .pdf and .eps are written without them");
 }
 
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
@@ -222,6 +223,7 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
                ? fmt::format("{}x{}", pixels(defaults.width), pixels(defaults.height))
                : style.size,
            settings);
+  useFontFamily(style.font);
   settings.themeName = style.theme.empty() ? defaults.theme : style.theme;
   settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
   settings.transparent = arguments.transparent;

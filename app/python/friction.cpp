@@ -256,11 +256,15 @@ void addFriction(py::module_& module) {
       .def("scene", [](const CurveOfScene& found) { return found.scene; })
       .def("csv",
            [](const CurveOfScene& found) {
+             const ProvenanceOptions none(Json::object());
              return provenanceComment("curve", found.scene) +
                     curveCsv(found.curve.points, columnsFor(found.scene));
            })
       .def("json",
-           [](const CurveOfScene& found) { return curveJson(found.curve.points, found.scene); })
+           [](const CurveOfScene& found) {
+             const ProvenanceOptions none(Json::object());
+             return curveJson(found.curve.points, found.scene);
+           })
       .def("achieved_error", [](const CurveOfScene& found) { return found.curve.achievedError; })
       .def("is_target_met", [](const CurveOfScene& found) { return found.curve.isTargetMet; });
   py::class_<FitOfScene, std::shared_ptr<FitOfScene>>(module, "Fit")

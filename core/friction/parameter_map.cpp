@@ -283,7 +283,12 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
     }
   root["oversampling_used"] = used;
   root["keys"] = {axisJson(map.x), axisJson(map.y)};
-  root["options"] = {{"show", quantity}};
+  // The map is made again from the options alone, whatever else was given with them.
+  Json& options = root["options"];
+  if (!options.is_object()) options = Json::object();
+  for (const auto& [word, axis] : {std::pair{"x", &map.x}, {"y", &map.y}})
+    options[word] = fmt::format("{}={}", axis->range.key(), textOf(axis->range));
+  options["show"] = quantity;
   return root;
 }
 

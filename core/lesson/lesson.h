@@ -116,8 +116,9 @@ struct LessonView {
 };
 
 /// The tabs that a step may bring to the front.
-inline constexpr std::string_view kLessonTabs[] = {"curve",    "motion",   "spectrum", "statistics",
-                                                   "material", "accuracy", "plan",     "map"};
+inline constexpr std::string_view kLessonTabs[] = {"curve",      "motion",   "spectrum",
+                                                   "statistics", "material", "accuracy",
+                                                   "plan",       "map",      "influences"};
 
 struct LessonStep {
   LessonText title{}, text{};

@@ -108,12 +108,20 @@ bool isKind(const Assignment& assignment) {
   return isKind(knownParameter(assignment.key));
 }
 
+/// Returns the row with the unit in which it may be typed. Its limits stay: what the swept key
+/// allows is checked when the scene is complete.
+Parameter asTyped(const Parameter& row, const Scene& scene) {
+  Parameter typed = parameterIn(row, scene);
+  typed.field = row.field;
+  return typed;
+}
+
 void apply(const Assignment& assignment, Scene& scene) {
   const Parameter& row = knownParameter(assignment.key);
   if (assignment.typed)
     setValue(row, scene, assignment.value);
   else
-    setFromText(parameterIn(row, scene), scene, std::get<std::string>(assignment.value));
+    setFromText(asTyped(row, scene), scene, std::get<std::string>(assignment.value));
 }
 
 void refuseOtherKind(const Parameter& row, const Scene& scene) {

@@ -649,6 +649,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::AxisChoosers</name>
+    <message>
+        <source>horizontal axis</source>
+        <translation>waagerechte Achse</translation>
+    </message>
+    <message>
+        <source>What the curve goes over: any number that changes friction in this scene. The marker then sets it.</source>
+        <translation>Worüber die Kurve geht: jede Zahl, die in dieser Szene die Reibung ändert. Die Markierung stellt sie dann ein.</translation>
+    </message>
+    <message>
+        <source>vertical axis</source>
+        <translation>senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>What the curve shows</source>
+        <translation>Was die Kurve zeigt</translation>
+    </message>
+    <message>
+        <source>Dimensionless velocity v̄, Eq. (13)</source>
+        <translation>Dimensionslose Geschwindigkeit v̄, Gl. (13)</translation>
+    </message>
+    <message>
+        <source>Dimensionless: μ over the rms slope against v̄</source>
+        <translation>Dimensionslos: μ durch die rms-Steigung über v̄</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ChartLegend</name>
     <message>
         <source>legend of the chart</source>
@@ -876,16 +903,28 @@
         <translation>Kurvenschar</translation>
     </message>
     <message>
-        <source>Pins five curves, at five values of another parameter</source>
-        <translation>Heftet fünf Kurven an, bei fünf Werten eines anderen Parameters</translation>
-    </message>
-    <message>
         <source>Linear horizontal axis</source>
         <translation>Waagrechte Achse linear</translation>
     </message>
     <message>
         <source>Linear vertical axis</source>
         <translation>Senkrechte Achse linear</translation>
+    </message>
+    <message>
+        <source>Pins some curves, at as many values of another parameter</source>
+        <translation>Heftet einige Kurven an, bei ebenso vielen Werten eines anderen Parameters</translation>
+    </message>
+    <message>
+        <source>Read about it in the guide</source>
+        <translation>Im Handbuch nachlesen</translation>
+    </message>
+    <message>
+        <source>Opens the guide at what is under the pointer: a region, a curve, a law</source>
+        <translation>Öffnet das Handbuch bei dem, was unter dem Zeiger ist: Bereich, Kurve, Gesetz</translation>
+    </message>
+    <message>
+        <source>Curves in a family: %1</source>
+        <translation>Kurven einer Schar: %1</translation>
     </message>
 </context>
 <context>
@@ -1341,6 +1380,14 @@
     <message>
         <source>&amp;Speed</source>
         <translation>Tem&amp;po</translation>
+    </message>
+    <message>
+        <source>&amp;Other options</source>
+        <translation>Weitere Opti&amp;onen</translation>
+    </message>
+    <message>
+        <source>Any other options of the command, such as --font-size 9 --title none; asperity render --help lists them</source>
+        <translation>Alle weiteren Optionen des Befehls, etwa --font-size 9 --title none; asperity render --help nennt sie</translation>
     </message>
 </context>
 <context>
@@ -1870,6 +1917,29 @@
     <message>
         <source>Reading was stopped</source>
         <translation>Das Lesen wurde angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::InfluencePage</name>
+    <message>
+        <source>what friction depends on</source>
+        <translation>wovon die Reibung abhängt</translation>
+    </message>
+    <message>
+        <source>Which parameter matters</source>
+        <translation>Welcher Parameter zählt</translation>
+    </message>
+    <message>
+        <source>Which wavelengths matter</source>
+        <translation>Welche Wellenlängen zählen</translation>
+    </message>
+    <message>
+        <source>friction without the waves shorter than a cut-off, at this velocity</source>
+        <translation>Reibung ohne die Wellen unter einer Grenze, bei dieser Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>per cent of friction for a per cent of each parameter, here and now</source>
+        <translation>Prozent Reibung je Prozent jedes Parameters, hier und jetzt</translation>
     </message>
 </context>
 <context>
@@ -2744,6 +2814,10 @@
         <source>in contact %1 %</source>
         <translation>in Kontakt %1 %</translation>
     </message>
+    <message>
+        <source>normal force %1</source>
+        <translation>Normalkraft %1</translation>
+    </message>
 </context>
 <context>
     <name>asperity::PairEditor</name>
@@ -2768,31 +2842,31 @@
     <name>asperity::PanelBar</name>
     <message>
         <source>Essentials</source>
-        <translation type="unfinished"></translation>
+        <translation>Wesentliches</translation>
     </message>
     <message>
         <source>The few parameters that matter first: velocity, load, stiffness, roughness</source>
-        <translation type="unfinished"></translation>
+        <translation>Die wenigen Größen, auf die es zuerst ankommt: Geschwindigkeit, Last, Steifigkeit, Rauheit</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>All parameters of this scene, in sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Parameter dieser Szene, in Abschnitten</translation>
     </message>
     <message>
         <source>Filter ( / )</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter ( / )</translation>
     </message>
     <message>
         <source>filter of the parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter der Parameter</translation>
     </message>
     <message>
         <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wörter einer Bezeichnung oder eines Schlüssels, ein Formelzeichen oder eine Einheit: „kraft“, „surface“, „G“, „mN“. Escape löscht.</translation>
     </message>
 </context>
 <context>
@@ -2871,11 +2945,11 @@
     </message>
     <message>
         <source>Texts of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Texte der Szene</translation>
     </message>
     <message>
         <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht den Filter.</translation>
     </message>
 </context>
 <context>
@@ -2935,6 +3009,14 @@
     <message>
         <source>%1 is outside %2</source>
         <translation>%1 liegt außerhalb von %2</translation>
+    </message>
+    <message>
+        <source>Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones. Dragging with Shift is ten times finer.</source>
+        <translation>Pfeiltasten machen Schritte, mit Umschalt die kleinsten; Bild auf und Bild ab große. Ziehen mit Umschalt ist zehnmal feiner.</translation>
+    </message>
+    <message>
+        <source>Read about it in the guide</source>
+        <translation>Im Handbuch nachlesen</translation>
     </message>
 </context>
 <context>
@@ -3282,32 +3364,36 @@
         <source>Map</source>
         <translation>Karte</translation>
     </message>
+    <message>
+        <source>Influences</source>
+        <translation>Einflüsse</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SectionHeader</name>
     <message>
         <source>%1 changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geändert</translation>
     </message>
     <message>
         <source>open section</source>
-        <translation type="unfinished"></translation>
+        <translation>offener Abschnitt</translation>
     </message>
     <message>
         <source>folded section</source>
-        <translation type="unfinished"></translation>
+        <translation>zugeklappter Abschnitt</translation>
     </message>
     <message>
         <source>folded section, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zugeklappter Abschnitt, %1</translation>
     </message>
     <message>
         <source>Fold this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Abschnitt zuklappen</translation>
     </message>
     <message>
         <source>Open this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Abschnitt aufklappen</translation>
     </message>
 </context>
 <context>
@@ -3960,7 +4046,7 @@
     </message>
     <message>
         <source>Filter parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter filtern</translation>
     </message>
 </context>
 <context>

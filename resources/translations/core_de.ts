@@ -5439,8 +5439,8 @@
         <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
     </message>
     <message>
-        <source>friction F_x/F_N</source>
-        <translation>Reibung F_x/F_N</translation>
+        <source>friction μ, signed</source>
+        <translation>Reibung μ mit Vorzeichen</translation>
     </message>
 </context>
 <context>
@@ -5800,6 +5800,146 @@
     <message>
         <source>Motions</source>
         <translation>Bewegungen</translation>
+    </message>
+    <message>
+        <source>The contacts of one period climb together less than a tenth of the rms height: results depend on single summits and on the period.</source>
+        <translation>Die Kontakte einer Periode steigen zusammen um weniger als ein Zehntel der rms-Höhe: Ergebnisse hängen von einzelnen Gipfeln und von der Periode ab.</translation>
+    </message>
+    <message>
+        <source>Friction of the one line that the picture shows, at every velocity of the curve.</source>
+        <translation>Reibung der einen Linie, die das Bild zeigt, bei jeder Geschwindigkeit der Kurve.</translation>
+    </message>
+    <message>
+        <source>Friction of the one line that the picture shows, without what the interface adds.</source>
+        <translation>Reibung der einen Linie, die das Bild zeigt, ohne das, was die Grenzfläche hinzufügt.</translation>
+    </message>
+    <message>
+        <source>Mean over random lines with the same statistics; the bars are the standard error of that mean, not the scatter of the lines.</source>
+        <translation>Mittel über zufällige Linien mit derselben Statistik; die Balken sind der Standardfehler dieses Mittels, nicht die Streuung der Linien.</translation>
+    </message>
+    <message>
+        <source>Mean over random lines of what the deformation costs, without what the interface adds.</source>
+        <translation>Mittel über zufällige Linien dessen, was die Verformung kostet, ohne das, was die Grenzfläche hinzufügt.</translation>
+    </message>
+    <message>
+        <source>The state that the picture shows. Drag it, or use the arrow keys, and the picture follows.</source>
+        <translation>Der Zustand, den das Bild zeigt. Ziehen Sie ihn oder nehmen Sie die Pfeiltasten: Das Bild folgt.</translation>
+    </message>
+    <message>
+        <source>The motion at this moment, beside the curve of steady sliding.</source>
+        <translation>Die Bewegung in diesem Augenblick, neben der Kurve des stationären Gleitens.</translation>
+    </message>
+    <message>
+        <source>The moment that the picture shows.</source>
+        <translation>Der Augenblick, den das Bild zeigt.</translation>
+    </message>
+    <message>
+        <source>The state before the change; the new one is being computed.</source>
+        <translation>Der Zustand vor der Änderung; der neue wird gerade berechnet.</translation>
+    </message>
+    <message>
+        <source>How far friction changes where the same lines are computed with another setting.</source>
+        <translation>Wie weit sich die Reibung ändert, wenn dieselben Linien mit einer anderen Einstellung berechnet werden.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction: what deforming the elastomer costs, over the normal force.</source>
+        <translation>Reibungskoeffizient: was die Verformung des Elastomers kostet, durch die Normalkraft.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction over the rms slope of the line.</source>
+        <translation>Reibungskoeffizient durch die rms-Steigung der Linie.</translation>
+    </message>
+    <message>
+        <source>Share of the line&apos;s length that touches the elastomer.</source>
+        <translation>Anteil der Länge der Linie, der das Elastomer berührt.</translation>
+    </message>
+    <message>
+        <source>Rms slope of the line where it touches the elastomer.</source>
+        <translation>Rms-Steigung der Linie, wo sie das Elastomer berührt.</translation>
+    </message>
+    <message>
+        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
+    </message>
+    <message>
+        <source>The force that sliding takes, on one period of the line.</source>
+        <translation>Die Kraft, die das Gleiten braucht, auf eine Periode der Linie.</translation>
+    </message>
+    <message>
+        <source>Power that sliding turns into heat.</source>
+        <translation>Leistung, die das Gleiten in Wärme verwandelt.</translation>
+    </message>
+    <message>
+        <source>Normal force over the area in contact, contact length times width.</source>
+        <translation>Normalkraft durch die Fläche im Kontakt, Kontaktlänge mal Breite.</translation>
+    </message>
+    <message>
+        <source>Velocity without a dimension: at 1 contacts become one-sided.</source>
+        <translation>Geschwindigkeit ohne Dimension: Bei 1 werden die Kontakte einseitig.</translation>
+    </message>
+    <message>
+        <source>Force without a dimension: at 1 contact becomes complete.</source>
+        <translation>Kraft ohne Dimension: Bei 1 wird der Kontakt vollständig.</translation>
+    </message>
+    <message>
+        <source>Force of one element of the elastomer: a spring and a dashpot side by side.</source>
+        <translation>Kraft eines Elements des Elastomers: Feder und Dämpfer nebeneinander.</translation>
+    </message>
+    <message>
+        <source>Force of an element in contact with a line that slides.</source>
+        <translation>Kraft eines Elements im Kontakt mit einer gleitenden Linie.</translation>
+    </message>
+    <message>
+        <source>The contact carries the normal force, which gives the indentation.</source>
+        <translation>Der Kontakt trägt die Normalkraft; daraus folgt die Eindrückung.</translation>
+    </message>
+    <message>
+        <source>Tangential force: pressure on slopes.</source>
+        <translation>Tangentialkraft: Druck auf Steigungen.</translation>
+    </message>
+    <message>
+        <source>Friction in slow sliding and partial contact.</source>
+        <translation>Reibung bei langsamem Gleiten und teilweisem Kontakt.</translation>
+    </message>
+    <message>
+        <source>Friction in slow sliding, from the slope where there is contact.</source>
+        <translation>Reibung bei langsamem Gleiten, aus der Steigung im Kontakt.</translation>
+    </message>
+    <message>
+        <source>How friction in slow sliding falls with the normal force.</source>
+        <translation>Wie die Reibung bei langsamem Gleiten mit der Normalkraft fällt.</translation>
+    </message>
+    <message>
+        <source>Friction in slow sliding and complete contact.</source>
+        <translation>Reibung bei langsamem Gleiten und vollständigem Kontakt.</translation>
+    </message>
+    <message>
+        <source>Friction on the plateau: only rising slopes carry load.</source>
+        <translation>Reibung auf dem Plateau: Nur steigende Flanken tragen Last.</translation>
+    </message>
+    <message>
+        <source>Friction of a purely viscous contact.</source>
+        <translation>Reibung eines rein viskosen Kontakts.</translation>
+    </message>
+    <message>
+        <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it.</source>
+        <translation>Das Gesetz der Veröffentlichung: Es verbindet langsames Gleiten, vollständigen Kontakt und Plateau; Bereich IV enthält es nicht.</translation>
+    </message>
+    <message>
+        <source>The law without dimensions.</source>
+        <translation>Das Gesetz ohne Dimensionen.</translation>
+    </message>
+    <message>
+        <source>The slope in contact when few summits are left.</source>
+        <translation>Die Steigung im Kontakt, wenn wenige Gipfel übrig sind.</translation>
+    </message>
+    <message>
+        <source>All curves fall on one, when they are shifted along velocity and friction.</source>
+        <translation>Alle Kurven fallen auf eine, wenn man sie entlang Geschwindigkeit und Reibung verschiebt.</translation>
+    </message>
+    <message>
+        <source>The same with the slope in contact in the velocity.</source>
+        <translation>Dasselbe mit der Steigung im Kontakt in der Geschwindigkeit.</translation>
     </message>
 </context>
 </TS>

@@ -5,9 +5,11 @@
 #include <QFontMetricsF>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <algorithm>
 #include <iterator>
 
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 
 namespace asperity {
@@ -49,8 +51,10 @@ ChartLegend::ChartLegend(QWidget* parent) : QWidget(parent) {
   arrange();
 }
 
-void ChartLegend::show(const DiagramSheet& sheet, const ChartLook& look) {
+void ChartLegend::show(const DiagramSheet& sheet, const DiagramSheet& english,
+                       const ChartLook& look) {
   sheet_ = sheet;
+  english_ = english;
   look_ = look;
   arrange();
   update();
@@ -60,10 +64,13 @@ void ChartLegend::show(const DiagramSheet& sheet, const ChartLook& look) {
 /// the pinned curves in their order.
 std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
   std::vector<Entry> first, theory, marker, others, pinned;
-  for (const Diagram& diagram : sheet_.diagrams) {
-    for (const DiagramSeries& series : diagram.series) {
+  for (std::size_t i = 0; i < sheet_.diagrams.size(); ++i) {
+    const Diagram &diagram = sheet_.diagrams[i], &english = english_.diagrams[i];
+    for (std::size_t k = 0; k < diagram.series.size(); ++k) {
+      const DiagramSeries& series = diagram.series[k];
       if (series.name.empty() || series.points.empty()) continue;
       Entry entry;
+      entry.explanation = explanationOf(english.series[k].name);
       entry.text = QString::fromStdString(series.name.text);
       entry.hasBars = !series.isBand && std::ranges::any_of(series.points, [](const auto& point) {
         return point.high > point.low;
@@ -81,6 +88,7 @@ std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
     entry.text = QString::fromStdString(diagram.marker->name.text);
     entry.series.isFaded = diagram.marker->isFaded;
     entry.isMarker = true;
+    if (english.marker) entry.explanation = explanationOf(english.marker->name);
     marker.push_back(std::move(entry));
   }
   for (auto* group : {&theory, &marker, &others, &pinned})
@@ -104,8 +112,14 @@ double ChartLegend::samples() const {
   return (kSample + kSampleGap) * markScale(font());
 }
 
+/// Returns the width of the status at its end: "37 of 200" has the room of "200 of 200", so that
+/// the entries beside it stay where they are while it counts.
 double ChartLegend::statusWidth() const {
-  return QFontMetricsF(font()).horizontalAdvance(QString::fromStdString(sheet_.status.text));
+  static const QRegularExpression number(QStringLiteral("\\d+"));
+  QString text = QString::fromStdString(sheet_.status.text), longest;
+  for (auto found = number.globalMatch(text); found.hasNext();)
+    if (const QString one = found.next().captured(); one.size() > longest.size()) longest = one;
+  return QFontMetricsF(font()).horizontalAdvance(text.replace(number, longest));
 }
 
 /// Arranges the entries in rows; the first row ends at the status. The last place shows how many
@@ -156,14 +170,19 @@ void ChartLegend::arrange() {
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
 }
 
-/// Returns the full name, which may be shortened, and the effect of a click.
+/// Returns the full name, which may be shortened, with what it means or the effect of a click.
 QString ChartLegend::tipAt(QPointF place) const {
-  for (const Entry& entry : entries_) {
-    if (!entry.box.contains(place)) continue;
-    if (pinAt(place)) return entry.text + '\n' + tr("Click to unpin this curve");
-    if (entry.lines.join(' ') != entry.text) return entry.text;
-  }
-  return {};
+  const Entry* entry = entryAt(place);
+  if (!entry) return {};
+  if (entry->isPinned()) return entry->text + '\n' + tr("Click to unpin this curve");
+  if (entry->explanation) return explanationHtml(*entry->explanation, entry->text);
+  return entry->lines.join(' ') != entry->text ? entry->text : QString();
+}
+
+const ChartLegend::Entry* ChartLegend::entryAt(QPointF place) const {
+  const auto found = std::ranges::find_if(
+      entries_, [place](const Entry& entry) { return entry.box.contains(place); });
+  return found == entries_.end() ? nullptr : &*found;
 }
 
 void ChartLegend::resizeEvent(QResizeEvent* event) {
@@ -177,9 +196,8 @@ void ChartLegend::changeEvent(QEvent* event) {
 }
 
 const ChartLegend::Entry* ChartLegend::pinAt(QPointF place) const {
-  for (const Entry& entry : entries_)
-    if (entry.isPinned() && entry.box.contains(place)) return &entry;
-  return nullptr;
+  const Entry* entry = entryAt(place);
+  return entry && entry->isPinned() ? entry : nullptr;
 }
 
 void ChartLegend::mouseMoveEvent(QMouseEvent* event) {
@@ -187,6 +205,8 @@ void ChartLegend::mouseMoveEvent(QMouseEvent* event) {
   const int under = pin ? pin->series.id : 0;
   setCursor(pin ? Qt::PointingHandCursor : Qt::ArrowCursor);
   setToolTip(tipAt(event->position()));
+  const Entry* entry = entryAt(event->position());
+  emit pointedAt(entry && entry->explanation ? anchorText(*entry->explanation) : QString());
   if (under == under_) return;
   under_ = under;
   update();

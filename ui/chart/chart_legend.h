@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/chart/curve_diagram.h"
+#include "core/chart/explanations.h"
 #include "ui/chart/chart_panel.h"
 
 namespace asperity {
@@ -19,7 +20,8 @@ class ChartLegend : public QWidget {
  public:
   explicit ChartLegend(QWidget* parent = nullptr);
 
-  void show(const DiagramSheet& sheet, const ChartLook& look);
+  /// `english`: the same sheet with the texts that explanations are found by.
+  void show(const DiagramSheet& sheet, const DiagramSheet& english, const ChartLook& look);
 
   /// Returns the rectangle of a pinned curve's entry; empty where it is not shown.
   QRectF placeOf(int id) const;
@@ -28,6 +30,8 @@ class ChartLegend : public QWidget {
 
  signals:
   void unpinWanted(int id);
+  /// The pointer is over an entry, which the guide explains here; empty: over none.
+  void pointedAt(const QString& guideAnchor);
   void entered();  // emitted when the pointer comes from the plot, which gets no leave event
 
  protected:
@@ -46,6 +50,7 @@ class ChartLegend : public QWidget {
     DiagramSeries series;  // without its points
     bool hasSample = true, hasBars = false, isMarker = false;
     QRectF box{};
+    std::optional<Explanation> explanation{};
 
     bool isPinned() const { return series.id > kPresentCurve; }
   };
@@ -56,11 +61,12 @@ class ChartLegend : public QWidget {
   double statusWidth() const;
   QString tipAt(QPointF place) const;
   const Entry* pinAt(QPointF place) const;
+  const Entry* entryAt(QPointF place) const;
   void paintStatus(QPainter& painter) const;
   void paintEntry(QPainter& painter, const Entry& entry) const;
   void paintSample(QPainter& painter, const Entry& entry, QPointF centre) const;
 
-  DiagramSheet sheet_;
+  DiagramSheet sheet_, english_;
   ChartLook look_;
   std::vector<Entry> entries_;
   int under_ = 0;  // pinned curve under the pointer; 0: none

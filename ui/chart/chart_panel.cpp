@@ -433,7 +433,7 @@ QString ChartPanel::cutTitle() const {
 }
 
 void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
-                      bool hasXLabels, double titleBeside, bool titleAbove) {
+                      bool hasXLabels, double titleBeside, bool titleAbove, Titled isTitled) {
   const double edge = kFrameEdge * map.scale;
   const QRectF frame = map.area.adjusted(-edge, 0, edge, 0);
   const QRectF whole(chart_->scene()->sceneRect());
@@ -445,10 +445,12 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
     chart_->layout()->activate();
   }
   const DiagramSizes sizes = sizesOf(look);
-  const TickedAxis xAxis =
-      tickedXAxis(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
-  const TickedAxis yAxis =
-      tickedYAxis(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
+  TickedAxis xAxis = tickedXAxis(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
+  TickedAxis yAxis = tickedYAxis(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
+  xTitle_ = QString::fromStdString(xAxis.title);
+  yTitle_ = QString::fromStdString(yAxis.title);
+  if (!isTitled.x) xAxis.title.clear();
+  if (!isTitled.y) yAxis.title.clear();
   x_->setLabelsVisible(hasXLabels);
   for (QCategoryAxis* axis : {x_, y_}) lookAt(*axis, look);
   const double beyond = map.x.size() * edge / std::max(1.0, map.area.width());

@@ -81,9 +81,16 @@ class ChartPanel {
 
   /// hasXLabels: labels and title of the x-axis are drawn below. titleBeside: the title of the
   /// y-axis is on the right and this many pixels wide; 0: it is upright on the left, or level above
-  /// the frame (titleAbove).
+  /// the frame (titleAbove). `isTitled`: whether the panel draws the titles itself.
+  struct Titled {
+    bool x = true, y = true;
+  };
   void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look,
-            bool hasXLabels, double titleBeside, bool titleAbove);
+            bool hasXLabels, double titleBeside, bool titleAbove, Titled isTitled);
+
+  /// Returns the titles with their units as they fit the visible range.
+  const QString& xTitle() const { return xTitle_; }
+  const QString& yTitle() const { return yTitle_; }
 
   /// Returns the places of the names of shades, which are inside the frame.
   QList<QRectF> namesInside() const;
@@ -115,6 +122,7 @@ class ChartPanel {
   std::vector<QScatterSeries*> marks_;
   std::vector<QAreaSeries*> bands_;
   std::size_t linesUsed_ = 0, marksUsed_ = 0, bandsUsed_ = 0;
+  QString xTitle_, yTitle_;
   UnderItem* under_;
   OverItem* over_;
 };

@@ -6,8 +6,11 @@
 #include <QFontMetricsF>
 #include <QGraphicsScene>
 #include <QGraphicsView>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPaintEvent>
+#include <QPainter>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
@@ -18,6 +21,7 @@
 #include "core/chart/curve_diagram.h"
 #include "ui/chart/chart_legend.h"
 #include "ui/chart/chart_marker.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 
@@ -46,6 +50,8 @@ double notches(const QWheelEvent& event) {
 
 ChartView::ChartView(QWidget* parent)
     : QWidget(parent),
+      head_(new QHBoxLayout),
+      foot_(new QHBoxLayout),
       legend_(new ChartLegend),
       view_(new QGraphicsView),
       marker_(new MarkerItem),
@@ -67,6 +73,8 @@ ChartView::ChartView(QWidget* parent)
   view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles gestures
   setMouseTracking(true);
   connect(legend_, &ChartLegend::unpinWanted, this, &ChartView::unpinWanted);
+  connect(legend_, &ChartLegend::pointedAt, this,
+          [this](const QString& anchor) { anchor_ = anchor; });
   connect(legend_, &ChartLegend::entered, this, [this] {
     hover_.reset();
     tip_->clear();
@@ -74,8 +82,10 @@ ChartView::ChartView(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(legend_);
+  head_->addWidget(legend_, 1, Qt::AlignTop);
+  layout->addLayout(head_);
   layout->addWidget(view_, 1);
+  layout->addLayout(foot_);
   keepTranslated(*this, [this] {
     sheet_ = translated(english_);
     showAll();
@@ -83,6 +93,18 @@ ChartView::ChartView(QWidget* parent)
 }
 
 ChartView::~ChartView() = default;
+
+void ChartView::setChoosers(QWidget* x, QWidget* y) {
+  xChooser_ = x;
+  yChooser_ = y;
+  head_->setContentsMargins(8, 4, 0, 0);
+  head_->insertWidget(0, y, 0, Qt::AlignTop);
+  foot_->setContentsMargins(8, 0, 8, 4);
+  foot_->addStretch(1);
+  foot_->addWidget(x);
+  foot_->addStretch(1);
+  showAll();
+}
 
 void ChartView::setSheet(const DiagramSheet& english) {
   const auto markerAt = [](const DiagramSheet& sheet) {
@@ -102,17 +124,22 @@ void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   const double before = marker ? marker->x : kNaN;
   const std::string name = marker ? marker->name.text : "";
   marker = english;
+  english_.diagrams[0].marker = english;
   if (marker)
     for (Message* text : {&marker->name, &marker->label}) *text = Message::name(translated(*text));
   if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) wantedX_ = kNaN;
   updateMarker();
-  if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, look_);
+  if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, english_, look_);
 }
 
 void ChartView::setTheme(const Theme& theme) {
   look_.theme = theme;
   view_->setBackgroundBrush(look_.background());
   showAll();
+}
+
+QString ChartView::guideAnchor() const {
+  return anchor_.isEmpty() ? QStringLiteral("regions") : anchor_;
 }
 
 QString ChartView::reading() const {
@@ -143,6 +170,11 @@ VisibleRange ChartView::visibleRange() const {
   VisibleRange all = whole();
   if (held_) all.x = *held_;
   return all;
+}
+
+/// Fills the room beside the choosers like the charts.
+void ChartView::paintEvent(QPaintEvent* event) {
+  QPainter(this).fillRect(event->rect(), look_.background());
 }
 
 void ChartView::showEvent(QShowEvent* event) {
@@ -180,7 +212,7 @@ void ChartView::showAll() {
   isDue_ = !isVisible();
   if (isDue_) return;
   look_.font = font();
-  legend_->show(sheet_, look_);
+  legend_->show(sheet_, english_, look_);
   layout()->activate();  // the charts must not cover the legend
   view_->scene()->setSceneRect(0, 0, view_->width(), view_->height());
   placeFrames();
@@ -188,9 +220,16 @@ void ChartView::showAll() {
   while (panels_.size() < frames_.size())
     panels_.push_back(std::make_unique<ChartPanel>(*view_->scene()));
   const double beside = besideWidth();
+  update();
   for (std::size_t i = 0; i < frames_.size(); ++i)
     panels_[i]->show(sheet_.diagrams[i], frames_[i], look_, i + 1 == frames_.size(), beside,
-                     i > 0 && hasTitlesAbove_);
+                     i > 0 && hasTitlesAbove_, {!xChooser_, i > 0 || !yChooser_});
+  if (!frames_.empty() &&
+      (xTitle_ != panels_.back()->xTitle() || yTitle_ != panels_.front()->yTitle())) {
+    xTitle_ = panels_.back()->xTitle();
+    yTitle_ = panels_.front()->yTitle();
+    emit titlesChanged(xTitle_, yTitle_);
+  }
   updateMarker();
   if (hover_ && gesture_ == Gesture::None)
     read(*hover_);  // another object may be there now
@@ -225,13 +264,14 @@ void ChartView::placeFrames() {
   const double line = metrics.height(), scale = look_.scale(), edge = kFrameEdge * scale;
   const double names = std::max(18.0, std::ceil(line));
   const double beside = besideWidth();
+  const bool hasUprightTitle = beside == 0 && !(yChooser_ && diagrams.size() == 1);
   const double left =
-      12 + (beside > 0 ? 0 : line) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
+      12 + (hasUprightTitle ? line : 0) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
   // The right margin holds half of the label at the end of the x-axis, or the titles.
   const double half = metrics.horizontalAdvance(QStringLiteral("10⁻⁵")) / 2 + 4;
   const double right = beside > 0 ? beside + 2 * kBesideGap : std::max(18.0, half);
   const double above = diagrams[0].spans.empty() ? 9 : names + 2;
-  const double below = 2 * line + 20;
+  const double below = (xChooser_ ? line : 2 * line) + (xChooser_ ? 12 : 20);
   double gap = beside > 0 ? 8 : 12;
   const double room = view_->height() - above - below;
   std::size_t count = diagrams.size();
@@ -397,6 +437,8 @@ void ChartView::setZoom(const std::optional<VisibleRange>& wanted) {
 /// Shows a reading of the object under the pointer, and the matching shape of the pointer.
 void ChartView::read(QPointF place) {
   const ChartTarget target = targetAt(frames_, sheet_, place);
+  const auto explanation = explanationAt(target, place);
+  anchor_ = explanation ? anchorText(*explanation) : QString();
   if (target.isMarker)
     setCursor(Qt::SizeHorCursor);
   else
@@ -414,6 +456,25 @@ void ChartView::read(QPointF place) {
   tip_->show(text, at, target.isPoint(), view_->sceneRect(), look_);
 }
 
+/// Returns what explains the region, the shade or the curve at a place.
+std::optional<Explanation> ChartView::explanationAt(const ChartTarget& target,
+                                                    QPointF place) const {
+  if (frames_.empty()) return std::nullopt;
+  if (target.isPoint())
+    return explanationOf(english_.diagrams[static_cast<std::size_t>(target.diagram)]
+                             .series[static_cast<std::size_t>(target.series)]
+                             .name);
+  const Diagram& diagram = english_.diagrams[0];
+  if (target.span >= 0)
+    return explanationOf(std::string_view(
+        "region " + diagram.spans[static_cast<std::size_t>(target.span)].shortLabel));
+  if (target.isMarker || panels_.empty()) return std::nullopt;
+  for (const QRectF& name : panels_[0]->namesInside())
+    if (name.contains(place) && !diagram.shades.empty())
+      return explanationOf(diagram.shades.front().label);
+  return std::nullopt;
+}
+
 QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
   if (frames_.empty()) return {};
   if (target.isPoint()) {
@@ -425,9 +486,14 @@ QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
   if (target.span >= 0) {
     const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
     QStringList lines{QString::fromStdString(span.label.text)};
+    const auto explanation = explanationAt(target, place);
+    if (explanation && !explanation->formula.empty()) lines += formulaText(explanation->formula);
     for (const Message& note : span.notes) lines += QString::fromStdString(note.text);
     return lines.join('\n');
   }
+  if (const auto explanation = explanationAt(target, place))
+    return formulaText(explanation->formula) + '\n' +
+           translatedText(Message(explanation->sentence));
   return place.y() > frames_.back().area.bottom() ? panels_.back()->cutTitle() : QString();
 }
 

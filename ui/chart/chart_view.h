@@ -16,10 +16,12 @@
 #include <vector>
 
 #include "core/chart/diagram.h"
+#include "core/chart/explanations.h"
 #include "ui/chart/chart_geometry.h"
 #include "ui/chart/chart_panel.h"
 
 class QGraphicsView;
+class QHBoxLayout;
 
 namespace asperity {
 
@@ -57,6 +59,14 @@ class ChartView : public QWidget {
   using Describe = std::function<QString(int id, int row)>;
   void setDescribe(Describe describe) { describe_ = std::move(describe); }
 
+  /// Puts widgets in place of the titles of the axes, which the user chooses there: one below the
+  /// horizontal axis, one above the vertical axis of the first diagram. The view owns them.
+  void setChoosers(QWidget* x, QWidget* y);
+
+  /// Returns where the guide explains what the pointer is or was at last: a legend entry, a region,
+  /// the axes; never empty.
+  QString guideAnchor() const;
+
   /// Returns the reading at the pointer; empty where there is none.
   QString reading() const;
 
@@ -67,8 +77,11 @@ class ChartView : public QWidget {
   void pointChosen(int id, int row);
   void unpinWanted(int id);
   void zoomChanged(bool isZoomed);
+  /// The titles of the axes with their units, for the choosers.
+  void titlesChanged(const QString& x, const QString& y);
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -84,6 +97,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
+  std::optional<Explanation> explanationAt(const ChartTarget& target, QPointF place) const;
   VisibleRange whole() const;
   void showAll();
   void placeFrames();
@@ -105,6 +119,10 @@ class ChartView : public QWidget {
   Describe describe_;
   bool isDue_ = false;  // the screen shows an earlier sheet
   std::optional<VisibleRange> zoom_;
+  QHBoxLayout *head_, *foot_;  // with the choosers
+  QWidget *xChooser_ = nullptr, *yChooser_ = nullptr;
+  QString xTitle_, yTitle_;
+  QString anchor_;  // of what the pointer is at; empty: of nothing in particular
   ChartLegend* legend_;
   QGraphicsView* view_;
   std::vector<std::unique_ptr<ChartPanel>> panels_;

@@ -125,7 +125,7 @@ class Panel {
   static constexpr float kLittleHidden = 0.03F;  // part of a legend's box
 
   static bool isOver(const Box& part, const Box& whole) {
-    return part.right() <= whole.right() && part.y >= whole.y;
+    return part.right() <= whole.right() && part.y >= whole.y && part.bottom() <= whole.bottom();
   }
 
   /// Returns the line of the marker from the bottom to the top.
@@ -453,6 +453,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
 }
 
 int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
+  if (english.diagrams.size() < 2) return asked.height;
   const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   // Steps of half a letter, to three times the width, which is more than a page.

@@ -19,24 +19,13 @@ NumberRule ruleOf(const ArmMember& member) {
   return {fromUtf8(member.unit), 0, member.most, false, false};
 }
 
-std::vector<Arm> armsOf(const PairEditor::Pairs& pairs) {
-  std::vector<Arm> arms;
-  for (const PairEditor::Pair& pair : pairs) arms.push_back({pair[0], pair[1]});
-  return arms;
-}
-
-PairEditor::Pairs pairsOf(const std::vector<Arm>& arms) {
-  PairEditor::Pairs pairs;
-  for (const Arm& arm : arms) pairs.push_back({arm.modulus, arm.relaxationTime});
-  return pairs;
+PairEditor::Pairs asPairs(const std::vector<Arm>& arms) {
+  return PairEditor::pairsOf(arms, &Arm::modulus, &Arm::relaxationTime);
 }
 
 /// The columns of a table without names: the larger of two moduli is far above the longest time.
 std::vector<Arm> namelessArms(const TextBlock& block, const std::string& name) {
-  std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < block.columns.size(); ++i)
-    if (!block.columns[i].isText && !(block.columns.size() > 2 && countsRows(block, i)))
-      columns.push_back(i);
+  const std::vector<std::size_t> columns = columnsOfNumbers(block);
   if (columns.size() != 2)
     throw InputError(name, "", "needs two columns: modulus in Pa and relaxation time in s");
   double largest[2] = {0, 0};
@@ -115,16 +104,16 @@ PairEditor::Pair ArmsEditor::next(const Pairs& pairs) const {
 }
 
 PairEditor::Pairs ArmsEditor::fromTable(std::string_view text) const {
-  return pairsOf(armsFromTable(text));
+  return asPairs(armsFromTable(text));
 }
 
 void ArmsEditor::give(const Pairs& pairs) {
-  emit armsGiven(armsOf(pairs));
+  emit armsGiven(itemsOf(pairs, &Arm::modulus, &Arm::relaxationTime));
 }
 
 void ArmsEditor::showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted,
                           bool replace) {
-  showPairs(pairsOf(arms), wanted, replace);
+  showPairs(asPairs(arms), wanted, replace);
 }
 
 }  // namespace asperity

@@ -14,7 +14,17 @@ ChoiceBox::ChoiceBox(QWidget* parent) : QComboBox(parent) {
 }
 
 QSize ChoiceBox::sizeHint() const {
-  return {QComboBox::sizeHint().width() + 8, std::max(24, fontMetrics().height() + 8)};
+  constexpr int kAround = 34;  // pixels, both sides of a text
+  const int width = shown_.isEmpty() ? QComboBox::sizeHint().width() + 8
+                                     : fontMetrics().horizontalAdvance(shown_) + kAround;
+  return {width, std::max(24, fontMetrics().height() + 8)};
+}
+
+void ChoiceBox::setShownText(const QString& text) {
+  if (text == shown_) return;
+  shown_ = text;
+  updateGeometry();
+  update();
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent* event) {
@@ -33,7 +43,7 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
 
   painter.setPen(colours.color(QPalette::Text));
   painter.drawText(rect().adjusted(9, 0, -22, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                   fontMetrics().elidedText(currentText(), Qt::ElideRight, width() - 31));
+                   fontMetrics().elidedText(shownText(), Qt::ElideRight, width() - 31));
   if (!isEnabled()) return;
   QPainterPath chevron;
   const QPointF centre(width() - 13.0, height() / 2.0 + 0.5);

@@ -14,9 +14,17 @@ class ChoiceBox : public QComboBox {
   explicit ChoiceBox(QWidget* parent = nullptr);
   QSize sizeHint() const override;
 
+  /// Paints this text instead of that of the current entry, and is as wide as it needs; empty:
+  /// neither.
+  void setShownText(const QString& text);
+  QString shownText() const { return shown_.isEmpty() ? currentText() : shown_; }
+
  protected:
   void wheelEvent(QWheelEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString shown_;
 };
 
 class TextBox : public QPlainTextEdit {

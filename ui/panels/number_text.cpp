@@ -110,10 +110,6 @@ QString withPoint(const QString& text) {
   return isNumber ? QString(text).replace(comma, 1, '.') : text;
 }
 
-QString inPlainUnit(const QString& text, const QString& unit) {
-  return plainNumberOf(text, NumberRule{unit});
-}
-
 UnitText inReadableUnit(double value, const QString& unit) {
   if (value == 0 || !std::isfinite(value) || unit.isEmpty() || unit == QLatin1String("K"))
     return {numberText(value), unit};

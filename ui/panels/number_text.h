@@ -34,11 +34,6 @@ inline QString fromUtf8(std::string_view text) {
 /// Replaces the comma in a number such as "2,5 mm" by a point; any other text is unchanged.
 QString withPoint(const QString& text);
 
-/// Returns the number in plain `unit` ("Pa", "m/s") as text: "1e7" for "10 MPa" in "Pa". Prefixes
-/// from f to P. A text without a unit, or with another one, is unchanged; the parameter's own
-/// reader handles it.
-QString inPlainUnit(const QString& text, const QString& unit);
-
 /// A number and its unit in usual notation: "10" and "MPa".
 struct UnitText {
   QString number, unit;
@@ -70,7 +65,8 @@ NumberRule ruleOf(const Parameter& parameter);
 QString allowedInWords(const NumberRule& rule);
 
 /// Returns the number in the plain unit as text, "1e7" for "10 MPa", "313.15" for "40 °C"; also for
-/// bar, min, h, km/h, poise and per cent. Any other text is unchanged.
+/// bar, min, h, km/h, poise and per cent. Prefixes from f to P. Any other text is unchanged; the
+/// parameter's own reader handles it.
 QString plainNumberOf(const QString& text, const NumberRule& rule);
 
 /// Returns why the text is refused: another dimension, an unknown unit, no number, outside the

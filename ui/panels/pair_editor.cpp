@@ -11,6 +11,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/text_table.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/value_entry.h"
@@ -300,6 +301,14 @@ void PairEditor::makeRows(std::size_t count) {
     delete rows_.back();
   }
   while (rows_.size() < count) rows_.push_back(new PairRow(*this, *grid_, rows_.size()));
+}
+
+std::vector<std::size_t> columnsOfNumbers(const TextBlock& block) {
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < block.columns.size(); ++i)
+    if (!block.columns[i].isText && !(block.columns.size() > 2 && countsRows(block, i)))
+      columns.push_back(i);
+  return columns;
 }
 
 bool PairEditor::isOpen() const {

@@ -22,6 +22,7 @@ class QToolButton;
 namespace asperity {
 
 class PairRow;
+struct TextBlock;
 
 class PairEditor : public QWidget {
   Q_OBJECT
@@ -31,6 +32,23 @@ class PairEditor : public QWidget {
   using Pairs = std::vector<Pair>;
 
   ~PairEditor() override;
+
+  /// Returns a list as pairs of two members of its items, and pairs as such a list.
+  template <class Item>
+  static Pairs pairsOf(const std::vector<Item>& items, double Item::*first, double Item::*second) {
+    Pairs pairs;
+    for (const Item& item : items) pairs.push_back({item.*first, item.*second});
+    return pairs;
+  }
+  template <class Item>
+  static std::vector<Item> itemsOf(const Pairs& pairs, double Item::*first, double Item::*second) {
+    std::vector<Item> items(pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      items[i].*first = pairs[i][0];
+      items[i].*second = pairs[i][1];
+    }
+    return items;
+  }
 
   /// Returns the line with the fold, for the row of the panel.
   QToolButton& fold() { return *fold_; }
@@ -98,5 +116,8 @@ class PairEditor : public QWidget {
   QToolButton *add_, *paste_;
   QLabel* refusal_;  // why a table was not taken
 };
+
+/// Returns the columns of a pasted table that hold numbers, without one that counts the rows.
+std::vector<std::size_t> columnsOfNumbers(const TextBlock& block);
 
 }  // namespace asperity

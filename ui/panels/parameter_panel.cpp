@@ -131,6 +131,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
     layout->addWidget(bar_);
     connect(bar_, &PanelBar::changed, this, [this] {
       scroll_->verticalScrollBar()->setValue(0);
+      revealed_.clear();
       arrange();
       emit viewChanged();
     });
@@ -153,12 +154,9 @@ void ParameterPanel::setScene(const Scene& scene) {
   passedOn_ = scene;
   sizes_ = KeptSizes(scene.surface);
   complaints_.clear();
-  notes_ = {};
   followAxis();
-  for (ParameterRow* row : std::as_const(rows_)) {
-    row->showWarning({});
-    row->showScene(scene_, line_, true);
-  }
+  for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
+  showNotes(notes_);
   showMissing();
 }
 
@@ -222,6 +220,7 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
   connect(row, &ParameterRow::textGiven, this,
           [this, row](const QString& text) { takeText(*row, text); });
   connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
+  connect(row, &ParameterRow::guideWanted, this, &ParameterPanel::guideWanted);
   return *row;
 }
 
@@ -240,7 +239,7 @@ void ParameterPanel::showTexts() {
 // ---- Which rows are seen
 
 PanelView ParameterPanel::defaultView() {
-  return {false, {"interface", "sweep", "accuracy", "comparison", "texts"}};
+  return {false, {"interface", "sweep", "accuracy", "texts", "comparison"}};
 }
 
 PanelView ParameterPanel::view() const {

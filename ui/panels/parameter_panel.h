@@ -85,8 +85,7 @@ class ParameterPanel : public QWidget {
   /// free or locked is visible among the essential ones, too. An empty map frees everything.
   void setRowAccess(const std::map<std::string, RowAccess>& access);
 
-  /// Shows each note as a warning at the row it is about, until the next call. The notes belong to
-  /// the scene of the panel.
+  /// Shows each note as a warning at the row it is about, until the next call.
   void showNotes(const NoteSet& notes);
 
   /// Shows a row, whatever is folded or filtered, and gives it the focus. Unknown keys are ignored.
@@ -110,6 +109,8 @@ class ParameterPanel : public QWidget {
   /// Emitted where the user wants to open a measured surface, or a material, for this scene.
   void surfaceWanted(const asperity::Scene& scene);
   void materialWanted(const asperity::Scene& scene);
+  /// Emitted where the user wants to read about a parameter, at this place of the guide.
+  void guideWanted(const QString& anchor);
   /// Emitted where the user chose other rows, or folded a section.
   void viewChanged();
 
@@ -154,7 +155,7 @@ class ParameterPanel : public QWidget {
   std::vector<Section> sections_;
   std::map<std::string, RowAccess> access_;
   NoteSet notes_;
-  QString revealed_;  // key of a row that stays visible while it has the focus
+  QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
   QLabel* nothing_;   // where no row passes the filter
   QScrollArea* scroll_;

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "core/scene/list_text.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
@@ -458,7 +459,8 @@ QString ParameterRow::accessibleLabel() const {
 }
 
 QString ParameterRow::description() const {
-  QString text = "<p>" + translatedText(parameter_.sentence).toHtmlEscaped() + "</p>";
+  QString text;
+  if (const auto explanation = explanationOf(parameter_.key)) text = explanationHtml(*explanation);
   if (const QString range = rangeText(parameter_); !range.isEmpty())
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
@@ -467,12 +469,19 @@ QString ParameterRow::description() const {
                 .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
                         "in %1; any unit may be typed with it.")
                          .arg(fromUtf8(parameter_.unit)));
+  if (slider_)
+    text += QStringLiteral("<p><small>%1</small></p>")
+                .arg(tr("Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown "
+                        "large ones. Dragging with Shift is ten times finer."));
   return text;
 }
 
 void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction(reset_->toolTip(), reset_, &QToolButton::click)->setEnabled(reset_->isEnabled());
+  if (const auto explanation = explanationOf(parameter_.key))
+    menu.addAction(tr("Read about it in the guide"), this,
+                   [this, explanation] { emit guideWanted(fromUtf8(explanation->guideAnchor)); });
   menu.exec(event->globalPos());
 }
 

@@ -73,6 +73,8 @@ class ParameterRow : public QWidget {
   void valueGiven(const asperity::ParameterValue& value);
   void textGiven(const QString& text);
   void fileWanted();
+  /// The user wants to read about the row, at this place of the guide.
+  void guideWanted(const QString& anchor);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;

@@ -20,16 +20,8 @@ NumberRule ruleOf(const ListMember<ShiftPoint>& member, bool isTemperature) {
   return {fromUtf8(member.unit), member.least, member.most, false, isTemperature};
 }
 
-std::vector<ShiftPoint> tableOf(const PairEditor::Pairs& pairs) {
-  std::vector<ShiftPoint> table;
-  for (const PairEditor::Pair& pair : pairs) table.push_back({pair[0], pair[1]});
-  return table;
-}
-
-PairEditor::Pairs pairsOf(const std::vector<ShiftPoint>& table) {
-  PairEditor::Pairs pairs;
-  for (const ShiftPoint& point : table) pairs.push_back({point.temperature, point.log10Shift});
-  return pairs;
+PairEditor::Pairs asPairs(const std::vector<ShiftPoint>& table) {
+  return PairEditor::pairsOf(table, &ShiftPoint::temperature, &ShiftPoint::log10Shift);
 }
 
 /// Whether the column holds a_T, not its logarithm: "aT", "a_T", "shift factor".
@@ -62,10 +54,7 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
   const std::string name = ShiftEditor::tr("clipboard").toStdString();
   const TextTable read = readTextTable(text, name);
   const TextBlock& block = read.largest();
-  std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < block.columns.size(); ++i)
-    if (!block.columns[i].isText && !(block.columns.size() > 2 && countsRows(block, i)))
-      columns.push_back(i);
+  const std::vector<std::size_t> columns = columnsOfNumbers(block);
   if (columns.size() < 2)
     throw InputError(name, "", "needs two columns: temperature and log10 of the shift");
   const Unit unit = unitOf(block, columns[0], name);
@@ -139,15 +128,15 @@ PairEditor::Pair ShiftEditor::next(const Pairs& pairs) const {
 }
 
 PairEditor::Pairs ShiftEditor::fromTable(std::string_view text) const {
-  return pairsOf(shiftsFromTable(text));
+  return asPairs(shiftsFromTable(text));
 }
 
 void ShiftEditor::give(const Pairs& pairs) {
-  emit shiftsGiven(tableOf(pairs));
+  emit shiftsGiven(itemsOf(pairs, &ShiftPoint::temperature, &ShiftPoint::log10Shift));
 }
 
 void ShiftEditor::showShifts(const std::vector<ShiftPoint>& table, bool replace) {
-  showPairs(pairsOf(table), std::nullopt, replace);
+  showPairs(asPairs(table), std::nullopt, replace);
 }
 
 }  // namespace asperity

@@ -258,7 +258,9 @@ TEST(Simulation, AMomentIsTheSameFromBothSides) {
       const auto& samples = *found.transient;
       for (std::size_t i = 1; i < samples.size(); ++i)
         ASSERT_GT(samples[i].time, samples[i - 1].time);
-      if (!samples.empty()) EXPECT_EQ(samples.back().time, found.time);
+      if (!samples.empty()) {
+        EXPECT_EQ(samples.back().time, found.time);
+      }
     }
   }
 }

@@ -40,6 +40,29 @@ std::string errorOf(const std::string& json, const std::vector<std::string>& ass
   return "no error";
 }
 
+TEST(AnotherAxis, EndsAreTypedInTheUnitOfTheirKey) {
+  const Scene forces = sceneOver("load.normal_force", "1mN", "20 N");
+  EXPECT_EQ(forces.sweep.from, 1e-3);
+  EXPECT_EQ(forces.sweep.to, 20);
+  // The key counts wherever it stands among the assignments.
+  const Scene later = readScene("{}", "s.json", {},
+                                {"sweep.from=1mN", "sweep.to=2", "sweep.key=load.normal_force"});
+  EXPECT_EQ(later.sweep.from, 1e-3);
+  EXPECT_EQ(sceneOver("elastomer.temperature", "0\u00B0C", "60\u00B0C").sweep.to, 333.15);
+  EXPECT_THAT(errorOver("load.normal_force", "1mm", "1"), HasSubstr("sweep.from"));
+  EXPECT_THAT(errorOver("load.normal_force", "1mm", "1"), HasSubstr("a length"));
+}
+
+TEST(AnotherAxis, AnEndHasTheSliderOfItsKey) {
+  const Scene scene = sceneOver("load.normal_force", "1", "2");
+  const Parameter shown = parameterIn(*findParameter("sweep.from"), scene);
+  EXPECT_EQ(shown.unit, "N");
+  EXPECT_EQ(allowedRange(shown)->maximum,
+            allowedRange(*findParameter("load.normal_force"))->maximum);
+  EXPECT_EQ(parameterIn(*findParameter("sweep.points"), scene).unit, "");
+  EXPECT_EQ(parameterIn(*findParameter("sweep.velocity_from"), Scene{}).unit, "m/s");
+}
+
 TEST(Sweep, ASceneOfBeforeIsWrittenAsBefore) {
   const std::string text = writeScene(readScene("{}", "s.json"));
   for (const char* key : {"\"key\"", "\"from\"", "\"to\"", "\"scale\""})

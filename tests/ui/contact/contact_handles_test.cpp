@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/ui/contact/sample_frame.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -105,7 +106,7 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
     return ContactHandle::None;
   };
   EXPECT_EQ(handleOf("v = "), ContactHandle::Velocity);
-  EXPECT_EQ(handleOf(" N"), ContactHandle::Force);
+  EXPECT_EQ(handleOf(" = " + quantity(frame->normalForce, "N")), ContactHandle::Force);
   for (const HandlePlace& place : contactHandles(*frame, options)) {
     EXPECT_GE(place.box.width, 12);
     EXPECT_EQ(handleAt(*frame, options, place.box.x + place.box.width / 2,

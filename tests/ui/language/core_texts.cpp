@@ -13,15 +13,18 @@
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
+#include "core/chart/explanations.h"
 #include "core/chart/material_sheets.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_difference.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/theories/theory.h"
 #include "core/paper/figure.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/motion_table.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/effects.h"
+#include "core/scene/notes.h"
 #include "core/scene/parameters.h"
 #include "core/scene/plan.h"
 #include "core/scene/scene_file.h"
@@ -148,6 +151,15 @@ Texts tableTexts() {
         texts.insert(word);
       }
   }
+  return texts;
+}
+
+Texts explanationTexts() {
+  Texts texts;
+  for (const Explanation& one : explanations())
+    if (!one.sentence.empty()) texts.insert(Message(one.sentence));
+  for (std::size_t i = 0; i < kNotes; ++i) texts.insert(sentenceOf(static_cast<Note>(i)));
+  for (const TheoryEntry& entry : theoryEntries()) texts.insert(Message(entry.range));
   return texts;
 }
 

@@ -69,6 +69,7 @@ class German : public testing::Test {
 
 TEST_F(German, HasTheTableOfParameters) {
   EXPECT_EQ(missing(tableTexts()), "");
+  EXPECT_EQ(missing(explanationTexts()), "");
 }
 
 TEST_F(German, HasTheShippedScenes) {
@@ -140,8 +141,8 @@ TEST(Translations, ShowNoNumberAsComputersWriteIt) {
   static const QRegularExpression machine(QStringLiteral("(?<![\\w.,])\\d[\\d.,]*e[-+]?\\d"));
   for (const char* code : {"en", "de"}) {
     useLanguage(code);
-    for (const auto& texts : {tableTexts(), sceneTexts(), planTexts(), refusalTexts(),
-                              complaintTexts(), figureTexts(), diagramTexts()})
+    for (const auto& texts : {tableTexts(), explanationTexts(), sceneTexts(), planTexts(),
+                              refusalTexts(), complaintTexts(), figureTexts(), diagramTexts()})
       for (const Message& message : texts) {
         const QString shown = translatedText(message);
         const std::string text = message.english();

@@ -85,7 +85,7 @@ TEST_F(ParameterPanelTest, KeysOnASliderChangeTheScene) {
     EXPECT_GT(after, before) << key;
     const QString unit = control<QLabel>("unit:" + QString(key))->text();
     const QString text = inShownUnit(entry(key).text(), unit);
-    EXPECT_EQ(inPlainUnit(text, fromUtf8(row.unit)), valueText(after)) << key;
+    EXPECT_EQ(plainNumberOf(text, ruleOf(row)), valueText(after)) << key;
     EXPECT_EQ(spy_.back().front().value<Scene>(), panel_.scene());
   }
 }

@@ -20,9 +20,11 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/curve/curve_commands.h"
+#include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/session.h"
 
@@ -94,6 +96,54 @@ TEST_F(CurveCommandsTest, ArrowKeysMoveTheVelocityWhereTheChartHasTheFocus) {
   plot().setFocus();
   QTest::keyClick(&plot(), Qt::Key_Left);
   EXPECT_NEAR(velocity() / before, std::pow(10, -0.05), 0.005);
+}
+
+TEST_F(CurveCommandsTest, TheListsAtTheAxesChooseThem) {
+  ASSERT_TRUE(waitForCurve());
+  auto& keys = control<ChoiceBox>("axisKey");
+  auto& quantities = control<ChoiceBox>("axisQuantity");
+  EXPECT_EQ(keys.shownText(), "sliding velocity v (m/s)");
+  EXPECT_EQ(quantities.shownText().toStdString(), "coefficient of friction \u03BC");
+  EXPECT_EQ(keys.currentData().toString(), "sliding.velocity");
+  const auto choose = [](ChoiceBox& box, const QVariant& data) {
+    box.setFocus();
+    ASSERT_GE(box.findData(data), 0);
+    box.setCurrentIndex(box.findData(data));
+    emit box.activated(box.currentIndex());
+  };
+  choose(keys, "load.normal_force");
+  EXPECT_EQ(session().scene().sweep.key, "load.normal_force");
+  ASSERT_TRUE(waitForCurve());
+  ASSERT_TRUE(waitFor([&] { return keys.shownText().contains("(N)"); }));
+  choose(quantities, static_cast<int>(CurveQuantity::Indentation));
+  ASSERT_TRUE(waitFor([&] { return quantities.shownText().contains("indentation"); }));
+  action("undo").trigger();  // the axis; what is shown stays
+  EXPECT_EQ(session().scene().sweep.key, kVelocityKey);
+  ASSERT_TRUE(waitFor([&] { return keys.currentData().toString() == "sliding.velocity"; }));
+  choose(keys, "dimensionless");
+  EXPECT_TRUE(action("dimensionlessAxes").isChecked());
+  ASSERT_TRUE(waitFor([&] { return keys.currentData().toString() == "dimensionless"; }));
+  choose(keys, "sliding.velocity");
+  EXPECT_FALSE(action("dimensionlessAxes").isChecked());
+}
+
+TEST_F(CurveCommandsTest, AFamilyHasAsManyCurvesAsAreWanted) {
+  ASSERT_TRUE(waitForCurve());
+  QMenu& family = *window_.findChild<QMenu*>("familyMenu");
+  emit family.aboutToShow();
+  window_.findChild<QAction*>("familySize:3")->trigger();
+  family.findChild<QAction*>("key:elastomer.shear_modulus")->trigger();
+  ASSERT_TRUE(waitFor([&] { return session().friction().pinned().size() == 3; }));
+}
+
+TEST_F(CurveCommandsTest, InfluencesAreComputedWhileTheirTabIsSeen) {
+  action("go:influencePage").trigger();
+  auto& view = control<DiagramView>("influenceView");
+  ASSERT_TRUE(waitFor([&] { return view.isPainted(); }));
+  const QImage first = view.image();
+  auto& choice = control<QComboBox>("influenceChoice");
+  choice.setCurrentIndex(1);
+  ASSERT_TRUE(waitFor([&] { return view.isPainted() && view.image() != first; }));
 }
 
 TEST_F(CurveCommandsTest, PinsAreKeptComparedAndLetGo) {

@@ -143,6 +143,19 @@ TEST_F(ExportDialogTest, ATableHasTheBytesOfItsCommand) {
   expectSameBytes("shape.json");
 }
 
+/// Whatever else the command can do is within reach, and quotes are those of a shell.
+TEST_F(ExportDialogTest, OtherOptionsReachTheCommand) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "curve");
+  enter("exportFurther", "--font-size 9 --title \"two words\"");
+  EXPECT_TRUE(command().endsWith("--font-size 9 --title 'two words'")) << command().toStdString();
+  expectSameBytes("curve.svg");
+  openDialog(ExportKind::Picture);
+  enter("exportFurther", "--no-such-option");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(reason().contains("--no-such-option")) << reason().toStdString();
+}
+
 TEST_F(ExportDialogTest, AFilmHasTheBytesOfItsCommand) {
   openDialog(ExportKind::Film);
   choose("exportContent", "contact");

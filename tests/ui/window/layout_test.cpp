@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
@@ -13,6 +14,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <tuple>
 
@@ -20,6 +22,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
+#include "ui/window/main/session.h"
 
 namespace asperity {
 namespace {
@@ -39,6 +42,59 @@ TEST_F(LayoutTest, ParametersCloseAndComeBackByTheirKey) {
   EXPECT_FALSE(dock().isVisible());
   QTest::keyClick(&window_, Qt::Key_F9);
   EXPECT_TRUE(dock().isVisible());
+}
+
+TEST_F(LayoutTest, TheSlashGoesToTheFilterOfTheParameters) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  dock().hide();
+  QTest::keyClick(&window_, Qt::Key_Slash);
+  EXPECT_TRUE(dock().isVisible());
+  EXPECT_TRUE(control<QLineEdit>("parameterFilter").hasFocus());
+}
+
+/// Where every widget of the window is that can be seen, by its place in the tree.
+std::map<const QWidget*, QPoint> placesIn(const QWidget& window) {
+  std::map<const QWidget*, QPoint> places;
+  for (const QWidget* widget : window.findChildren<QWidget*>())
+    // The room for messages, which is empty, ends where the readings end.
+    if (widget->isVisible() && widget->window() == &window && widget->objectName() != "said")
+      places[widget] = widget->mapTo(&window, QPoint());
+  return places;
+}
+
+TEST_F(LayoutTest, NothingMovesWhenWorkBeginsOrEnds) {
+  const auto isAtRest = [&] {
+    return !session().friction().isStale() && session().friction().progress() >= 1 &&
+           session().averaging() != Session::Averaging::Running;
+  };
+  for (const int width : {1024, 1280, 1920}) {
+    window_.resize(width, 700);
+    ASSERT_TRUE(waitFor(isAtRest));
+    QTest::qWait(300);  // readings of the status line
+    const auto before = placesIn(window_);
+    Scene scene = session().scene();
+    scene.elastomer.shearModulus *= 1.1;
+    scene.ensemble.realizations += 40;
+    window_.document().edit(scene);
+    bool hasSeenWork = false;
+    const auto compare = [&](const char* when) {
+      const auto now = placesIn(window_);
+      for (const auto& [widget, place] : before) {
+        const auto found = now.find(widget);
+        EXPECT_TRUE(found == now.end() || found->second == place)
+            << widget->metaObject()->className() << ' ' << widget->objectName().toStdString() << ' '
+            << when << ' ' << width;
+      }
+    };
+    ASSERT_TRUE(waitFor([&] {
+      if (isAtRest()) return hasSeenWork;
+      hasSeenWork = true;
+      compare("during work");
+      return false;
+    }));
+    QTest::qWait(300);
+    compare("after work");
+  }
 }
 
 TEST_F(LayoutTest, DocksMayBeMoved) {
@@ -213,6 +269,8 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   first->findChild<QDockWidget*>("parameterDock")->hide();
   first->findChild<QAction*>("tab:planList")->setChecked(false);
   first->appearance().setColours(Colours::Dark);
+  const PanelView panel{true, {"load", "accuracy"}};
+  first->panel().setView(panel);
   const QRect place(QGuiApplication::screens().back()->geometry().topLeft() + QPoint(100, 100),
                     QSize(1100, 700));
   first->setGeometry(place);
@@ -224,11 +282,13 @@ TEST_F(LayoutTest, TheNextWindowIsAsTheLastWas) {
   EXPECT_FALSE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   EXPECT_FALSE(second->findChild<QAction*>("tab:planList")->isChecked());
   EXPECT_EQ(second->appearance().colours(), Colours::Dark);
+  EXPECT_EQ(second->panel().view(), panel);
   EXPECT_TRUE(second->appearance().isDark());
   EXPECT_FALSE(second->isFullScreen());
   EXPECT_TRUE(second->menuBar()->isVisible());
   EXPECT_EQ(second->geometry(), place);
   second->windowLayout().restoreDefault();
+  EXPECT_EQ(second->panel().view(), ParameterPanel::defaultView());
   EXPECT_TRUE(second->findChild<QDockWidget*>("parameterDock")->isVisible());
   second->appearance().setColours(Colours::Light);
 }

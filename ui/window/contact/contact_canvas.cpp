@@ -451,7 +451,8 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), wrappedTip(tipAt(help->pos())),
+    QString tip = wrappedTip(tipAt(help->pos()));
+    QToolTip::showText(help->globalPos(), tip.replace('\n', QStringLiteral("<br>")),
                        this);  // an empty text hides it
     return true;
   }

@@ -156,7 +156,7 @@ QString MotionView::reading(const TransientSample& sample) const {
   if (std::isfinite(sample.mu))
     lines += QStringLiteral("μ = ") + QString::fromStdString(shortNumber(sample.mu));
   lines += named("d", sample.indentation, "m");
-  lines += named("F_N", sample.normalForce, "N");
+  lines += tr("normal force %1").arg(QString::fromStdString(quantity(sample.normalForce, "N")));
   lines +=
       tr("in contact %1 %").arg(QString::fromStdString(shortNumber(100 * sample.contactFraction)));
   return lines.join('\n');

@@ -57,6 +57,7 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
   save_ = add("saveCurve", [this] { askSave(); });
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   copy_ = add("copyCurvePicture", [this] { copyPicture(); });
+  guide_ = add("aboutCurve", [this] { emit guideWanted(view_.guideAnchor()); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
   connect(&view_, &ChartView::zoomChanged, this, &CurveCommands::showState);
 }
@@ -78,7 +79,7 @@ void CurveCommands::showTexts() {
   keys_->setTitle(tr("Horizontal axis"));
   quantities_->setTitle(tr("Vertical axis"));
   family_->setTitle(tr("Family of curves"));
-  family_->setToolTip(tr("Pins five curves, at five values of another parameter"));
+  family_->setToolTip(tr("Pins some curves, at as many values of another parameter"));
   linearX_->setText(tr("Linear horizontal axis"));
   linearY_->setText(tr("Linear vertical axis"));
   nearer_->setText(tr("Zoom in"));
@@ -87,6 +88,8 @@ void CurveCommands::showTexts() {
   save_->setText(tr("Save curve…"));
   save_->setToolTip(tr("Everything that is shown, as a picture or as a table"));
   copy_->setText(tr("Copy curve picture"));
+  guide_->setText(tr("Read about it in the guide"));
+  guide_->setToolTip(tr("Opens the guide at what is under the pointer: a region, a curve, a law"));
 }
 
 void CurveCommands::fill(QMenu& menu) {
@@ -102,13 +105,14 @@ void CurveCommands::fill(QMenu& menu) {
     fillKeys(
         *family_, [this](const Parameter& row) { pinFamily(row); },
         !session_.scene().sweep.isOfVelocity());
+    addFamilySizes();
   });
   menu.addSeparator();
   keys_ = menu.addMenu(QString());
   keys_->setObjectName("axisMenu");
   connect(keys_, &QMenu::aboutToShow, this, [this] {
     fillKeys(
-        *keys_, [this](const Parameter& row) { chooseKey(row); }, true);
+        *keys_, [this](const Parameter& row) { chooseAxis(&row); }, true);
   });
   quantities_ = menu.addMenu(QString());
   quantities_->setObjectName("quantityMenu");
@@ -119,7 +123,7 @@ void CurveCommands::fill(QMenu& menu) {
   view_.setContextMenuPolicy(Qt::ActionsContextMenu);
   view_.addActions({pin_, unpinAll_, family_->menuAction(), keys_->menuAction(),
                     quantities_->menuAction(), linearX_, linearY_, dimensionless_, fit_, save_,
-                    copy_});
+                    copy_, guide_});
   keepTranslated(menu, [this] { showTexts(); });
   showState();
 }
@@ -171,44 +175,77 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
     action->setCheckable(&menu == keys_);
     action->setChecked(row.key == scene.sweep.key);
   };
-  if (withVelocity) addKey(*findParameter(kVelocityKey));
-  for (const std::string_view section :
-       {"load.", "elastomer.", "surface.", "interface.", "accuracy."}) {
-    menu.addSeparator();
-    for (const Parameter& row : parameters())
-      if (row.key.starts_with(section) && whyNotSwept(row, scene).empty() &&
-          (&menu == keys_ || row.key != scene.sweep.key))
-        addKey(row);
+  std::string_view section;
+  for (const Parameter* row : axisKeys()) {
+    if (row->key == kVelocityKey ? !withVelocity : &menu != keys_ && row->key == scene.sweep.key)
+      continue;
+    const std::string_view its = row->key.substr(0, row->key.find('.'));
+    if (its != section) menu.addSeparator();
+    section = its;
+    addKey(*row);
   }
+}
+
+/// Offers two to nine curves in a family.
+void CurveCommands::addFamilySizes() {
+  constexpr int kLeast = 2, kMost = 9;
+  family_->addSeparator();
+  QMenu* sizes = family_->addMenu(tr("Curves in a family: %1").arg(familySize_));
+  sizes->setObjectName("familySizes");
+  for (int size = kLeast; size <= kMost; ++size) {
+    QAction* action =
+        sizes->addAction(QString::number(size), this, [this, size] { familySize_ = size; });
+    action->setObjectName(QStringLiteral("familySize:%1").arg(size));
+    action->setCheckable(true);
+    action->setChecked(size == familySize_);
+  }
+}
+
+std::vector<const Parameter*> CurveCommands::axisKeys() const {
+  std::vector<const Parameter*> keys{findParameter(kVelocityKey)};
+  for (const std::string_view section :
+       {"load.", "elastomer.", "surface.", "interface.", "accuracy."})
+    for (const Parameter& row : parameters())
+      if (row.key.starts_with(section) && whyNotSwept(row, session_.scene()).empty())
+        keys.push_back(&row);
+  return keys;
 }
 
 void CurveCommands::fillQuantities() {
   quantities_->clear();
   for (const QuantityEntry& entry : quantityEntries()) {
-    QAction* action = quantities_->addAction(
-        capitalized(translatedText(entry.title)), this, [this, quantity = entry.quantity] {
-          view_.fit();
-          dimensionless_->setChecked(false);
-          session_.editCurve([&](FrictionChartModel& plot) { plot.setQuantity(quantity); });
-        });
+    QAction* action =
+        quantities_->addAction(capitalized(translatedText(entry.title)), this,
+                               [this, quantity = entry.quantity] { chooseQuantity(quantity); });
     action->setObjectName("quantity:" + QString::fromStdString(entry.word.text()));
     action->setCheckable(true);
     action->setChecked(session_.friction().quantity() == entry.quantity);
   }
 }
 
-/// Makes the key the axis, over a range around its own value.
-void CurveCommands::chooseKey(const Parameter& parameter) {
+void CurveCommands::chooseQuantity(CurveQuantity quantity) {
+  view_.fit();
+  dimensionless_->setChecked(false);
+  session_.editCurve([&](FrictionChartModel& plot) { plot.setQuantity(quantity); });
+}
+
+bool CurveCommands::hasDimensionlessAxes() const {
+  return dimensionless_->isChecked();
+}
+
+void CurveCommands::chooseAxis(const Parameter* parameter) {
   const Scene& scene = session_.scene();
-  if (parameter.key == scene.sweep.key) return;
+  const std::string_view key = parameter ? parameter->key : kVelocityKey;
   Scene next = scene;
-  if (parameter.key == kVelocityKey)
+  if (key == kVelocityKey)
     next.sweep = {};
   else
-    next = sceneOver(usualRange(parameter, scene), scene);
+    next = sceneOver(usualRange(*parameter, scene), scene);
+  if (key == scene.sweep.key) return dimensionless_->setChecked(!parameter);
   next.sweep.points = scene.sweep.points;
   view_.fit();
   emit axisChosen(next);
+  if (!parameter) dimensionless_->setChecked(true);
 }
 
 void CurveCommands::spaceEvenly(bool isLinear) {
@@ -218,12 +255,11 @@ void CurveCommands::spaceEvenly(bool isLinear) {
   emit axisChosen(next);
 }
 
-/// Pins five curves that differ in a second parameter.
+/// Pins curves that differ in a second parameter.
 void CurveCommands::pinFamily(const Parameter& parameter) {
-  constexpr std::int64_t kCurves = 5;
   const Scene scene = session_.scene();
   ParameterRange range = usualRange(parameter, scene);
-  range.points = kCurves;
+  range.points = familySize_;
   work_.request(
       [scene, range](const BackgroundWork::Run& run) {
         std::vector<std::shared_ptr<const CurveUpdate>> family;

@@ -33,6 +33,14 @@ class CurveCommands : public QObject {
   /// Returns the curves as they are shown; nothing before the first.
   std::optional<CurveSet> shown() const;
 
+  /// Returns the numbers that can be the horizontal axis, velocity first.
+  std::vector<const Parameter*> axisKeys() const;
+  /// Makes the key the axis, over a range around its own value; null: the dimensionless velocity.
+  void chooseAxis(const Parameter* parameter);
+  /// Chooses what the vertical axis shows; the axes then have units.
+  void chooseQuantity(CurveQuantity quantity);
+  bool hasDimensionlessAxes() const;
+
   /// Saves PNG, SVG, PDF or CSV, by the extension.
   void save(const QString& file);
 
@@ -41,6 +49,8 @@ class CurveCommands : public QObject {
   void exported(const QString& file);
   /// Emitted where another axis was chosen.
   void axisChosen(const asperity::Scene& scene);
+  /// Emitted where the user wants to read about what is under the pointer.
+  void guideWanted(const QString& anchor);
   /// A family could not be computed.
   void failed(const QString& reason);
 
@@ -53,18 +63,19 @@ class CurveCommands : public QObject {
   void copyPicture();
   void setAxes(bool dimensionless);
   void fillKeys(QMenu& menu, std::function<void(const Parameter&)> choose, bool withVelocity);
+  void addFamilySizes();
   void fillQuantities();
-  void chooseKey(const Parameter& parameter);
   void spaceEvenly(bool isLinear);
   void pinFamily(const Parameter& parameter);
 
   Session& session_;
   ChartView& view_;
   Export run_;
-  QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_;
+  QAction *pin_, *unpinAll_, *dimensionless_, *nearer_, *farther_, *fit_, *save_, *copy_, *guide_;
   QAction *linearX_, *linearY_;
   QMenu* unpin_ = nullptr;
   QMenu *keys_ = nullptr, *quantities_ = nullptr, *family_ = nullptr;
+  int familySize_ = 5;
   BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 

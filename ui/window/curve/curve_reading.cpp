@@ -74,12 +74,17 @@ NoteSet notesAt(const CurveUpdate& curve, double place) {
 QString regionAt(const CurveUpdate& curve, double velocity) {
   for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
     if (velocity >= region.from && velocity <= region.to)
-      return CurveReadingText::tr("region %1, %2")
-          .arg(QString::fromStdString(region.name), translatedText(wordOfRegion(region.name)));
+      return regionText(region.name);
   return {};
 }
 
 }  // namespace
+
+QString regionText(std::string_view name) {
+  return CurveReadingText::tr("region %1, %2")
+      .arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
+           translatedText(wordOfRegion(name)));
+}
 
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   const double velocity = frame.scene->sliding.velocity;

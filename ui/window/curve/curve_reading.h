@@ -16,6 +16,9 @@ struct CurveReading {
   NoteSet notes{};                // of the curve's points on both sides of the velocity
 };
 
+/// Returns "region III, plateau" for "III".
+QString regionText(std::string_view name);
+
 /// Reads the curve at the frame's velocity. `curve`: of the frame's scene, or null.
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve);
 

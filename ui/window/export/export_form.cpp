@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProcess>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -116,6 +117,14 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       [] { return tr("Names of columns, separated by commas; empty: all"); });
   columns_->setPlaceholderText(tr("all"));
 
+  further_ = addEntry(
+      "exportFurther", [] { return tr("&Other options"); },
+      [] {
+        return tr(
+            "Any other options of the command, such as --font-size 9 --title none; asperity "
+            "render --help lists them");
+      });
+
   fillContents();
   choose(*theme_, shown_.dark ? "dark" : "");
   for (QComboBox* box : {kind_, content_, format_, style_, preset_, unit_, theme_, speed_})
@@ -134,7 +143,8 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
     });
   for (QLineEdit* entry : {width_, height_})
     connect(entry, &QLineEdit::textEdited, this, [this] { choose(*preset_, kOwn); });
-  for (QLineEdit* entry : {width_, height_, density_, duration_, rate_, speedValue_, columns_})
+  for (QLineEdit* entry :
+       {width_, height_, density_, duration_, rate_, speedValue_, columns_, further_})
     connect(entry, &QLineEdit::textEdited, this, &ExportForm::changed);
   for (QCheckBox* box : {transparent_, asShown_})
     connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
@@ -315,6 +325,7 @@ ExportWish ExportForm::wish() const {
   wish.kind = kind();
   wish.content = chosen(*content_);
   wish.asShown = asShown_->isChecked();
+  wish.further = QProcess::splitCommand(further_->text());
   if (wish.kind == ExportKind::Table) {
     wish.columns = columns_->text().simplified().remove(' ');
     return wish;

@@ -51,7 +51,7 @@ class ExportForm : public QWidget {
   RenderCommandOptions shown_;
   QFormLayout* rows_;
   QComboBox *kind_, *content_, *format_, *preset_, *unit_, *theme_, *style_, *speed_;
-  QLineEdit *width_, *height_, *density_, *duration_, *rate_, *speedValue_, *columns_;
+  QLineEdit *width_, *height_, *density_, *duration_, *rate_, *speedValue_, *columns_, *further_;
   QWidget *size_, *speedRow_;
   QCheckBox *transparent_, *asShown_;
   bool isFilling_ = false;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/accuracy/compute_curve.h"
+#include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/study.h"
 #include "core/run/simulation.h"
@@ -112,7 +113,12 @@ QImage curveImage(Scene scene, const Theme& theme, const std::stop_token& stop) 
   options.stop = stop;
   const Curve curve = computeCurve(scene, options);
   if (stop.stop_requested()) throw StudyStopped();
-  return diagramImage(curveSheet(scene, curve.points), theme);
+  CurveSet set;
+  set.present = {{}, scene, curve.points, 0, kPresentCurve};
+  StateOptions others;
+  others.stop = stop;
+  if (hasComparisons(set)) addComparisons(set, readComparisonData(scene), others);
+  return diagramImage(curveSheet(set), theme);
 }
 
 /// Draws friction in time, which is the second strip of a motion.

@@ -9,7 +9,8 @@ namespace asperity {
 /// Returns the guide of the program that lies in this folder; empty where there is none.
 QString guideFile(const QString& programFolder);
 
-/// Opens that guide. Returns a sentence why not; empty where it opens.
-QString openGuideOf(const QString& programFolder);
+/// Opens that guide at a place ("eq-11"), or at its beginning. Returns a sentence why not; empty
+/// where it opens.
+QString openGuideOf(const QString& programFolder, const QString& anchor = {});
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
@@ -28,6 +29,7 @@
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/contact/time_bar.h"
+#include "ui/window/curve/axis_choosers.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_comparison.h"
@@ -257,7 +259,7 @@ void MainWindow::buildCommands() {
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
                   {Qt::Key_F1, Qt::Key_Question}});
-  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide(); }});
+  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide({}); }});
   commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {QKeySequence::Quit}});
   const auto run = [this](std::function<void()> work, std::function<void()> done) {
@@ -265,6 +267,9 @@ void MainWindow::buildCommands() {
   };
   curveCommands_ = new CurveCommands(*session_, tabs_->plot(), run, this);
   exports_->setCurves(*curveCommands_);
+  new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
+  connect(curveCommands_, &CurveCommands::guideWanted, this, &MainWindow::openGuide);
+  connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
 }
 
 // ---- Connections: whatever changes the scene changes the document, which informs all parts
@@ -287,6 +292,7 @@ void MainWindow::connectScene() {
           [this](const Scene& scene, SceneChange change) {
             const bool isOpened = change == SceneChange::Opened;
             if (isOpened) described_.reset();
+            if (isOpened) panel_->showNotes({});
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene, isOpened ? Session::Begin::Opened : Session::Begin::GoesOn);
@@ -395,11 +401,13 @@ void MainWindow::showFrame() {
   showWarnings(*frame, reading.notes);
 }
 
-/// Shows at the parameters how far the present result holds. Until the curve of a changed scene has
-/// its first points, the warnings of before stay, so that rows do not move twice.
+/// Shows at the parameters how far the present result holds. Until the curve of a changed scene is
+/// complete, the warnings of before stay, so that rows do not move back and forth while it is
+/// computed.
 void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
   const CurveUpdate* curve = session_->curve();
   if (!curve || !haveSameCurve(*frame.scene, *curve->scene)) return;
+  if (!curve->isComplete && session_->averaging() == Session::Averaging::Running) return;
   notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
   panel_->showNotes(notes);
 }

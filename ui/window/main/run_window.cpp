@@ -23,6 +23,7 @@
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/figures/figure_pages.h"
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/document_commands.h"
@@ -55,9 +56,10 @@ SceneState stateOf(const Scene& scene, const std::string& name) {
   SceneState state{{{}, {}, scene}, scene};
   try {
     const QFileInfo file(QString::fromStdString(name));
-    if (file.isFile())
-      state.origin = {{}, file.absoluteFilePath(), readSceneFile(name)};
-    else
+    // Values of the command line are no changes of the file that would have to be saved.
+    if (file.isFile() && readSceneFile(name) == scene)
+      state.origin = {{}, file.absoluteFilePath(), scene};
+    if (!file.exists())
       for (const LibraryScene& entry : libraryScenes())
         if (entry.name + ".json" == QString::fromStdString(name))
           state.origin = {entry.name, {}, entry.scene};
@@ -116,6 +118,8 @@ int runWindow(QApplication& application, const std::optional<Scene>& scene, Runn
     window->openGallery();
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
+  // Otherwise the first button would have the focus, which the space bar then presses.
+  if (window->figures().isShowingViews()) window->canvas().setFocus();
   window->show();
   if (start.found)
     QTimer::singleShot(0, window.get(), [&start, shown = window.get()] {

@@ -166,7 +166,10 @@ void SceneDocument::open(const SceneOrigin& origin) {
 
 void SceneDocument::begin(const SceneState& state) {
   endTrial();
-  goTo(state, SceneChange::Opened);
+  if (state.scene == scene_)
+    origin_ = state.origin;
+  else
+    goTo(state, SceneChange::Opened);
   history_.clear();
   emit historyChanged();
 }

@@ -18,6 +18,7 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/motion_view.h"
+#include "ui/window/curve/influence_page.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
@@ -78,6 +79,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
       accuracy_(new AccuracyPanel),
       plan_(new PlanList),
       map_(new MapPanel),
+      influences_(new InfluencePage),
       excitation_(std::make_shared<ExcitationOfScene>()) {
   setObjectName("tabs");
   setDocumentMode(true);
@@ -91,9 +93,9 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   spectrum_->setObjectName("spectrumView");
   statistics_->setObjectName("statisticsView");
   material_->setObjectName("materialView");
-  // The map is last, so that the keys of the other tabs stay.
-  for (QWidget* page : std::initializer_list<QWidget*>{plot_, motion_, spectrum_, statistics_,
-                                                       material_, accuracy_, plan_, map_})
+  // Newer tabs are last, so that the keys of the others stay.
+  for (QWidget* page : std::initializer_list<QWidget*>{
+           plot_, motion_, spectrum_, statistics_, material_, accuracy_, plan_, map_, influences_})
     addTab(page, QString());
   setTabVisible(kMotionTab, false);
   for (int i = 0; i < count(); ++i) {
@@ -115,6 +117,8 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   connect(motion_, &MotionView::failed, this, &SceneTabs::failed);
   connect(map_, &MapPanel::saved, this, &SceneTabs::saved);
   connect(map_, &MapPanel::failed, this, &SceneTabs::failed);
+  connect(influences_, &InfluencePage::saved, this, &SceneTabs::saved);
+  connect(influences_, &InfluencePage::failed, this, &SceneTabs::failed);
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsWanted);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }
@@ -132,8 +136,8 @@ void SceneTabs::showTexts() {
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
   material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
   const QString titles[] = {
-      tr("Friction curve"), tr("Motion in time"), tr("Spectrum"), tr("Statistics"),
-      tr("Material"),       tr("Accuracy"),       tr("Plan"),     tr("Map")};
+      tr("Friction curve"), tr("Motion in time"), tr("Spectrum"), tr("Statistics"), tr("Material"),
+      tr("Accuracy"),       tr("Plan"),           tr("Map"),      tr("Influences")};
   for (int i = 0; i < count(); ++i) {
     setTabText(i, titles[i]);
     wanted_[i]->setText(titles[i]);
@@ -217,6 +221,7 @@ void SceneTabs::showScene(const Scene& scene) {
        }});
   accuracy_->showScene(scene);
   map_->showScene(scene);
+  influences_->showScene(scene);
   if (!timed_ || !haveSameCurve(*timed_, scene)) {
     timed_ = scene;
     measured_.reset();
@@ -240,6 +245,7 @@ void SceneTabs::setTheme(const Theme& theme) {
   for (DiagramView* view : {spectrum_, statistics_, material_}) view->setTheme(theme);
   accuracy_->setTheme(theme);
   map_->setTheme(theme);
+  influences_->setTheme(theme);
 }
 
 void SceneTabs::beginCurve() {

@@ -1,6 +1,6 @@
 // The tabs under the contact: the friction curve, the motion over time (only where the scene has
 // one), the spectrum of the line, statistics of the contact, where the rubber is used, the cost of
-// accuracy, the plan, and the map over two parameters.
+// accuracy, the plan, the map over two parameters, and what friction depends on.
 // GUI thread; belongs to its parent.
 #pragma once
 
@@ -25,6 +25,7 @@ class ChartView;
 class Commands;
 class DiagramView;
 class ExcitationOfScene;
+class InfluencePage;
 class MapPanel;
 class MotionView;
 class PlanList;
@@ -41,6 +42,7 @@ class SceneTabs : public QTabWidget {
   AccuracyPanel& accuracy() { return *accuracy_; }
   MapPanel& map() { return *map_; }
   MotionView& motion() { return *motion_; }
+  InfluencePage& influences() { return *influences_; }
 
   /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
@@ -92,6 +94,7 @@ class SceneTabs : public QTabWidget {
   AccuracyPanel* accuracy_;
   PlanList* plan_;
   MapPanel* map_;
+  InfluencePage* influences_;
   Commands* commands_ = nullptr;
   QList<QAction*> wanted_;            // one for each tab, checkable
   std::optional<Scene> timed_;        // the scene whose curve is timed

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "core/scene/sweep.h"
+
 namespace asperity {
 
 namespace {
@@ -20,6 +22,8 @@ bool sameOrBothMissing(double a, double b) {
 bool sameMark(const Frame* before, const Frame& now) {
   return before && !before->transient && !now.transient &&
          before->scene->sliding.velocity == now.scene->sliding.velocity &&
+         before->scene->sweep.key == now.scene->sweep.key &&
+         ownSweptValue(*before->scene) == ownSweptValue(*now.scene) &&
          sameOrBothMissing(before->muSteady, now.muSteady);
 }
 

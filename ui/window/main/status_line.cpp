@@ -141,8 +141,11 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
   line->setSpacing(20);
-  regime_ = addFact(*line, "factRegime");
+  // What is left out first in a narrow window is in the middle, so that nothing else moves.
   mu_ = addFact(*line, "factMu");
+  regime_ = addFact(*line, "factRegime");
+  force_ = addFact(*line, "factForce");
+  velocity_ = addFact(*line, "factVelocity");
   notes_ = new QToolButton;
   notes_->setObjectName("factNotes");
   notes_->setAutoRaise(true);
@@ -156,20 +159,22 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
     menu.exec(notes_->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
   });
   line->addWidget(notes_);
-  force_ = addFact(*line, "factForce");
-  velocity_ = addFact(*line, "factVelocity");
   settling_ = addFact(*line, "factSettling");
   said_ = new ElidedLabel;
   said_->setObjectName("said");
   line->addWidget(said_, 1);
   silence_ = new QTimer(this);
   silence_->setSingleShot(true);
-  connect(silence_, &QTimer::timeout, this, &StatusLine::fallSilent);
+  connect(silence_, &QTimer::timeout, this, [this] {
+    said_->setText({});
+    fitFacts();
+  });
   addWork(*line);
-  simulations_ = addFact(*line, "factSimulations");
-  rate_ = addFact(*line, "factRate");
   backend_ = addFact(*line, "factBackend");
+  rate_ = addFact(*line, "factRate");
+  simulations_ = addFact(*line, "factSimulations");
   showTips();
+  keepRooms();
   showWork({});
 }
 
@@ -199,11 +204,39 @@ void StatusLine::showTips() {
   backend_->setToolTip(tr("What draws the contact"));
 }
 
+/// Gives readings that come and go with the work their room for good, so that nothing beside them
+/// moves when work begins or ends.
+void StatusLine::keepRooms() {
+  const auto widthOf = [this](const QString& text) {
+    return fontMetrics().horizontalAdvance(text);
+  };
+  const QString number = QStringLiteral("0.00888");
+  mu_->setMinimumWidth(
+      widthOf(tr("friction μ = %1%2")
+                  .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
+  force_->setMinimumWidth(widthOf(tr("force F̄ = %1").arg(number)));
+  velocity_->setMinimumWidth(widthOf(tr("velocity v̄ = %1").arg(number)));
+  simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(8800000))));
+  rate_->setMinimumWidth(widthOf(tr("%1 frames/s").arg(888)));
+  for (QLabel* fact : {simulations_, rate_}) fact->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  int widest = 0;
+  for (const char* name : {"I", "II", "III", "IV"})
+    widest = std::max(widest, widthOf(regionText(name)));
+  regime_->setMinimumWidth(widest);
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+  }
+}
+
 /// Updates the texts. The readings follow with the next frame, which the main window shows again.
 void StatusLine::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && stop_) keepRooms();
   if (event->type() != QEvent::LanguageChange) return;
   showTips();
+  keepRooms();
   showWork(work_);
   if (!rate_->text().isEmpty()) showDrawing(framesPerSecond_, backend_->text());
 }
@@ -235,13 +268,13 @@ void StatusLine::addWork(QHBoxLayout& line) {
   room->addWidget(progress_);
   room->addWidget(stop_);
   line.addLayout(room);
-  int height = 0;
+  QSize size;
   for (const QString& sign : {kStopSign, kAgainSign}) {
     stop_->setText(sign);
-    height = std::max(height, stop_->sizeHint().height());
+    size = size.expandedTo(stop_->sizeHint());
   }
-  stop_->setFixedHeight(height);
-  line.addStrut(height);
+  stop_->setFixedSize(size);
+  line.addStrut(size.height());
 }
 
 void StatusLine::pressed() {
@@ -272,6 +305,7 @@ void StatusLine::showWork(const Work& work) {
 }
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
+  hasRegions_ = frame.scene->sweep.isOfVelocity();
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
@@ -309,19 +343,22 @@ void StatusLine::fitFacts() {
   const QMargins around = layout()->contentsMargins();
   int room = width() - around.left() - around.right();
   for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
-    if (!work->isHidden()) room -= work->sizeHint().width() + layout()->spacing();
+    room -= work->width() + layout()->spacing();
   // Friction and what limits it stay, however narrow the window is.
   notes_->setVisible(!present_.empty());
   if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
-  for (QLabel* fact : {mu_, settling_, regime_, force_, velocity_, simulations_, rate_, backend_}) {
+  for (QLabel* fact : {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
-    if (fact->text().isEmpty() || isSaidOver) {
+    // Those that come with the work have their room while they say nothing.
+    const bool keepsRoom = fact == simulations_ || (fact == regime_ && hasRegions_);
+    if ((fact->text().isEmpty() && !keepsRoom) || isSaidOver) {
       fact->hide();
       continue;
     }
-    const int needed = fact->sizeHint().width() + layout()->spacing();
+    const int needed =
+        std::max(fact->sizeHint().width(), fact->minimumWidth()) + layout()->spacing();
     fits = fits && room >= needed + (fact->isHidden() ? kAir : 0);
     fact->setVisible(fits || fact == mu_);
     room -= needed;
@@ -353,11 +390,6 @@ void StatusLine::showVelocity(const Frame& frame) {
 void StatusLine::say(const QString& text) {
   said_->setText(text);
   silence_->start(kSaidFor);
-  fitFacts();
-}
-
-void StatusLine::fallSilent() {
-  said_->setText({});
   fitFacts();
 }
 

@@ -77,11 +77,12 @@ class StatusLine : public QWidget {
   void showNotes(const NoteSet& notes);
   void addWork(QHBoxLayout& line);
   void pressed();
-  void fallSilent();
+  void keepRooms();
   void fitFacts();
 
   Work work_;
   int framesPerSecond_ = 0;
+  bool hasRegions_ = true;  // the curve goes over velocity
   ElidedLabel* said_;
   QTimer* silence_;
   QLabel* regime_;

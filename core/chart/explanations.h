@@ -1,0 +1,36 @@
+// One table of what the window explains under the pointer: symbols, quantities, regions, legend
+// entries and numbered equations, each with its formula, a sentence and its place in the guide.
+// Parameters, regions and theories have their sentences in their own tables, which are used here.
+// Constant; any thread.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/base/message.h"
+
+namespace asperity {
+
+struct Explanation {
+  std::string_view id;           // scene key, column, "region IV", text of a legend, "Eq. (11)"
+  std::string_view formula;      // in printed letters, the same in every language; may be empty
+  std::string_view sentence;     // English; its German is in core_de.ts
+  std::string_view guideAnchor;  // of the guide's page: "law", "eq-11"
+};
+
+/// Returns the explanation with this id; nothing where there is none. Every scene key has one.
+std::optional<Explanation> explanationOf(std::string_view id);
+
+/// Returns the explanation of a text of a chart, by its English template; nothing where there is
+/// none, as for a curve that a user named.
+std::optional<Explanation> explanationOf(const Message& text);
+
+/// Returns the numbers of the equations that a text mentions, as ids: "Eq. (13)".
+std::vector<std::string_view> equationsIn(std::string_view text);
+
+/// Returns all explanations of the table itself, for tests and the guide.
+std::span<const Explanation> explanations();
+
+}  // namespace asperity

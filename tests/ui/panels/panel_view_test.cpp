@@ -1,0 +1,255 @@
+// Which rows of the panel are seen: essential ones or all, sections, the filter, what a lesson
+// locks and hides, warnings; and how sliders are moved finely.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include "core/scene/essentials.h"
+#include "core/scene/parameters.h"
+#include "tests/ui/panels/parameter_panel_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/panels/panel_bar.h"
+#include "ui/panels/section_header.h"
+
+namespace asperity {
+namespace {
+
+class PanelViewTest : public ParameterPanelTest {
+ protected:
+  PanelViewTest() {
+    panel_.setView(ParameterPanel::defaultView());
+    panel_.activateWindow();
+  }
+
+  int rowsShown() {
+    int count = 0;
+    for (const Parameter& row : parameters()) count += isShown("row:" + fromUtf8(row.key));
+    return count;
+  }
+  bool hasRow(const QString& key) { return isShown("row:" + key); }
+  FilterLine& filter() { return *control<FilterLine>("parameterFilter"); }
+  void filterBy(const QString& text) {
+    filter().clear();
+    QTest::keyClicks(&filter(), text);
+  }
+  SectionHeader& section(const QString& name) { return *control<SectionHeader>("section:" + name); }
+};
+
+TEST_F(PanelViewTest, EssentialsAreAFewRowsWithoutHeadings) {
+  EXPECT_LE(rowsShown(), static_cast<int>(kMostEssentials));
+  EXPECT_TRUE(hasRow("sliding.velocity"));
+  EXPECT_TRUE(hasRow("load.normal_force"));
+  EXPECT_FALSE(hasRow("surface.seed"));
+  EXPECT_FALSE(isShown("section:load"));
+  Scene scene;
+  scene.load.kind = LoadKind::Indentation;
+  panel_.setScene(scene);
+  EXPECT_TRUE(hasRow("load.depth"));
+  EXPECT_FALSE(hasRow("load.normal_force"));
+}
+
+TEST_F(PanelViewTest, TheButtonAllShowsTheRestInSections) {
+  QSignalSpy changes(&panel_, &ParameterPanel::viewChanged);
+  QTest::mouseClick(control<QToolButton>("showAllParameters"), Qt::LeftButton);
+  EXPECT_TRUE(panel_.view().showsAll);
+  EXPECT_EQ(changes.count(), 1);
+  EXPECT_TRUE(hasRow("surface.seed"));
+  EXPECT_TRUE(hasRow("elastomer.shift.c1"));
+  EXPECT_TRUE(isShown("section:surface"));
+  EXPECT_FALSE(hasRow("accuracy.scheme")) << "folded at first";
+}
+
+TEST_F(PanelViewTest, SectionsFoldByMouseAndKeysAndSayWhatIsChangedInside) {
+  panel_.setView({true, {}});
+  SectionHeader& load = section("load");
+  QTest::mouseClick(&load, Qt::LeftButton);
+  EXPECT_FALSE(hasRow("load.normal_force"));
+  EXPECT_EQ(panel_.view().folded, QStringList{"load"});
+  QTest::keyClick(&load, Qt::Key_Right);
+  EXPECT_TRUE(hasRow("load.normal_force"));
+  QTest::keyClick(&load, Qt::Key_Left);
+  EXPECT_FALSE(hasRow("load.normal_force"));
+  EXPECT_EQ(load.accessibleDescription(), "folded section");
+  Scene scene;
+  scene.load.normalForce *= 2;
+  panel_.setScene(scene);
+  EXPECT_EQ(load.accessibleDescription(), "folded section, 1 changed");
+}
+
+TEST_F(PanelViewTest, TheFilterFindsLabelsKeysSymbolsAndUnits) {
+  filterBy("force");
+  EXPECT_TRUE(hasRow("load.normal_force"));
+  EXPECT_FALSE(hasRow("sliding.velocity"));
+  filterBy("surface.se");
+  EXPECT_TRUE(hasRow("surface.seed"));
+  EXPECT_FALSE(hasRow("surface.hurst"));
+  filterBy("kPa");
+  EXPECT_TRUE(hasRow("elastomer.shear_modulus"));
+  EXPECT_FALSE(hasRow("load.normal_force"));
+  filterBy("mN");
+  EXPECT_TRUE(hasRow("load.normal_force"));
+  EXPECT_FALSE(hasRow("elastomer.shear_modulus"));
+  filter().setText(QStringLiteral("τ"));  // no key of a test has it
+  EXPECT_TRUE(hasRow("elastomer.relaxation_time"));
+  EXPECT_EQ(rowsShown(), 1);
+  filterBy("rms height");  // both words
+  EXPECT_EQ(rowsShown(), 1);
+  filterBy("scheme");  // also in a section that is folded
+  EXPECT_TRUE(hasRow("accuracy.scheme"));
+}
+
+TEST_F(PanelViewTest, AFilterThatFindsNothingSaysSoAndEscapeClearsIt) {
+  filterBy("xyz");
+  EXPECT_EQ(rowsShown(), 0);
+  EXPECT_TRUE(isShown("noParameterFound"));
+  EXPECT_TRUE(control<QLabel>("noParameterFound")->text().contains("xyz"));
+  QTest::keyClick(&filter(), Qt::Key_Escape);
+  EXPECT_TRUE(filter().text().isEmpty());
+  EXPECT_FALSE(isShown("noParameterFound"));
+  EXPECT_GT(rowsShown(), 3);
+  panel_.focusFilter();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return filter().hasFocus(); }));
+  QTest::keyClick(&filter(), Qt::Key_Escape);  // an empty one returns the keys to the window
+  EXPECT_FALSE(filter().hasFocus());
+}
+
+TEST_F(PanelViewTest, RowsAreLockedAndHiddenByKeySectionAndForAll) {
+  panel_.setRowAccess({{"*", RowAccess::Hidden},
+                       {"elastomer", RowAccess::Locked},
+                       {"surface.seed", RowAccess::Free}});
+  EXPECT_TRUE(hasRow("surface.seed")) << "named as free";
+  EXPECT_TRUE(slider("surface.seed").isEnabled());
+  EXPECT_FALSE(hasRow("sliding.velocity"));
+  EXPECT_TRUE(hasRow("elastomer.shear_modulus"));
+  EXPECT_FALSE(slider("elastomer.shear_modulus").isEnabled());
+  const Scene before = panel_.scene();
+  QTest::keyClick(&slider("elastomer.shear_modulus"), Qt::Key_Right);
+  EXPECT_EQ(panel_.scene(), before);
+  panel_.setRowAccess({});
+  EXPECT_TRUE(hasRow("sliding.velocity"));
+  EXPECT_TRUE(slider("elastomer.shear_modulus").isEnabled());
+  EXPECT_FALSE(hasRow("surface.seed"));
+}
+
+TEST_F(PanelViewTest, WhatIsWrongIsSeenWhateverIsFolded) {
+  panel_.showError("accuracy.scheme", "not so");
+  EXPECT_TRUE(hasRow("accuracy.scheme"));
+  panel_.clearErrors();
+  EXPECT_FALSE(hasRow("accuracy.scheme"));
+}
+
+TEST_F(PanelViewTest, NotesAreWarningsAtTheirRows) {
+  NoteSet notes;
+  notes.add(Note::SlopeAbove);
+  notes.add(Note::FewContacts);
+  panel_.showNotes(notes);
+  EXPECT_TRUE(control<QLabel>("warning:surface.rms_height")->text().contains("0.3"));
+  EXPECT_TRUE(isShown("warning:load.normal_force"));
+  EXPECT_FALSE(isShown("warning:sliding.velocity"));
+  panel_.showNotes({});
+  EXPECT_FALSE(isShown("warning:surface.rms_height"));
+  EXPECT_FALSE(isShown("warning:load.normal_force"));
+}
+
+TEST_F(PanelViewTest, ARowIsRevealedWhereverItIs) {
+  panel_.reveal("accuracy.scheme");
+  EXPECT_TRUE(hasRow("accuracy.scheme"));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return control<QWidget>("choice:accuracy.scheme")->hasFocus(); }));
+  panel_.reveal("no.such.key");
+}
+
+TEST_F(PanelViewTest, SlidersAreAsWideAsThePanel) {
+  for (const int width : {300, 380, 600}) {
+    panel_.resize(width, 700);
+    QTest::qWait(1);
+    EXPECT_GT(slider("load.normal_force").width(), 0.85 * panel_.width()) << width;
+  }
+}
+
+TEST_F(PanelViewTest, ShiftAndPageMakeSmallAndLargeSteps) {
+  ValueSlider& force = slider("load.normal_force");
+  const auto stepOf = [&](Qt::Key key, Qt::KeyboardModifiers modifiers) {
+    panel_.setScene({});
+    QTest::keyClick(&force, key, modifiers);
+    return std::log10(panel_.scene().load.normalForce / Scene{}.load.normalForce);
+  };
+  const double usual = stepOf(Qt::Key_Right, Qt::NoModifier);
+  const double fine = stepOf(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_GT(fine, 0);
+  EXPECT_LT(fine, 0.3 * usual);
+  EXPECT_NEAR(stepOf(Qt::Key_PageUp, Qt::NoModifier), 1, 0.02) << "a decade";
+  EXPECT_NEAR(stepOf(Qt::Key_PageDown, Qt::NoModifier), -1, 0.02);
+}
+
+TEST_F(PanelViewTest, ArrowsInAnEntryStepLikeTheSlider) {
+  const double before = panel_.scene().load.normalForce;
+  entry("load.normal_force").setFocus();
+  QTest::keyClick(&entry("load.normal_force"), Qt::Key_Up);
+  EXPECT_GT(panel_.scene().load.normalForce, before);
+  QTest::keyClick(&entry("load.normal_force"), Qt::Key_Down);
+  EXPECT_NEAR(panel_.scene().load.normalForce / before, 1, 0.02);
+  type("load.normal_force", "1 N");
+  entry("load.normal_force").setFocus();
+  QTest::keyClick(&entry("load.normal_force"), Qt::Key_PageUp);
+  EXPECT_NEAR(panel_.scene().load.normalForce, 10, 0.3);
+}
+
+TEST_F(PanelViewTest, DraggingWithShiftIsTenTimesFiner) {
+  const auto drag = [&](Qt::KeyboardModifiers modifiers) {
+    panel_.setScene({});
+    ValueSlider& force = slider("load.normal_force");
+    const int from = force.sliderPosition();
+    const double x = 7.5 + (force.width() - 15.0) * from / force.maximum();
+    const QPoint at(static_cast<int>(x), force.height() / 2);
+    const auto send = [&](QEvent::Type type, QPoint place, Qt::MouseButton button) {
+      QMouseEvent event(type, place, force.mapToGlobal(place), button, Qt::LeftButton, modifiers);
+      QApplication::sendEvent(&force, &event);
+    };
+    send(QEvent::MouseButtonPress, at, Qt::LeftButton);
+    const int grip = force.sliderPosition();
+    send(QEvent::MouseMove, at, Qt::NoButton);
+    send(QEvent::MouseMove, at + QPoint(60, 0), Qt::NoButton);
+    const int way = force.sliderPosition() - grip;
+    send(QEvent::MouseButtonRelease, at + QPoint(60, 0), Qt::LeftButton);
+    return way;
+  };
+  const int plain = drag(Qt::NoModifier), fine = drag(Qt::ShiftModifier);
+  EXPECT_GT(plain, 0);
+  EXPECT_NEAR(fine, 0.1 * plain, 0.05 * plain);
+}
+
+TEST_F(PanelViewTest, EndsOfAnotherAxisHaveItsUnitAndLimits) {
+  panel_.setView({true, {}});
+  Scene scene;
+  scene.sweep.key = "load.normal_force";
+  scene.sweep.from = 1e-3;
+  scene.sweep.to = 10;
+  panel_.setScene(scene);
+  EXPECT_EQ(entry("sweep.from").text(), "1");
+  EXPECT_EQ(control<QLabel>("unit:sweep.from")->text(), "mN");
+  type("sweep.from", "20 mN");
+  EXPECT_EQ(panel_.scene().sweep.from, 0.02);
+  type("sweep.from", "20 mm");
+  EXPECT_TRUE(complaint("sweep.from").contains("length")) << complaint("sweep.from").toStdString();
+  scene.sweep.key = "elastomer.temperature";
+  scene.elastomer.rheology = Rheology::Kelvin;
+  scene.sweep.from = 273.15;
+  scene.sweep.to = 373.15;
+  panel_.setScene(scene);
+  type("sweep.to", QStringLiteral("60 °C"));
+  EXPECT_EQ(panel_.scene().sweep.to, 333.15);
+}
+
+TEST_F(PanelViewTest, TooltipsHaveTheFormulaAndTheMenuLeadsToTheGuide) {
+  EXPECT_TRUE(slider("elastomer.relaxation_time").toolTip().contains(QStringLiteral("τ = η/G")));
+  EXPECT_TRUE(slider("load.normal_force").toolTip().contains("F<sub>N</sub>"));
+}
+
+}  // namespace
+}  // namespace asperity

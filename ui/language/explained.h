@@ -1,0 +1,26 @@
+// What core explains (core/chart/explanations.h), as text for people in the current language. Pure
+// once the language is chosen; any thread.
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+#include "core/chart/explanations.h"
+
+namespace asperity {
+
+/// Returns a formula as rich text: "F_N" with a lowered N, "h^2" with a raised 2.
+QString formulaHtml(std::string_view formula);
+
+/// Returns a formula as plain text: "Fₙ", "μ(III)²".
+QString formulaText(std::string_view formula);
+
+/// Returns title, formula and sentence as rich text for a tooltip; an empty title is left out.
+QString explanationHtml(const Explanation& explanation, const QString& title = {});
+
+inline QString anchorText(const Explanation& explanation) {
+  return QString::fromUtf8(explanation.guideAnchor.data(),
+                           static_cast<qsizetype>(explanation.guideAnchor.size()));
+}
+
+}  // namespace asperity

@@ -1,0 +1,137 @@
+#include "ui/window/curve/influence_page.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/chart/cutoff_sheet.h"
+#include "core/chart/sensitivity_sheet.h"
+#include "core/friction/short_wave_cutoff.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "core/scene/sweep.h"
+#include "ui/draw/png_file.h"
+#include "ui/language/language.h"
+#include "ui/panels/choice_box.h"
+#include "ui/window/figures/diagram_view.h"
+
+namespace asperity {
+
+namespace {
+
+/// The state of the page: without what does not change friction at the scene's velocity.
+Scene stateOf(const Scene& scene) {
+  Scene state = scene;
+  state.sweep = {};
+  return state;
+}
+
+struct Result {
+  DiagramSheet sheet;
+  std::string table;
+};
+
+Result sensitivityOf(const Scene& scene, const StateOptions& options) {
+  needSteadySliding(scene, "the sensitivity");
+  const std::vector<Exponent> exponents = exponentsOf(scene, sensitivities(scene, options));
+  return {sensitivitySheet(scene, exponents), sensitivityCsv(exponents)};
+}
+
+Result wavesOf(const Scene& scene, const StateOptions& options) {
+  needSteadySliding(scene, "the short-wave cut-off");
+  const std::vector<CutoffPoint> points = frictionOverCutoff(scene, options);
+  return {cutoffSheet(scene, points), cutoffCsv(points)};
+}
+
+}  // namespace
+
+InfluencePage::InfluencePage(QWidget* parent)
+    : QWidget(parent), choice_(new ChoiceBox), hint_(new QLabel), view_(new DiagramView) {
+  setObjectName("influencePage");
+  choice_->setObjectName("influenceChoice");
+  choice_->addItem(QString(), false);
+  choice_->addItem(QString(), true);
+  view_->setObjectName("influenceView");
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 0);
+  row->addWidget(choice_);
+  row->addWidget(hint_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addLayout(row);
+  column->addWidget(view_, 1);
+  connect(choice_, &QComboBox::currentIndexChanged, this, [this] {
+    showTexts();
+    compute();
+  });
+  connect(view_, &DiagramView::saved, this, &InfluencePage::saved);
+  connect(view_, &DiagramView::failed, this, &InfluencePage::failed);
+  keepTranslated(*this, [this] { showTexts(); });
+}
+
+void InfluencePage::showTexts() {
+  choice_->setAccessibleName(tr("what friction depends on"));
+  choice_->setItemText(0, tr("Which parameter matters"));
+  choice_->setItemText(1, tr("Which wavelengths matter"));
+  hint_->setText(isOfWaves()
+                     ? tr("friction without the waves shorter than a cut-off, at this velocity")
+                     : tr("per cent of friction for a per cent of each parameter, here and now"));
+  view_->setAccessibleName(choice_->currentText());
+}
+
+bool InfluencePage::isOfWaves() const {
+  return choice_->currentData().toBool();
+}
+
+void InfluencePage::showScene(const Scene& scene) {
+  scene_ = stateOf(scene);
+  if (isVisible()) compute();
+}
+
+void InfluencePage::setTheme(const Theme& theme) {
+  view_->setTheme(theme);
+}
+
+void InfluencePage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  compute();
+}
+
+/// A hidden page costs nothing.
+void InfluencePage::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  work_.cancel();
+}
+
+void InfluencePage::compute() {
+  if (!scene_ || !isVisible()) return;
+  const bool ofWaves = isOfWaves();
+  if (shown_ == scene_ && shownWaves_ == ofWaves) return;
+  const Scene scene = *scene_;
+  const auto take = [this, scene, ofWaves](const Result& result) {
+    shown_ = scene;
+    shownWaves_ = ofWaves;
+    const char* verb = ofWaves ? "cutoff" : "sensitivity";
+    view_->show(
+        [sheet = result.sheet] { return sheet; },
+        {verb, [scene, verb] { return pictureOrigin(verb, scene); },
+         [scene, verb, table = result.table] { return provenanceComment(verb, scene) + table; }});
+  };
+  const auto fail = [this](const QString& reason) {
+    shown_.reset();
+    view_->show([reason]() -> DiagramSheet { throw std::runtime_error(reason.toStdString()); });
+  };
+  work_.request(
+      [scene, ofWaves](const BackgroundWork::Run& run) {
+        StateOptions options;
+        options.stop = run.stop();
+        return ofWaves ? wavesOf(scene, options) : sensitivityOf(scene, options);
+      },
+      take, fail);
+}
+
+}  // namespace asperity

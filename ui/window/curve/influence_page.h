@@ -1,0 +1,53 @@
+// What friction depends on at the scene's own state, as a diagram: how much it changes with each
+// parameter, or which wavelengths of the roughness make it. Computed in the background while the
+// page is visible. GUI thread; belongs to its parent. Failure: the reason is shown in place of the
+// diagram.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/scene/scene.h"
+#include "ui/window/tasks/background_work.h"
+
+class QComboBox;
+class QLabel;
+
+namespace asperity {
+
+class DiagramView;
+struct Theme;
+
+class InfluencePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit InfluencePage(QWidget* parent = nullptr);
+
+  void showScene(const Scene& scene);
+  void setTheme(const Theme& theme);
+  DiagramView& view() { return *view_; }
+
+ signals:
+  void saved(const QString& file);
+  void failed(const QString& reason);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void showTexts();
+  void compute();
+  bool isOfWaves() const;
+
+  QComboBox* choice_;
+  QLabel* hint_;
+  DiagramView* view_;
+  std::optional<Scene> scene_;
+  std::optional<Scene> shown_;  // what the diagram belongs to, with `shownWaves_`
+  bool shownWaves_ = false;
+  BackgroundWork work_;  // last: its thread ends before other members are destroyed
+};
+
+}  // namespace asperity
