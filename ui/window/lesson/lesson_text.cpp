@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 #include <QStringList>
+#include <cmath>
 
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
@@ -57,8 +58,10 @@ QString richText(const std::string& text) {
 }
 
 std::string numberInWords(const LessonNumber& number) {
-  return number.unit.empty() ? shortNumber(number.value, 3)
-                             : quantity(number.value, number.unit, 3);
+  if (!number.unit.empty()) return quantity(number.value, number.unit, 3);
+  // Of a ratio near 1 the difference from it is what matters: "1.002", not "1".
+  const bool isNearOne = std::abs(number.value - 1) < 0.02;
+  return shortNumber(number.value, isNearOne ? 4 : 3);
 }
 
 QString richText(const LessonText& text, const LessonPrediction& prediction,
