@@ -1956,8 +1956,8 @@
         <translation>Alle Parameter dieser Szene, in Abschnitten</translation>
     </message>
     <message>
-        <source>Filter ( / )</source>
-        <translation>Filter ( / )</translation>
+        <source>Search ( / )</source>
+        <translation>Suchen ( / )</translation>
     </message>
     <message>
         <source>filter of the parameters</source>
@@ -1966,6 +1966,10 @@
     <message>
         <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
         <translation>Wörter einer Bezeichnung oder eines Schlüssels, ein Formelzeichen oder eine Einheit: „kraft“, „surface“, „G“, „mN“. Escape löscht.</translation>
+    </message>
+    <message>
+        <source>clear the filter</source>
+        <translation>Filter löschen</translation>
     </message>
 </context>
 <context>
