@@ -2854,16 +2854,20 @@
         <translation>Alle Parameter dieser Szene, in Abschnitten</translation>
     </message>
     <message>
-        <source>Filter ( / )</source>
-        <translation>Filter ( / )</translation>
-    </message>
-    <message>
         <source>filter of the parameters</source>
         <translation>Filter der Parameter</translation>
     </message>
     <message>
         <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
         <translation>Wörter einer Bezeichnung oder eines Schlüssels, ein Formelzeichen oder eine Einheit: „kraft“, „surface“, „G“, „mN“. Escape löscht.</translation>
+    </message>
+    <message>
+        <source>Search ( / )</source>
+        <translation>Suchen ( / )</translation>
+    </message>
+    <message>
+        <source>clear the filter</source>
+        <translation>Filter löschen</translation>
     </message>
 </context>
 <context>
