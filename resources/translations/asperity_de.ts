@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
-    <name>Guide</name>
-    <message>
-        <source>The guide is not here: it is built with the program where pandoc is installed. Its pages can be read in the folder resources/guide of the sources.</source>
-        <translation>Das Handbuch ist nicht hier: Es wird mit dem Programm gebaut, wo pandoc installiert ist. Seine Seiten stehen im Ordner resources/guide der Quellen.</translation>
-    </message>
-    <message>
-        <source>No browser opens the guide; it is the file %1.</source>
-        <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
-    </message>
-</context>
-<context>
     <name>Words</name>
     <message>
         <source>Tangential over normal force while the elastomer still relaxes after a change, read from the time steps since the last picture.</source>
@@ -2791,6 +2780,14 @@
         <source>accept</source>
         <translation>annehmen</translation>
     </message>
+    <message>
+        <source>The guide is not here: it is built with the program where pandoc is installed. Its pages can be read in the folder resources/guide of the sources.</source>
+        <translation>Das Handbuch ist nicht hier: Es wird mit dem Programm gebaut, wo pandoc installiert ist. Seine Seiten stehen im Ordner resources/guide der Quellen.</translation>
+    </message>
+    <message>
+        <source>No browser opens the guide; it is the file %1.</source>
+        <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MotionView</name>
@@ -2857,16 +2854,20 @@
         <translation>Alle Parameter dieser Szene, in Abschnitten</translation>
     </message>
     <message>
-        <source>Filter ( / )</source>
-        <translation>Filter ( / )</translation>
-    </message>
-    <message>
         <source>filter of the parameters</source>
         <translation>Filter der Parameter</translation>
     </message>
     <message>
         <source>Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, “mN”. Escape clears.</source>
         <translation>Wörter einer Bezeichnung oder eines Schlüssels, ein Formelzeichen oder eine Einheit: „kraft“, „surface“, „G“, „mN“. Escape löscht.</translation>
+    </message>
+    <message>
+        <source>Search ( / )</source>
+        <translation>Suchen ( / )</translation>
+    </message>
+    <message>
+        <source>clear the filter</source>
+        <translation>Filter löschen</translation>
     </message>
 </context>
 <context>

@@ -82,7 +82,7 @@ class Panel {
   /// Returns whether a reader of print misses nothing: the frame is of a fair height, and title and
   /// legend are whole and hide next to nothing. Letters on paper cannot get smaller.
   bool isWhole() const {
-    const float least = axes_.titleAbove ? 4.5F : 7;
+    const float least = axes_.titleAbove ? kLowest : 7;
     const bool isRead =
         legend_.empty() || (legendBox_.width > 0 && legend_.isWhole && hidden_ <= kLittleHidden);
     return isReadable() && axes_.box.height >= least * sizes_.tick && hasTitle() && isRead;
@@ -123,6 +123,7 @@ class Panel {
 
  private:
   static constexpr float kLittleHidden = 0.03F;  // part of a legend's box
+  static constexpr float kLowest = 4.5F;         // height of a frame in print, in letters
 
   static bool isOver(const Box& part, const Box& whole) {
     return part.right() <= whole.right() && part.y >= whole.y && part.bottom() <= whole.bottom();
@@ -205,6 +206,9 @@ class Panel {
       hidden_ = 0;
     } else if (sizes_.isPrinted && (hidden_ > kLittleHidden || !legend_.isWhole)) {
       arrangeBelow();
+      if (axes_.box.height >= kLowest * sizes_.tick) return;
+      below_ = 0;  // rather a legend that hides something than no curve
+      place(0, 0);
     }
   }
 
@@ -453,7 +457,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
 }
 
 int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
-  if (english.diagrams.size() < 2) return asked.height;
+  if (english.diagrams.size() < 2 && !asked.above) return asked.height;
   const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   // Steps of half a letter, to three times the width, which is more than a page.

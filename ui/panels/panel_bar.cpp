@@ -1,5 +1,6 @@
 #include "ui/panels/panel_bar.h"
 
+#include <QAbstractButton>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -88,8 +89,10 @@ void PanelBar::showTexts() {
          "roughness"));
   all_->setText(tr("All"));
   all_->setToolTip(tr("All parameters of this scene, in sections"));
-  filter_->setPlaceholderText(tr("Filter ( / )"));
+  filter_->setPlaceholderText(tr("Search ( / )"));
   filter_->setAccessibleName(tr("filter of the parameters"));
+  for (QAbstractButton* button : filter_->findChildren<QAbstractButton*>())
+    button->setAccessibleName(tr("clear the filter"));
   filter_->setToolTip(
       tr("Words of a label or a key, a symbol or a unit: “force”, “surface”, “G”, "
          "“mN”. Escape clears."));

@@ -165,7 +165,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 
 void ParameterRow::showTexts() {
   label_->setText(labelWithSymbol(parameter_));
-  label_->setToolTip(description());
+  label_->setToolTip(meaning());
   for (QWidget* control :
        std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, shifts_, material_, text_})
     if (control) describe(*control);
@@ -339,20 +339,10 @@ void ParameterRow::addEntry() {
 
 /// Adds the entry to the line of the label, and below them the slider, which is as wide as the row.
 void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
-  slider_ = new ValueSlider(SliderScale(parameter_));
-  name(*slider_, "slider");
-  connect(slider_, &ValueSlider::valuePicked, this,
-          [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
   line.setStretchFactor(label_, 1);
-  column.addWidget(slider_);
-
   addEntry();
   connect(entry_, &ValueEntry::textCommitted, this, [this](const QString& text) {
     emit textGiven(inShownUnit(withPoint(text.trimmed()), entry_->unit()));
-  });
-  connect(entry_, &ValueEntry::stepped, slider_, [this](int key, Qt::KeyboardModifiers modifiers) {
-    QKeyEvent step(QEvent::KeyPress, key, modifiers);
-    QCoreApplication::sendEvent(slider_, &step);
   });
   line.addWidget(entry_);
 
@@ -362,6 +352,17 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
   connect(entry_, &ValueEntry::unitShown, unit, &QLabel::setText);
   unit_ = unit;
   line.addWidget(unit);
+
+  // The slider follows the entry in the order of the tab key, too.
+  slider_ = new ValueSlider(SliderScale(parameter_));
+  name(*slider_, "slider");
+  connect(slider_, &ValueSlider::valuePicked, this,
+          [this](double value) { emit valueGiven(sliderValue(parameter_, value)); });
+  connect(entry_, &ValueEntry::stepped, slider_, [this](int key, Qt::KeyboardModifiers modifiers) {
+    QKeyEvent step(QEvent::KeyPress, key, modifiers);
+    QCoreApplication::sendEvent(slider_, &step);
+  });
+  column.addWidget(slider_);
 }
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
@@ -458,12 +459,19 @@ QString ParameterRow::accessibleLabel() const {
                         : QStringLiteral("%1 (%2)").arg(labelOf(parameter_), unit);
 }
 
-QString ParameterRow::description() const {
+/// Returns what the parameter is: formula, sentence, key and range.
+QString ParameterRow::meaning() const {
   QString text;
   if (const auto explanation = explanationOf(parameter_.key)) text = explanationHtml(*explanation);
   if (const QString range = rangeText(parameter_); !range.isEmpty())
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
+  return text;
+}
+
+/// Returns the same with how its control is used.
+QString ParameterRow::description() const {
+  QString text = meaning();
   if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
     text += QStringLiteral("<p><small>%1</small></p>")
                 .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "

@@ -101,6 +101,7 @@ class ParameterRow : public QWidget {
   void showReset(const ParameterValue& value, const ParameterValue& resting);
   void name(QWidget& control, const char* kind);
   void describe(QWidget& control);
+  QString meaning() const;
   QString description() const;
   QString accessibleLabel() const;
 

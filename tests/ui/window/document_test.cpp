@@ -293,6 +293,22 @@ TEST(SceneDocument, KnowsTheFilesWhoseChangesAreNotSaved) {
   EXPECT_TRUE(document.unsavedFiles().empty());
 }
 
+/// A long history forgets its first steps, but not that a file was not saved.
+TEST(SceneDocument, AnUnsavedFileIsKnownBeyondTheHistory) {
+  Scene mine = smallScene();
+  mine.title = "mine";
+  SceneDocument document(smallScene());
+  document.open({{}, "/mine.json", mine});
+  document.change(withForce(mine, 0.5), 1);
+  document.open(smallScene());
+  for (int i = 0; i < 1200; ++i)
+    document.change(withForce(smallScene(), 1 + 0.001 * i), 2 + static_cast<std::uint64_t>(i));
+  ASSERT_EQ(document.unsavedFiles().size(), 1U);
+  EXPECT_EQ(document.unsavedFiles()[0].scene, withForce(mine, 0.5));
+  document.open({{}, "/mine.json", mine});
+  EXPECT_TRUE(document.unsavedFiles().empty());
+}
+
 TEST(SceneDocument, ATrialEndsWhereItBegan) {
   SceneDocument document(smallScene());
   document.change(withForce(smallScene(), 0.5), 1);

@@ -117,6 +117,7 @@ TEST(LanguageSwitch, KeepsAFoldedTableAndHowFarThePanelIsScrolled) {
   scene.elastomer.rheology = Rheology::Prony;
   scene.elastomer.arms = {{1e6, 1e-3}, {1e7, 1e-2}};
   WindowIn window("en", scene);
+  window->panel().setView({true, {}});
   const auto bar = [&] { return window->panel().findChild<QScrollArea*>()->verticalScrollBar(); };
   window->findChild<QToolButton*>("armsFold")->click();
   ASSERT_TRUE(QTest::qWaitFor([&] { return bar()->maximum() > 50; }, kWindowPatience));

@@ -38,6 +38,7 @@ bool isTheSame(const std::string& text) {
                                        "Deutsch",
                                        "OpenGL",
                                        "Elastomer",
+                                       QStringLiteral("Roll-off λᵣ (m)"),
                                        "Plan",
                                        "Parameter",
                                        "linear",

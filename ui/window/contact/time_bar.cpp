@@ -33,6 +33,14 @@ double paceAt(int position) {
   return kFastest * std::pow(kSlowest / kFastest, static_cast<double>(position) / kPositions);
 }
 
+QString quantityText(double seconds) {
+  return QString::fromStdString(quantity(seconds, "s"));
+}
+
+QString momentText(const QString& time, const QString& duration) {
+  return TimeBar::tr("%1 of %2").arg(time, duration);
+}
+
 }  // namespace
 
 TimeBar::TimeBar(QWidget* parent)
@@ -122,6 +130,9 @@ void TimeBar::showScene(const Scene& scene) {
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   for (QWidget* part : std::initializer_list<QWidget*>{moment_, momentText_})
     part->setVisible(duration_ > 0);
+  // The numbers change without moving what is beside them.
+  momentText_->setMinimumWidth(momentText_->fontMetrics().horizontalAdvance(
+      momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
   if (!keepsPace() && before > 0)
     setSlowMotion(before);
   else
@@ -139,9 +150,7 @@ void TimeBar::showFrame(const Frame& frame) {
     const QSignalBlocker quiet(moment_);
     moment_->setValue(static_cast<int>(std::lround(kMoments * time_ / duration_)));
   }
-  momentText_->setText(tr("%1 of %2")
-                           .arg(QString::fromStdString(quantity(time_, "s")),
-                                QString::fromStdString(quantity(duration_, "s"))));
+  momentText_->setText(momentText(quantityText(time_), quantityText(duration_)));
 }
 
 void TimeBar::setPace(double pace) {

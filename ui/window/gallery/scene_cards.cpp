@@ -71,7 +71,7 @@ constexpr std::array kCards{
                   "asperity::SceneCardText",
                   "Raise the velocity: friction reaches the slope of the flank and stays there.")},
     SceneCard{
-        "elastic", SceneView::CloseUp,
+        "elastic", SceneView::Contact,
         QT_TRANSLATE_NOOP(
             "asperity::SceneCardText",
             "Without memory the rubber gives back what it took: no friction at any velocity.")},

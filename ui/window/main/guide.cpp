@@ -1,10 +1,11 @@
 #include "ui/window/main/guide.h"
 
-#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QUrl>
+
+#include "ui/window/main/message_bar.h"
 
 namespace asperity {
 
@@ -19,14 +20,13 @@ QString guideFile(const QString& programFolder) {
 QString openGuideOf(const QString& programFolder, const QString& anchor) {
   const QString file = guideFile(programFolder);
   if (file.isEmpty())
-    return QCoreApplication::translate(
-        "Guide",
+    return MessageBar::tr(
         "The guide is not here: it is built with the program where pandoc is installed. Its pages "
         "can be read in the folder resources/guide of the sources.");
   QUrl place = QUrl::fromLocalFile(file);
   if (!anchor.isEmpty()) place.setFragment(anchor);
   if (!QDesktopServices::openUrl(place))
-    return QCoreApplication::translate("Guide", "No browser opens the guide; it is the file %1.")
+    return MessageBar::tr("No browser opens the guide; it is the file %1.")
         .arg(QDir::toNativeSeparators(file));
   return {};
 }

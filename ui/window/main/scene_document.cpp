@@ -161,6 +161,8 @@ void SceneDocument::open(const SceneOrigin& origin) {
   const bool isSame = next.scene == scene_ && origin.shipped == origin_.shipped &&
                       origin.file == origin_.file && origin.scene == origin_.scene;
   if (isSame) return goTo(next, SceneChange::Opened);
+  if (const SceneState now{origin_, scene_}; now.isUnsavedFile()) left_[origin_.file] = now;
+  left_.erase(origin.file);  // who opens the file again wants it as it is on the disk
   history_.push(new SceneStep(*this, next, SceneChange::Opened, gestures_->present(), nullptr));
 }
 
@@ -200,6 +202,7 @@ std::vector<SceneState> SceneDocument::unsavedFiles() const {
   look(trialBegan_ ? *trialBegan_ : SceneState{origin_, scene_});
   for (int i = history_.index(); i-- > 0;)
     if (const SceneStep& step = stepAt(history_, i); step.isOpening()) look(step.before());
+  for (const auto& [file, state] : left_) look(state);  // that the history has lost
   return unsaved;
 }
 
@@ -235,6 +238,7 @@ void SceneDocument::nameSteps() {
 /// file from now on.
 void SceneDocument::saved(const QString& file) {
   origin_ = {{}, file, scene_};
+  left_.erase(file);
   const QUndoStack& steps = history();
   int opened = steps.index(), left = steps.index();
   while (--opened >= 0 && !stepAt(steps, opened).isOpening()) {

@@ -11,6 +11,7 @@
 #include <QString>
 #include <QUndoStack>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -80,8 +81,9 @@ class SceneDocument : public QObject {
   void saved(const QString& file);
 
   /// Returns the scenes that came from files and differ from them: the present one first, then
-  /// those that were left for another scene and can only be reached by undo. A file is named once,
-  /// with its newest state. Nothing that is tried out counts.
+  /// those that were left for another scene and can only be reached by undo, or not even by it
+  /// where the history is long. A file is named once, with its newest state. Nothing that is tried
+  /// out counts.
   std::vector<SceneState> unsavedFiles() const;
 
   /// Returns the title of the scene, or else the name of its file; may be empty.
@@ -121,6 +123,7 @@ class SceneDocument : public QObject {
   Scene scene_;
   SceneOrigin origin_;
   std::optional<SceneState> trialBegan_;  // the state to which the end of a trial returns
+  std::map<QString, SceneState> left_;    // by file: unsaved scenes when they were left
   GestureCounter* gestures_;
   QUndoStack history_, trialHistory_;
 };
