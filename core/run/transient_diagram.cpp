@@ -123,7 +123,7 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
 DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
   Diagram diagram;
   diagram.x = {"velocity v", "m/s", AxisScale::Linear};
-  diagram.y = {"friction \u03BC, signed", "", AxisScale::Linear};
+  diagram.y = {"\u03BC with its sign", "", AxisScale::Linear};
   DiagramSeries loop{.colour = 0};
   double slowest = 0, fastest = 0, low = 0, high = 0;
   for (const TransientSample& sample : samples) {

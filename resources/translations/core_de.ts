@@ -5439,10 +5439,6 @@
         <translation>setzt Schlüssel einer Szene, und diese Datei ist eine Lektion</translation>
     </message>
     <message>
-        <source>friction μ, signed</source>
-        <translation>Reibung μ mit Vorzeichen</translation>
-    </message>
-    <message>
         <source>%1: its file %2 cannot be read</source>
         <translation>%1: Die Datei %2 ist nicht lesbar</translation>
     </message>
@@ -5461,6 +5457,10 @@
     <message>
         <source>no font family &apos;%1&apos; is installed; did you mean &apos;%2&apos;?</source>
         <translation>Es ist keine Schriftfamilie „%1“ installiert; war „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>μ with its sign</source>
+        <translation>μ mit Vorzeichen</translation>
     </message>
 </context>
 <context>
