@@ -24,6 +24,7 @@ using Clock = std::chrono::steady_clock;
 struct Runner::Body {
   explicit Body(RunnerOptions wanted)
       : options(wanted),
+        pace(wanted.secondsPerPeriod),
         marchThread([this](std::stop_token stop) { march(stop); }),
         curveThread([this](std::stop_token stop) { average(stop); }) {}
 
@@ -44,8 +45,10 @@ struct Runner::Body {
     std::optional<FrameFields> fields;
     bool reset = false;
     bool play = false;
-    std::vector<double> steps;  // each as a part of the period
-    bool any() const { return scene || fields || reset || !steps.empty(); }
+    std::vector<double> steps;   // each as a part of the period
+    std::optional<double> seek;  // s, the moment to go to
+    double part = 0;             // of the period, or of a motion's duration, between two frames
+    bool any() const { return scene || fields || reset || seek || !steps.empty(); }
   };
 
   void march(std::stop_token stop) {
@@ -69,13 +72,17 @@ struct Runner::Body {
     std::unique_lock guard(lock);
     const auto ordered = [this] { return waiting.any(); };
     const auto moves = [&] { return running && playing && isSeen; };
-    if (moves())
+    if (wantedMoment) {
+      // The way to a moment waits for nothing.
+    } else if (moves()) {
       changed.wait_until(guard, stop, next, ordered);
-    else
+    } else {
       changed.wait(guard, stop, [&] { return ordered() || moves(); });
+    }
     Orders orders = std::move(waiting);
     waiting = {};
     orders.play = playing && isSeen;
+    orders.part = options.secondsPerFrame() / pace;
     return orders;
   }
 
@@ -94,9 +101,20 @@ struct Runner::Body {
     if (orders.reset) simulation->reset();
     for (const double part : orders.steps) simulation->singleStep(part);
     const std::chrono::duration<double> interval(options.secondsPerFrame());
+    if (orders.scene || orders.reset || !orders.steps.empty()) wantedMoment.reset();
+    if (orders.seek) wantedMoment = orders.seek;
+    if (wantedMoment) {
+      next = Clock::now() + std::chrono::duration_cast<Clock::duration>(interval);
+      bool isThere = false;
+      while (!isThere && Clock::now() < next)
+        isThere = simulation->seek(*wantedMoment, orders.part, interval.count());
+      if (isThere) wantedMoment.reset();
+      publish(simulation->frame());
+      return;
+    }
     const bool due = orders.play && Clock::now() >= next;
     if (due) {
-      simulation->advance(options.partPerFrame(), interval.count());
+      simulation->advance(orders.part, interval.count());
       next = std::max(next + std::chrono::duration_cast<Clock::duration>(interval), Clock::now());
     }
     if (due || orders.any()) publish(simulation->frame());
@@ -177,11 +195,13 @@ struct Runner::Body {
   }
 
   const RunnerOptions options;
-  FrameFields fields;  // used by the march only
-  std::mutex lock;     // protects everything down to the threads; never held while computing
+  FrameFields fields;                  // this and the next are used by the march only
+  std::optional<double> wantedMoment;  // s, of a motion, on the way to it
+  std::mutex lock;  // protects everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
   bool isSeen = true;
+  double pace;  // s on the screen for a period
   Orders waiting;
   PostedScene present;
   std::shared_ptr<const Frame> newest;
@@ -229,6 +249,17 @@ bool Runner::isPlaying() const {
 void Runner::singleStep(double part) {
   const std::lock_guard guard(body_->lock);
   body_->waiting.steps.push_back(part);
+  body_->changed.notify_all();
+}
+
+void Runner::setPace(double secondsPerPeriod) {
+  const std::lock_guard guard(body_->lock);
+  body_->pace = secondsPerPeriod;
+}
+
+void Runner::seek(double time) {
+  const std::lock_guard guard(body_->lock);
+  body_->waiting.seek = time;
   body_->changed.notify_all();
 }
 

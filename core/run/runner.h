@@ -29,7 +29,7 @@ struct RunnerMessage {
 struct RunnerOptions {
   int threads = 0;               // for the curve; 0: as many as the machine has
   double framesPerSecond = 60;   // maximum number of frames
-  double secondsPerPeriod = 12;  // on screen, in which the line passes once
+  double secondsPerPeriod = 12;  // on screen, in which the line passes once, or a motion ends
   /// Called on the curve's thread when there is a curve update; must return at once. May be empty.
   std::function<void()> curveNews{};
 
@@ -61,6 +61,14 @@ class Runner {
   /// Makes one frame while paused. The line moves by this part of its period, or by one time step
   /// if that is more; a motion advances by at least one time step.
   void singleStep(double part = 0);
+
+  /// Sets the pace: the seconds on the screen in which the line moves by its period, or a motion
+  /// takes place. Lines of very many elements move more slowly than wanted.
+  void setPace(double secondsPerPeriod);
+
+  /// Goes to a moment of a motion (s), forward or back; frames on the way are shown. The newest
+  /// moment wins, and a new scene, a step or reset() ends it. In steady sliding nothing happens.
+  void seek(double time);
 
   /// Sets whether the frames are visible. Invisible ones do not advance, as if paused; curves and
   /// answers to new scenes continue.

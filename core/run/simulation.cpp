@@ -35,6 +35,9 @@ constexpr int kFramesOfRipple = 60;
 // this part of its duration.
 constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
 
+// States of a motion that are kept to go back to: how many, and their size in bytes together.
+constexpr double kMostKept = 32, kKeptBytes = 64e6;
+
 /// Normal force (N) and contact fraction of the elements as they are drawn.
 struct Pressed {
   double force = 0, fraction = 0;
@@ -143,6 +146,7 @@ void Simulation::settle(double distance) {
   still_.reset();
   transient_.reset();
   samples_.clear();
+  kept_.clear();
   // At rest the elements' own balance holds: from that of the line between them they would creep to
   // it.
   march_ = ready_->velocity() > 0 ? steadyMarch(*ready_->rigid, *ready_->sliding,
@@ -159,6 +163,7 @@ void Simulation::begin() {
   march_.reset();
   transient_ = ready_->transient;
   samples_.clear();
+  kept_.clear();
   timeScale_ = 0;
   recordFields();
   clearReading();
@@ -284,6 +289,43 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   time_ = transient_->time();
   steps_ = transient_->steps();
   timeScale_ = stretch / wallSeconds;
+  keepState();
+}
+
+/// Keeps the present state where the last one is long ago.
+void Simulation::keepState() {
+  const TimeMarch& march = transient_->march();
+  const double numbers = 4 + static_cast<double>(march.modes().modes());  // of an element
+  const double bytes = 2 * sizeof(double) * numbers * static_cast<double>(ready_->line().nodes());
+  const double most = std::clamp(std::floor(kKeptBytes / bytes), 1.0, kMostKept);
+  const double between = transient_->motion().duration() / (most + 1);
+  const double last = kept_.empty() ? 0 : kept_.back().transient.time();
+  if (time_ >= last + between) kept_.push_back({*transient_, samples_.size()});
+}
+
+/// Returns to the last kept state at or before a time, or to the beginning.
+void Simulation::goBackTo(double time) {
+  while (!kept_.empty() && kept_.back().transient.time() > time) kept_.pop_back();
+  if (kept_.empty()) {
+    reset();
+    return;
+  }
+  transient_ = kept_.back().transient;
+  samples_.resize(kept_.back().samples);
+  time_ = transient_->time();
+  steps_ = transient_->steps();
+  recordFields();  // what is wanted may have changed since
+  clearReading();
+}
+
+bool Simulation::seek(double time, double part, double wallSeconds) {
+  if (!transient_) return true;
+  const double end = std::clamp(time, 0.0, transient_->motion().duration());
+  if (end < time_) goBackTo(end);
+  if (!transient_->canReach(end)) return true;
+  clearReading();
+  advanceMotion(part, wallSeconds, end);
+  return !transient_->canReach(end);
 }
 
 void Simulation::advanceTo(double time, double part, double wallSeconds) {

@@ -48,6 +48,11 @@ class Simulation {
   /// make; the last one is shorter.
   void advanceTo(double time, double part, double wallSeconds);
 
+  /// Makes one frame on the way to a moment of a motion (s). A moment in the past is reached from
+  /// the last state before it that is kept, or from the beginning. Returns whether it is reached;
+  /// steady sliding has no moments.
+  bool seek(double time, double part, double wallSeconds);
+
   /// Makes one time step, or as many as move the line by this part of its period. A steady state
   /// with very many elements is shifted unchanged: marching would take too long.
   void singleStep(double part = 0);
@@ -78,6 +83,8 @@ class Simulation {
   ContactState drawnState(const Frame& frame) const;
   void stepMotion(double distance);
   bool beginsAnew();
+  void keepState();
+  void goBackTo(double time);
   double naturalStep() const;
   double restingStep() const;
   bool resolvesContacts() const;
@@ -87,6 +94,12 @@ class Simulation {
   std::optional<TimeMarch> march_;        // in steady sliding
   std::optional<Transient> transient_;    // in other motions
   std::vector<TransientSample> samples_;  // since the motion began
+  /// A state of the motion to go back to, and the number of samples before it.
+  struct Kept {
+    Transient transient;
+    std::size_t samples;
+  };
+  std::vector<Kept> kept_;  // at rising times
   FrameFields fields_;
   mutable std::optional<Frame> still_;  // the steady state at distance 0, once it is shown
   MarchStep last_;

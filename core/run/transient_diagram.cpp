@@ -120,6 +120,36 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
   return sheet;
 }
 
+DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples) {
+  Diagram diagram;
+  diagram.x = {"velocity v", "m/s", AxisScale::Linear};
+  diagram.y = {"\u03BC with its sign", "", AxisScale::Linear};
+  DiagramSeries loop{.colour = 0};
+  double slowest = 0, fastest = 0, low = 0, high = 0;
+  for (const TransientSample& sample : samples) {
+    const double friction =
+        sample.normalForce > 0 ? sample.tangentialForce / sample.normalForce : kNotApplicable;
+    loop.points.push_back({sample.velocity, friction});
+    if (!std::isfinite(friction)) continue;
+    slowest = std::min(slowest, sample.velocity);
+    fastest = std::max(fastest, sample.velocity);
+    low = std::min(low, friction);
+    high = std::max(high, friction);
+  }
+  // Both axes include 0, where friction changes its direction.
+  const AxisEnds x = axisEnds(slowest, fastest, 0), y = axisEnds(low, high, 0);
+  diagram.x.from = x.from;
+  diagram.x.to = x.to;
+  diagram.y.from = y.from;
+  diagram.y.to = y.to;
+  DiagramSeries now{.mark = SeriesMark::Ring, .stroke = SeriesStroke::None, .colour = 1};
+  if (!loop.points.empty()) now.points = {loop.points.back()};
+  diagram.series = {std::move(loop), std::move(now)};
+  DiagramSheet sheet;
+  sheet.diagrams = {std::move(diagram)};
+  return sheet;
+}
+
 Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples) {
   return strip(scene, samples, {"in contact", "", AxisScale::Linear},
                &TransientSample::contactFraction, kContactFloor);

@@ -20,6 +20,10 @@ namespace asperity {
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
                             double spacing = 0, double period = 0);
 
+/// Returns the friction of an oscillation over its velocity, a loop. Friction F_x/F_N has the sign
+/// of the velocity where it resists. A ring is at the newest sample.
+DiagramSheet frictionLoopSheet(std::span<const TransientSample> samples);
+
 /// Returns the contact fraction as one more strip.
 Diagram contactStrip(const Scene& scene, std::span<const TransientSample> samples);
 

@@ -2163,6 +2163,10 @@
         <translation>Band: geschätzter Fehler durch Elemente und Zeitschritte, %1 in μ</translation>
     </message>
     <message>
+        <source>μ with its sign</source>
+        <translation>μ mit Vorzeichen</translation>
+    </message>
+    <message>
         <source>friction μ, deformation alone</source>
         <translation>Reibung μ, nur Verformung</translation>
     </message>

@@ -113,6 +113,44 @@ TEST(Runner, AChangeThatTheCurveDoesNotDependOnKeepsIt) {
   EXPECT_EQ(updates.front().scene->sliding.velocity, 7);
 }
 
+/// Twice the pace is half the slow motion.
+TEST(Runner, ThePaceIsTheTimeOnTheScreen) {
+  Runner runner;
+  Scene scene = smallScene();
+  runner.post(scene);
+  const auto settled = [&](double pace) {
+    runner.setPace(pace);
+    const double wanted = scene.surface.length / scene.sliding.velocity / pace;
+    waitFor([&] {
+      return runner.newestFrame() && std::abs(runner.newestFrame()->timeScale / wanted - 1) < 1e-6;
+    });
+  };
+  settled(12);
+  settled(48);
+  settled(6);
+}
+
+TEST(Runner, AMomentIsFoundForwardAndBackWhilePaused) {
+  Runner runner;
+  runner.pause();
+  Scene scene = smallScene();
+  scene.sliding.kind = SlidingKind::Step;
+  scene.sliding.duration = 0.01;
+  runner.post(scene);
+  for (const double part : {0.6, 0.2, 0.9, 0.0}) {
+    const double time = part * scene.sliding.duration;
+    runner.seek(time);
+    waitFor([&] {
+      const auto frame = runner.newestFrame();
+      return frame && frame->time <= time + 1e-12 && frame->time + frame->nextStep >= time - 1e-12;
+    });
+  }
+  const std::uint64_t step = runner.newestFrame()->step;
+  runner.want({true, false, false});  // one more frame, at the same moment
+  waitFor([&] { return !runner.newestFrame()->lineSlope.empty(); });
+  EXPECT_EQ(runner.newestFrame()->step, step);
+}
+
 TEST(Runner, PausedItMakesFramesOnlyWhenAsked) {
   Runner runner;
   runner.pause();

@@ -227,6 +227,52 @@ TEST(Simulation, AMomentOfAMotionIsFoundAgain) {
   }
 }
 
+/// A moment is the same state wherever one comes from: forward from the beginning, or back from a
+/// later one by way of a state that was kept.
+TEST(Simulation, AMomentIsTheSameFromBothSides) {
+  constexpr double kPart = 1.0 / 72, kWall = 1.0 / 60;
+  for (const SlidingKind kind :
+       {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
+    auto scene = someScene();
+    scene->sliding.kind = kind;
+    scene->sliding.duration = 0.004;
+    scene->sliding.frequency = 600;
+    const auto goTo = [&](Simulation& simulation, double time) {
+      for (int i = 0; i < 1000; ++i)
+        if (simulation.seek(time, kPart, kWall)) return simulation.frame();
+      ADD_FAILURE() << "never there";
+      return simulation.frame();
+    };
+    Simulation wandering(scene, 1);
+    for (const double part : {0.8, 0.3, 0.31, 1.0, 0.05, 0.0, 0.62, 2.0, -1.0}) {
+      const double time = part * scene->sliding.duration;
+      Simulation direct(scene, 1);
+      const Frame there = goTo(direct, time), found = goTo(wandering, time);
+      EXPECT_EQ(found.step, there.step) << part;
+      EXPECT_EQ(found.time, there.time);
+      EXPECT_LE(found.time, std::max(time, 0.0) + 1e-12);
+      EXPECT_GE(found.time + found.nextStep, std::min(time, scene->sliding.duration) - 1e-12);
+      EXPECT_EQ(found.surfaceHeight, there.surfaceHeight);
+      EXPECT_EQ(found.pressure, there.pressure);
+      // The history on the way is there, in order and once.
+      const auto& samples = *found.transient;
+      for (std::size_t i = 1; i < samples.size(); ++i)
+        ASSERT_GT(samples[i].time, samples[i - 1].time);
+      if (!samples.empty()) {
+        EXPECT_EQ(samples.back().time, found.time);
+      }
+    }
+  }
+}
+
+TEST(Simulation, SteadySlidingHasNoMoments) {
+  Simulation simulation(someScene(), 1);
+  simulation.advance(1.0 / 72, 1.0 / 60);
+  const double before = simulation.frame().distance;
+  EXPECT_TRUE(simulation.seek(0, 1.0 / 72, 1.0 / 60));
+  EXPECT_EQ(simulation.frame().distance, before);
+}
+
 /// Where the budget of steps binds, a line that becomes faster passes by faster.
 TEST(Simulation, AMotionHasOneTimeScale) {
   auto scene = someScene();
