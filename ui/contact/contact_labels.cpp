@@ -21,10 +21,12 @@ namespace {
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
   const double v = velocityOf(frame);
-  if (v == 0) return Tag{{{Words::tr("rigid line at rest")}}, ArrowWay::None, {}};
+  if (v == 0)
+    return Tag{{{Words::tr("rigid line at rest")}}, ArrowWay::None, {}, ContactHandle::Velocity};
   return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
              v > 0 ? ArrowWay::Right : ArrowWay::Left,
-             {{"v = " + quantity(v, "m/s")}}};
+             {{"v = " + quantity(v, "m/s")}},
+             ContactHandle::Velocity};
 }
 
 /// Returns the tag of friction. Arrows in tags show only the direction; where there is space,
@@ -46,7 +48,8 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
 Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
   return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
           arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
-          {}};
+          {},
+          ContactHandle::Force};
 }
 
 /// Returns the tags of the forces, the more important ones first.
@@ -242,7 +245,8 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
 
 }  // namespace
 
-Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout) {
+Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
+                std::vector<HandlePlace>* handles) {
   Notes notes = notesFor(frame, layout);
   DrawLayer layer, plates;
   TagPainter painter(list, plates, layer, layout);
@@ -259,6 +263,15 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout)
   const ForceArrows arrows = hasRow ? forceArrows(frame, layout, top) : ForceArrows{};
   if (arrows.down > 0) addForceArrows({plates, layer}, arrows, footOf(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
+  if (handles) {
+    *handles = painter.handles();
+    if (arrows.down > 0) {
+      const Place foot = footOf(arrows, layout, top);
+      const float reach = 9 * layout.sizes.unit;
+      handles->push_back(
+          {ContactHandle::Force, {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}});
+    }
+  }
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves
   list.layers.push_back(std::move(layer));
   return notes;

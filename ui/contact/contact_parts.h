@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_layout.h"
 
 namespace asperity {
@@ -21,8 +22,9 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
 /// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.
-/// Returns the texts for the footer.
-Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout);
+/// Returns the texts for the footer. handles: receives the places that can be dragged; may be null.
+Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
+                std::vector<HandlePlace>* handles = nullptr);
 
 /// Adds frame, ticks, axis titles, colour legend and footer.
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes);

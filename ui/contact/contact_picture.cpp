@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_parts.h"
+#include "ui/contact/contact_probe.h"
 
 namespace asperity {
 namespace {
@@ -31,6 +33,40 @@ Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
 
 float contactUnit(const ContactPictureOptions& options) {
   return sizesFor(tidy(options)).unit;
+}
+
+std::vector<HandlePlace> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
+  const ContactPictureOptions options = tidy(asked);
+  DrawList list;
+  const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
+  list.layers.emplace_back();  // in place of the bodies
+  std::vector<HandlePlace> handles;
+  addLabels(list, frame, layout, &handles);
+  return handles;
+}
+
+ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
+  constexpr float kReach = 5;  // units below the line that still belong to the rigid body
+  for (const HandlePlace& handle : contactHandles(frame, asked)) {
+    const Clip& box = handle.box;
+    if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
+      return handle.handle;
+  }
+  const ContactPictureOptions options = tidy(asked);
+  DrawList list;
+  const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
+  const Box& plot = layout.plot;
+  const auto isIn = [x, y](const Box& box) {
+    return x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
+  };
+  if (!isIn(plot)) return ContactHandle::None;
+  if (options.magnifier && isIn(magnifierBox(frame, *options.magnifier, layout)))
+    return ContactHandle::None;
+  const auto reading =
+      probeReading(frame, layout.view.left + (x - plot.x) / layout.pixelsPerMetreX());
+  if (!reading || y > layout.py(reading->line) + kReach * layout.sizes.unit)
+    return ContactHandle::None;
+  return ContactHandle::Body;
 }
 
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) {

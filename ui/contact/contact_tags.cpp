@@ -28,6 +28,8 @@ float TagPainter::width(const Tag& tag) const {
 }
 
 void TagPainter::paint(const Tag& tag, Place topLeft, const Rgba& plate) {
+  if (tag.handle != ContactHandle::None)
+    handles_.push_back({tag.handle, {topLeft.x, topLeft.y, width(tag), height()}});
   addPill(plates_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
   const Rgba colour = textOn(plate);
   const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);

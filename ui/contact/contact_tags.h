@@ -1,6 +1,7 @@
 // Short labels inside the axes: words and an arrow on a translucent plate. Private to ui/contact.
 #pragma once
 
+#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_layout.h"
 
 namespace asperity {
@@ -12,6 +13,7 @@ struct Tag {
   TextRuns before;
   ArrowWay arrow = ArrowWay::None;
   TextRuns after;
+  ContactHandle handle = ContactHandle::None;  // what a drag of it changes
 };
 
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
@@ -23,6 +25,8 @@ class TagPainter {
   float height() const;
   float width(const Tag& tag) const;
   void paint(const Tag& tag, Place topLeft, const Rgba& plate);
+  /// Returns the places of the tags painted so far that can be dragged.
+  const std::vector<HandlePlace>& handles() const { return handles_; }
 
  private:
   float space() const;
@@ -33,6 +37,7 @@ class TagPainter {
   DrawLayer &plates_, &arrows_;
   const ContactLayout& layout_;
   float size_, inset_;
+  std::vector<HandlePlace> handles_;
 };
 
 }  // namespace asperity

@@ -284,5 +284,156 @@ TEST_F(ContactCanvasTest, DrawsWhatIsChosen) {
   EXPECT_TRUE(differsFrom(magnified));
 }
 
+// ---- Drags that change the scene
+
+class DraggedCanvasTest : public ContactCanvasTest {
+ protected:
+  void SetUp() override {
+    ContactCanvasTest::SetUp();
+    scene_ = *frameOf()->scene;
+    canvas_.setScene(scene_);
+    QObject::connect(&canvas_, &ContactCanvas::sceneEdited, &canvas_, [this](const Scene& scene) {
+      scene_ = scene;
+      ++edits_;
+      canvas_.setScene(scene);
+    });
+  }
+
+  /// The middle of the label or arrow that changes this.
+  QPoint handle(ContactHandle wanted) {
+    ContactPictureOptions options = canvas_.viewer().options();
+    options.width = canvas_.width();
+    options.height = canvas_.height();
+    for (const HandlePlace& place : contactHandles(*canvas_.frame(), options))
+      if (place.handle == wanted)
+        return {static_cast<int>(place.box.x + place.box.width / 2),
+                static_cast<int>(place.box.y + place.box.height / 2)};
+    ADD_FAILURE() << "no handle";
+    return {};
+  }
+
+  void drag(QPoint from, QPoint by) {
+    QTest::mouseMove(&canvas_, from);
+    QTest::mousePress(&canvas_, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 4; ++i) QTest::mouseMove(&canvas_, from + by * i / 4);
+  }
+  void drop(QPoint at) { QTest::mouseRelease(&canvas_, Qt::LeftButton, {}, at); }
+
+  Scene scene_;
+  int edits_ = 0;
+};
+
+TEST_F(DraggedCanvasTest, TheBodyDraggedDownPressesHarderAndTheTipSaysTheForce) {
+  const double before = scene_.load.normalForce;
+  const QPoint at = place(0.3, 0.97).toPoint();
+  drag(at, {2, 60});
+  EXPECT_GT(scene_.load.normalForce, 1.2 * before);
+  EXPECT_EQ(canvas_.cursor().shape(), Qt::SizeVerCursor);
+  EXPECT_TRUE(QToolTip::text().contains("normal force")) << QToolTip::text().toStdString();
+  EXPECT_TRUE(QToolTip::text().contains("N"));
+  const ContactView moved = view();
+  drop(at + QPoint(2, 60));
+  EXPECT_EQ(view(), moved);
+  EXPECT_TRUE(canvas_.viewer().navigation().isFitted());
+  // There and back is where it was.
+  Scene start = scene_;
+  const double pressed = scene_.load.normalForce;
+  QTest::mousePress(&canvas_, Qt::LeftButton, {}, at);
+  QTest::mouseMove(&canvas_, at + QPoint(0, 40));
+  EXPECT_NE(scene_.load.normalForce, pressed);
+  QTest::mouseMove(&canvas_, at);
+  EXPECT_EQ(scene_, start);
+  drop(at);
+}
+
+TEST_F(DraggedCanvasTest, TheBodyDraggedSidewaysMovesTheViewOnly) {
+  turnWheel(place(0.5, 0.5), 3);
+  const ContactView before = view();
+  const QPoint at = place(0.3, 0.98).toPoint();
+  ASSERT_EQ(handleAt(
+                *canvas_.frame(),
+                [&] {
+                  ContactPictureOptions options = canvas_.viewer().options();
+                  options.width = canvas_.width();
+                  options.height = canvas_.height();
+                  return options;
+                }(),
+                static_cast<float>(at.x()), static_cast<float>(at.y())),
+            ContactHandle::Body);
+  drag(at, {80, 3});
+  drop(at + QPoint(80, 3));
+  EXPECT_EQ(edits_, 0);
+  EXPECT_NE(view().left, before.left);
+}
+
+TEST_F(DraggedCanvasTest, ArrowsSetForceAndVelocity) {
+  const Scene start = scene_;
+  const QPoint speed = handle(ContactHandle::Velocity);
+  QTest::mouseMove(&canvas_, speed);
+  EXPECT_EQ(canvas_.cursor().shape(), Qt::SizeHorCursor);
+  drag(speed, {100, 0});
+  drop(speed + QPoint(100, 0));
+  EXPECT_GT(scene_.sliding.velocity, 1.5 * start.sliding.velocity);
+  EXPECT_EQ(scene_.load, start.load);
+  const QPoint force = handle(ContactHandle::Force);
+  drag(force, {0, -50});
+  drop(force - QPoint(0, 50));
+  EXPECT_LT(scene_.load.normalForce, 0.8 * start.load.normalForce);
+}
+
+TEST_F(DraggedCanvasTest, EscapeEndsADragWhereItBegan) {
+  const Scene start = scene_;
+  const QPoint at = place(0.3, 0.97).toPoint();
+  drag(at, {0, 60});
+  EXPECT_FALSE(scene_ == start);
+  QTest::keyClick(&canvas_, Qt::Key_Escape);
+  EXPECT_EQ(scene_, start);
+  QTest::mouseMove(&canvas_, at + QPoint(0, 90));  // no longer held
+  EXPECT_EQ(scene_, start);
+  drop(at);
+}
+
+TEST_F(DraggedCanvasTest, TheTipSaysBeforehandWhatADragWillDo) {
+  const auto tip = [&](QPoint at) {
+    QHelpEvent event(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
+    QApplication::sendEvent(&canvas_, &event);
+    return QToolTip::text();
+  };
+  EXPECT_TRUE(tip(handle(ContactHandle::Velocity)).contains("faster"));
+  EXPECT_TRUE(tip(handle(ContactHandle::Force)).contains("press harder"));
+  EXPECT_TRUE(tip(place(0.3, 0.97).toPoint()).contains("sideways"));
+}
+
+/// An indentation leaves no force to choose.
+TEST_F(DraggedCanvasTest, AGivenIndentationIsWhatTheBodyChanges) {
+  scene_.load.kind = LoadKind::Indentation;
+  scene_.load.depth = 9e-7;
+  canvas_.setScene(scene_);
+  const QPoint at = place(0.3, 0.97).toPoint();
+  const double heights = view().top - view().bottom, plot = canvas_.plotArea().height();
+  drag(at, {0, 50});
+  drop(at + QPoint(0, 50));
+  EXPECT_NEAR(scene_.load.depth, 9e-7 + heights * 50 / plot, 1e-9);
+  const Scene now = scene_;
+  const QPoint force = handle(ContactHandle::Force);
+  drag(force, {0, 30});
+  drop(force + QPoint(0, 30));
+  EXPECT_EQ(scene_.load.normalForce, now.load.normalForce);
+}
+
+TEST_F(DraggedCanvasTest, KeysDoTheSame) {
+  const Scene start = scene_;
+  action("pressHarder").trigger();
+  EXPECT_GT(scene_.load.normalForce, start.load.normalForce);
+  EXPECT_TRUE(canvas_.accessibleDescription().contains("normal force"));
+  action("pressLess").trigger();
+  EXPECT_NEAR(scene_.load.normalForce, start.load.normalForce, 1e-3 * start.load.normalForce);
+  action("slideFaster").trigger();
+  EXPECT_GT(scene_.sliding.velocity, start.sliding.velocity);
+  action("slideSlower").trigger();
+  action("slideSlower").trigger();
+  EXPECT_LT(scene_.sliding.velocity, start.sliding.velocity);
+}
+
 }  // namespace
 }  // namespace asperity

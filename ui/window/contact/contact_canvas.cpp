@@ -13,8 +13,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/scene/parameters.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
+#include "ui/panels/parameter_row.h"
 #include "ui/window/main/commands.h"
 
 namespace asperity {
@@ -25,9 +28,34 @@ constexpr double kWheelStep = 120;     // of angleDelta per step of a usual whee
 constexpr double kKeyPan = 0.1;        // part of the plot per key press
 constexpr double kZoomPerStep = 1.25;  // the same as the viewer's
 constexpr int kManyElements = 10;
+constexpr double kDecides = 5;       // pixels after which a drag of the body has its direction
+constexpr double kNudge = 1 / 80.0;  // part of the plot by which a key drags
 
 double stepsOf(double factor) {
   return factor > 0 ? std::log(factor) / std::log(kZoomPerStep) : 0;
+}
+
+/// Returns "normal force: 200 mN", the value that a drag changes.
+QString valueText(ContactHandle handle, const Scene& scene) {
+  const Parameter& parameter = knownParameter(draggedKey(handle, scene));
+  const double value = std::get<double>(valueOf(parameter, scene));
+  return ParameterRow::labelOf(parameter) + ": " +
+         QString::fromStdString(quantity(value, parameter.unit, 4));
+}
+
+/// Returns one sentence on a drag of this handle.
+QString whatADragDoes(ContactHandle handle, const Scene& scene) {
+  if (handle == ContactHandle::Velocity)
+    return ContactCanvas::tr("Drag to the right to slide faster, to the left to slide slower.");
+  if (handle == ContactHandle::Force)
+    return ContactCanvas::tr("Drag down to press harder, up to press less.");
+  return scene.load.kind == LoadKind::Indentation
+             ? ContactCanvas::tr(
+                   "Drag the body down into the elastomer or up; sideways moves the "
+                   "view.")
+             : ContactCanvas::tr(
+                   "Drag down to press harder, up to press less; sideways moves the "
+                   "view.");
 }
 
 bool prefersOpenGl() {
@@ -271,24 +299,95 @@ void ContactCanvas::wheelEvent(QWheelEvent* event) {
 
 void ContactCanvas::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !placeAt(event->position())) return event->ignore();
-  dragged_ = event->position();
-  setCursor(Qt::ClosedHandCursor);
+  startDrag(event->position());
 }
 
 void ContactCanvas::mouseMoveEvent(QMouseEvent* event) {
   if (isPinching_) return;  // Qt sends the first finger as a cursor, too
-  if (dragged_) {
-    const QRectF plot = plotArea();
-    const QPointF moved = event->position() - *dragged_;
-    dragged_ = event->position();
-    viewer_.pan(moved.x() / plot.width(), -moved.y() / plot.height());
-  }
+  if (dragged_) return continueDrag(event->position());
+  showHandle(handleUnder(event->position()));
   showCrosshair(event->position());
 }
 
-void ContactCanvas::mouseReleaseEvent(QMouseEvent*) {
+void ContactCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  endDrag();
+  showHandle(handleUnder(event->position()));
+}
+
+// ---- Drags that change the scene
+
+/// Returns what a drag from here would change.
+ContactHandle ContactCanvas::handleUnder(const QPointF& position) const {
+  if (!scene_ || !viewer_.frame()) return ContactHandle::None;
+  const PictureRequest shown = request();
+  const QPointF pixel = position * shown.scale;
+  const ContactHandle handle =
+      handleAt(*shown.frame, sizedOptions(shown), static_cast<float>(pixel.x()),
+               static_cast<float>(pixel.y()));
+  return draggedKey(handle, *scene_).empty() ? ContactHandle::None : handle;
+}
+
+/// Gives the cursor the shape of what a drag would do.
+void ContactCanvas::showHandle(ContactHandle handle) {
+  if (handle == ContactHandle::None)
+    unsetCursor();
+  else
+    setCursor(handle == ContactHandle::Velocity ? Qt::SizeHorCursor : Qt::SizeVerCursor);
+}
+
+void ContactCanvas::startDrag(const QPointF& position) {
+  dragged_ = position;
+  const ContactHandle handle = handleUnder(position);
+  if (handle == ContactHandle::None) return setCursor(Qt::ClosedHandCursor);
+  const ContactView view = viewer_.options().view;
+  grip_ = Grip{handle, position, *scene_, view.top - view.bottom, handle != ContactHandle::Body};
+}
+
+void ContactCanvas::continueDrag(const QPointF& position) {
+  const QRectF plot = plotArea();
+  if (grip_ && !grip_->isDecided) {
+    const QPointF moved = position - grip_->from;
+    if (moved.manhattanLength() < kDecides) return;
+    grip_->isDecided = true;
+    if (std::abs(moved.x()) > std::abs(moved.y())) {
+      grip_.reset();
+      setCursor(Qt::ClosedHandCursor);
+    }
+  }
+  if (!grip_) {
+    const QPointF moved = position - *dragged_;
+    dragged_ = position;
+    viewer_.pan(moved.x() / plot.width(), -moved.y() / plot.height());
+    return showCrosshair(position);
+  }
+  dragged_ = position;
+  if (viewer_.pointer()) showCrosshair({-1, -1});  // its readout would hide what moves
+  const QPointF moved = position - grip_->from;
+  const double right = moved.x() / plot.width();
+  // The arrow of a line that slides to the left grows to the left.
+  const double ahead = grip_->scene.sliding.velocity < 0 ? -right : right;
+  const Scene after = asperity::dragged(grip_->scene, grip_->handle,
+                                        {ahead, moved.y() / plot.height(), grip_->height});
+  emit sceneEdited(after);
+  QToolTip::showText(mapToGlobal(position.toPoint()) + QPoint(14, 10),
+                     valueText(grip_->handle, after), this);
+}
+
+void ContactCanvas::endDrag() {
+  if (grip_ && grip_->isDecided) QToolTip::hideText();
+  grip_.reset();
   dragged_.reset();
   unsetCursor();
+}
+
+void ContactCanvas::nudge(ContactHandle handle, double steps) {
+  if (!scene_ || !viewer_.frame()) return;
+  const ContactView view = viewer_.options().view;
+  const double part = kNudge * steps;
+  const Scene after = asperity::dragged(*scene_, handle, {part, part, view.top - view.bottom});
+  if (after == *scene_) return;
+  setAccessibleDescription(valueText(handle, after));
+  emit sceneEdited(after);
 }
 
 void ContactCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -306,7 +405,11 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
   const int sign = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up ? 1 : -1;
   const bool control = event->modifiers() & Qt::ControlModifier;
   const bool shift = event->modifiers() & Qt::ShiftModifier;
-  if (event->key() == Qt::Key_Escape && viewer_.pointer()) {
+  if (event->key() == Qt::Key_Escape && grip_) {
+    const Scene before = grip_->scene;
+    endDrag();
+    emit sceneEdited(before);
+  } else if (event->key() == Qt::Key_Escape && viewer_.pointer()) {
     showCrosshair({-1, -1});
   } else if (isInX && control) {
     movePointer(sign * (shift ? kManyElements : 1));
@@ -330,7 +433,9 @@ QString ContactCanvas::tipAt(const QPointF& position) const {
     if (QRectF(place.x, place.y, place.width, place.height).contains(pixel))
       return QString::fromStdString(reading.tip);
   }
-  return {};
+  const ContactHandle handle = handleUnder(position);
+  if (handle == ContactHandle::None) return {};
+  return whatADragDoes(handle, *scene_) + "\n" + valueText(handle, *scene_);
 }
 
 void ContactCanvas::pinch(const QPointF& position, double factor) {
@@ -341,7 +446,8 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), wrappedTip(tipAt(help->pos())),
+    QString tip = wrappedTip(tipAt(help->pos()));
+    QToolTip::showText(help->globalPos(), tip.replace('\n', QStringLiteral("<br>")),
                        this);  // an empty text hides it
     return true;
   }
@@ -356,7 +462,7 @@ bool ContactCanvas::event(QEvent* event) {
     if (auto* gesture = static_cast<QPinchGesture*>(gestures->gesture(Qt::PinchGesture))) {
       isPinching_ =
           gesture->state() == Qt::GestureStarted || gesture->state() == Qt::GestureUpdated;
-      dragged_.reset();
+      endDrag();
       if (gesture->changeFlags() & QPinchGesture::ScaleFactorChanged)
         pinch(mapFromGlobal(gesture->centerPoint()), gesture->scaleFactor());
       gestures->accept(gesture);

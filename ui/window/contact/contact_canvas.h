@@ -1,14 +1,16 @@
 // The contact view. It draws frames with OpenGL where the graphics hardware supports it in a
 // window, else with images of the program's own
-// rasterizer: OpenGL in software draws the same pictures for five times the processor time. It switches at run time if
-// OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl", "software") overrides
-// this choice.
-// Wheel and pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift
-// they move the view in x. Dragging moves the view. The cursor is a crosshair with a readout. Keys
-// while it has the focus: arrows move the view, with Ctrl they move the crosshair by an element
-// (with Shift by ten), with Shift the up and down arrows change the exaggeration;
-// contact_view_actions.h has the other keys. GUI thread; owned by its parent. Failure: where
-// nothing can draw, it shows a message and stays empty.
+// rasterizer: OpenGL in software draws the same pictures for five times the processor time. It
+// switches at run time if OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl",
+// "software") overrides this choice. Wheel and pinch zoom at the cursor; with Ctrl they change the
+// vertical exaggeration, with Shift they move the view in x. Dragging moves the view; the rigid
+// body dragged up or down, the force's arrow and the velocity's change the scene
+// (ui/contact/contact_handles.h): shape of the cursor and a tip say so before and during the drag,
+// and Escape undoes it. The cursor is a crosshair with a readout. Keys while it has the focus:
+// arrows move the view, with Ctrl they move the crosshair by an element (with Shift by ten), with
+// Shift the up and down arrows change the exaggeration; contact_view_actions.h has the other keys.
+// GUI thread; owned by its parent. Failure: where nothing can draw, it shows a message and stays
+// empty.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,6 +20,7 @@
 #include <optional>
 
 #include "core/run/frame.h"
+#include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_picture.h"
 #include "ui/contact/contact_viewer.h"
 #include "ui/window/contact/canvas_backend.h"
@@ -35,6 +38,12 @@ class ContactCanvas : public QWidget {
 
   void setFrame(std::shared_ptr<const Frame> frame);
   void setTheme(const Theme& theme);
+
+  /// Sets the scene that drags change; without one they only move the view.
+  void setScene(const Scene& scene) { scene_ = scene; }
+  /// Changes what a drag of the handle changes, as by a drag of a few pixels: downwards, or in the
+  /// direction of sliding, for positive steps.
+  void nudge(ContactHandle handle, double steps);
 
   /// Sets a factor for texts and lines, for an audience.
   void setTextScale(double scale);
@@ -74,6 +83,8 @@ class ContactCanvas : public QWidget {
   void failed(const QString& reason);
   void viewChanged();
   void fieldsWanted(const asperity::FrameFields& fields);
+  /// Emitted at each step of a drag that changes the scene.
+  void sceneEdited(const asperity::Scene& scene);
 
  protected:
   bool event(QEvent* event) override;
@@ -101,6 +112,11 @@ class ContactCanvas : public QWidget {
   void showCrosshair(const QPointF& position);
   void movePointer(int elements);
   QString tipAt(const QPointF& position) const;
+  ContactHandle handleUnder(const QPointF& position) const;
+  void showHandle(ContactHandle handle);
+  void startDrag(const QPointF& position);
+  void continueDrag(const QPointF& position);
+  void endDrag();
   void pinch(const QPointF& position, double factor);
   void changed();
 
@@ -112,6 +128,17 @@ class ContactCanvas : public QWidget {
   Theme theme_ = lightTheme();
   double textScale_ = 1;
   std::optional<QPointF> dragged_;  // last position of the cursor while a button is down
+  std::optional<Scene> scene_;
+  /// What the pressed button may change, from which scene and heights (m) on; a drag of the body
+  /// sideways moves the view, as its first pixels decide.
+  struct Grip {
+    ContactHandle handle;
+    QPointF from;
+    Scene scene;
+    double height;
+    bool isDecided;
+  };
+  std::optional<Grip> grip_;
   bool isPinching_ = false;
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms

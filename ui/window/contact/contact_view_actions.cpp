@@ -88,6 +88,38 @@ void addZoom(ContactCanvas& canvas, QMenu& menu) {
       [&canvas](bool) { canvas.fitHeights(); });
 }
 
+/// Adds what drags in the picture do, for the keyboard.
+void addNudges(ContactCanvas& canvas, QMenu& menu) {
+  add(canvas, menu,
+      {"pressHarder",
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Press harder"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText",
+                         "More load; also by dragging the rigid body or the force's arrow down"),
+       {Qt::CTRL | Qt::Key_Down}},
+      [&canvas](bool) { canvas.nudge(ContactHandle::Body, 1); });
+  add(canvas, menu,
+      {"pressLess",
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Press less"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText",
+                         "Less load; also by dragging the rigid body or the force's arrow up"),
+       {Qt::CTRL | Qt::Key_Up}},
+      [&canvas](bool) { canvas.nudge(ContactHandle::Body, -1); });
+  add(canvas, menu,
+      {"slideFaster",
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Slide faster"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText",
+                         "More velocity; also by dragging its arrow to the right"),
+       {Qt::Key_V}},
+      [&canvas](bool) { canvas.nudge(ContactHandle::Velocity, 1); });
+  add(canvas, menu,
+      {"slideSlower",
+       QT_TRANSLATE_NOOP("asperity::ViewActionText", "Slide slower"),
+       QT_TRANSLATE_NOOP("asperity::ViewActionText",
+                         "Less velocity; also by dragging its arrow to the left"),
+       {Qt::SHIFT | Qt::Key_V}},
+      [&canvas](bool) { canvas.nudge(ContactHandle::Velocity, -1); });
+}
+
 /// Adds the commands that switch something on and off; their check marks follow the canvas.
 void addSwitches(ContactCanvas& canvas, QMenu& menu) {
   QAction* follow =
@@ -173,6 +205,8 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
 
 void addContactViewActions(ContactCanvas& canvas, QMenu& menu) {
   addZoom(canvas, menu);
+  addSeparator(canvas, menu);
+  addNudges(canvas, menu);
   addSeparator(canvas, menu);
   addSwitches(canvas, menu);
   addSeparator(canvas, menu);

@@ -1,0 +1,60 @@
+#include "ui/contact/contact_handles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/scene/parameters.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kDecadesDown = 2, kDecadesAcross = 4;
+
+double withFourDigits(double value) {
+  return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
+}
+
+}  // namespace
+
+std::string_view draggedKey(ContactHandle handle, const Scene& scene) {
+  if (handle == ContactHandle::None) return {};
+  if (handle == ContactHandle::Velocity) return "sliding.velocity";
+  switch (scene.load.kind) {
+    case LoadKind::Force:
+      return "load.normal_force";
+    case LoadKind::Pressure:
+      return "load.nominal_pressure";
+    case LoadKind::Indentation:
+      break;
+  }
+  return handle == ContactHandle::Body ? "load.depth" : "";
+}
+
+Scene dragged(const Scene& start, ContactHandle handle, const DragDistance& moved) {
+  const std::string_view key = draggedKey(handle, start);
+  const double way = handle == ContactHandle::Velocity ? moved.right : moved.down;
+  if (key.empty() || way == 0) return start;  // not even rounded
+  const Parameter& parameter = knownParameter(key);
+  const auto& field = std::get<RealField>(parameter.field);
+  const double before = std::get<double>(valueOf(parameter, start));
+  double value = before;
+  if (key == "load.depth") {
+    // At most a thousandth is left, so that the body does not leave the contact for good.
+    value = std::max(before + moved.down * moved.height, 1e-3 * before);
+  } else if (handle == ContactHandle::Velocity) {
+    // A line at rest begins at the slowest velocity of the slider.
+    const double from = before > 0 ? before : field.sliderFrom;
+    if (before > 0 || moved.right > 0) value = from * std::pow(10, kDecadesAcross * moved.right);
+  } else {
+    value = before * std::pow(10, kDecadesDown * moved.down);
+  }
+  if (!std::isfinite(value)) return start;
+  Scene after = start;
+  setValue(parameter, after, std::clamp(withFourDigits(value), field.minimum, field.maximum));
+  return after;
+}
+
+}  // namespace asperity

@@ -1,0 +1,43 @@
+// What can be dragged in a picture of the contact: the rigid body presses, the force's arrow sets
+// the normal force, the velocity's arrow the velocity. Pure functions; any thread.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "ui/contact/contact_picture.h"
+
+namespace asperity {
+
+enum class ContactHandle { None, Body, Force, Velocity };
+
+struct HandlePlace {
+  ContactHandle handle = ContactHandle::None;
+  Clip box;  // pixels
+};
+
+/// Returns the labels and arrows of a picture that can be dragged.
+std::vector<HandlePlace> contactHandles(const Frame& frame, const ContactPictureOptions& options);
+
+/// Returns what is under a pixel of the picture. The body is what lies on the line and above it.
+ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& options, float x, float y);
+
+/// Returns the key that a drag changes: the body that of the load's kind, the force's arrow the
+/// force or the pressure. Empty where it changes nothing: a given indentation leaves no force to
+/// choose.
+std::string_view draggedKey(ContactHandle handle, const Scene& scene);
+
+/// How far a pointer has moved since the button was pressed.
+struct DragDistance {
+  double right = 0, down = 0;  // parts of the plot's width and height
+  double height = 0;           // m, heights that the plot showed at the beginning
+};
+
+/// Returns the scene with the value that a drag gives it. An indentation changes by the height that
+/// the pointer moved, so that the body stays under it; a force changes by two decades over the
+/// plot's height, downwards to more; a velocity by four decades over the plot's width, in the
+/// direction of sliding to more. Values have four digits and stay within what the key allows.
+Scene dragged(const Scene& start, ContactHandle handle, const DragDistance& moved);
+
+}  // namespace asperity
