@@ -3,15 +3,21 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QPainter>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
+#include <ctime>
 #include <functional>
 #include <stdexcept>
 
 #include "tests/ui/window/fresh_paints.h"
+#include "ui/contact/contact_picture.h"
+#include "ui/draw/fonts.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/raster_context.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/main_window.h"
@@ -25,6 +31,13 @@ constexpr int kPatience = 60000;  // ms
 double quantile(std::vector<double> values, double part) {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+/// Returns the processor time of this process, s.
+double processorTime() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 void wait(int milliseconds) {
@@ -161,6 +174,36 @@ class Window {
     return 1e9 * pictures / static_cast<double>(clock.nsecsElapsed());
   }
 
+  /// Processor time of the whole window for a picture of the contact, ms, while no curve is
+  /// computed.
+  double costOfPicture(int milliseconds) {
+    waitUntilDone();
+    wait(500);
+    const QObject context;
+    int pictures = 0;
+    QObject::connect(&window_.canvas(), &ContactCanvas::painted, &context, [&] { ++pictures; });
+    const double before = processorTime();
+    wait(milliseconds);
+    return 1e3 * (processorTime() - before) / std::max(pictures, 1);
+  }
+
+  /// Part of a processor that the paused window takes, %.
+  double restingLoad(int milliseconds) {
+    waitUntilDone();
+    window_.session().setPlaying(false);
+    wait(2500);
+    QElapsedTimer clock;
+    clock.start();
+    const double before = processorTime();
+    wait(milliseconds);
+    const double load =
+        1e11 * (processorTime() - before) / static_cast<double>(clock.nsecsElapsed());
+    window_.session().setPlaying(true);
+    return load;
+  }
+
+  std::shared_ptr<const Frame> frame() { return window_.session().frame(); }
+
  private:
   void waitUntilDone() {
     Session& session = window_.session();
@@ -212,6 +255,60 @@ void measurePictures(Window& window, bool isQuick, std::vector<WindowMeasure>& m
                       false, 30, window.picturesPerSecond(time)});
 }
 
+/// Where the processor time of a frame goes that is written at 1920x1080: each part alone.
+void measureShares(const Frame& frame, bool isQuick, std::vector<WindowMeasure>& measures) {
+  ContactPictureOptions options;
+  options.width = 1920;
+  options.height = 1080;
+  const int pictures = isQuick ? 10 : 60;
+  RasterContext context;
+  double compose = 0, shapes = 0, texts = 0, encode = 0;
+  const auto timed = [](double& sum, const auto& work) {
+    const double before = processorTime();
+    auto made = work();
+    sum += processorTime() - before;
+    return made;
+  };
+  for (int i = 0; i < pictures; ++i) {
+    const DrawList list = timed(compose, [&] { return composeContact(frame, options); });
+    const Pixels pixels = timed(shapes, [&] { return context.draw(list); });
+    QImage image(pixels.rgba.data(), pixels.width, pixels.height, 4 * pixels.width,
+                 QImage::Format_RGBA8888_Premultiplied);
+    image.detach();
+    timed(texts, [&] {
+      QPainter painter(&image);
+      paintTexts(painter, list);
+      return true;
+    });
+    timed(encode, [&] { return pngOf(image, {}); });
+  }
+  const double whole = compose + shapes + texts + encode;
+  measures.push_back(
+      {"processor time of a frame written at 1920x1080", "ms", true, 44, 1e3 * whole / pictures});
+  const auto share = [&](const char* name, double part) {
+    measures.push_back(
+        {std::string("its share: ") + name, "%", true, std::nullopt, 100 * part / whole});
+  };
+  share("compose", compose);
+  share("shapes", shapes);
+  share("texts", texts);
+  share("encode", encode);
+}
+
+void measureCosts(Window& window, bool isQuick, std::vector<WindowMeasure>& measures) {
+  const int time = isQuick ? 1000 : 5000;
+  window.resize({1600, 1000});
+  measures.push_back({"processor time of a picture, window of 1600x1000", "ms", true, std::nullopt,
+                      window.costOfPicture(time)});
+  window.resize({2560, 1440});
+  measures.push_back({"processor time of a picture, window of 2560x1440", "ms", true, std::nullopt,
+                      window.costOfPicture(time)});
+  window.resize({1280, 720});
+  measures.push_back(
+      {"processor time of the paused window", "%", true, 0.5, window.restingLoad(time)});
+  measureShares(*window.frame(), isQuick, measures);
+}
+
 }  // namespace
 
 std::vector<WindowMeasure> measureWindow(bool isQuick) {
@@ -220,6 +317,7 @@ std::vector<WindowMeasure> measureWindow(bool isQuick) {
   Window window;
   measureSliders(window, isQuick, measures);
   measurePictures(window, isQuick, measures);
+  measureCosts(window, isQuick, measures);
   return measures;
 }
 
