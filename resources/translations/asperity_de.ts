@@ -762,6 +762,22 @@
         <source>The contact cannot be drawn here: %1</source>
         <translation>Der Kontakt lässt sich hier nicht zeichnen: %1</translation>
     </message>
+    <message>
+        <source>Drag to the right to slide faster, to the left to slide slower.</source>
+        <translation>Nach rechts ziehen: schneller gleiten; nach links: langsamer.</translation>
+    </message>
+    <message>
+        <source>Drag down to press harder, up to press less.</source>
+        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer.</translation>
+    </message>
+    <message>
+        <source>Drag the body down into the elastomer or up; sideways moves the view.</source>
+        <translation>Den Körper nach unten in das Elastomer ziehen oder nach oben; seitwärts bewegt sich die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Drag down to press harder, up to press less; sideways moves the view.</source>
+        <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich die Ansicht.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::CurveCommands</name>
@@ -1627,6 +1643,10 @@
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
     </message>
+    <message>
+        <source>Fine step</source>
+        <translation>Feiner Schritt</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MapPanel</name>
@@ -1854,6 +1874,33 @@
     <message>
         <source>accept</source>
         <translation>annehmen</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::MotionView</name>
+    <message>
+        <source>velocity, friction, indentation and contact length in time</source>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
+    </message>
+    <message>
+        <source>loop of friction over velocity</source>
+        <translation>Schleife der Reibung über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture or data…</source>
+        <translation>Bild oder Daten speichern…</translation>
+    </message>
+    <message>
+        <source>in contact %1 %</source>
+        <translation>in Kontakt %1 %</translation>
+    </message>
+    <message>
+        <source>normal force %1</source>
+        <translation>Normalkraft %1</translation>
     </message>
 </context>
 <context>
@@ -2132,10 +2179,6 @@
     <message>
         <source>Tabs</source>
         <translation>Reiter</translation>
-    </message>
-    <message>
-        <source>velocity, friction, indentation and contact length in time</source>
-        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
     </message>
     <message>
         <source>moduli of the elastomer and the frequencies in use</source>
@@ -2486,6 +2529,41 @@
     </message>
 </context>
 <context>
+    <name>asperity::TimeBar</name>
+    <message>
+        <source>moment of the motion</source>
+        <translation>Zeitpunkt der Bewegung</translation>
+    </message>
+    <message>
+        <source>The moment of the motion: drag it to any other one.</source>
+        <translation>Der Zeitpunkt der Bewegung: Er lässt sich an jeden anderen ziehen.</translation>
+    </message>
+    <message>
+        <source>slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>How much slower than in reality the picture moves; to the right slower. Below 1 it is a time lapse. Lines of very many elements may move more slowly than this.</source>
+        <translation>Wievielmal langsamer als in Wirklichkeit sich das Bild bewegt; nach rechts langsamer. Unter 1 ist es ein Zeitraffer. Linien aus sehr vielen Elementen bewegen sich vielleicht noch langsamer.</translation>
+    </message>
+    <message>
+        <source>slow motion factor</source>
+        <translation>Faktor der Zeitlupe</translation>
+    </message>
+    <message>
+        <source>constant pace</source>
+        <translation>gleiches Tempo</translation>
+    </message>
+    <message>
+        <source>Keeps the pace of the picture while the velocity changes; otherwise the slow motion stays, and a faster line looks faster.</source>
+        <translation>Behält das Tempo des Bildes, während sich die Geschwindigkeit ändert; sonst bleibt die Zeitlupe, und eine schnellere Linie sieht schneller aus.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>asperity::TopographyPicture</name>
     <message>
         <source>topography</source>
@@ -2711,6 +2789,38 @@
     <message>
         <source>Switches to the next colouring</source>
         <translation>Wechselt zur nächsten Färbung</translation>
+    </message>
+    <message>
+        <source>Press harder</source>
+        <translation>Stärker drücken</translation>
+    </message>
+    <message>
+        <source>More load; also by dragging the rigid body or the force&apos;s arrow down</source>
+        <translation>Mehr Last; auch durch Ziehen des starren Körpers oder des Kraftpfeils nach unten</translation>
+    </message>
+    <message>
+        <source>Press less</source>
+        <translation>Schwächer drücken</translation>
+    </message>
+    <message>
+        <source>Less load; also by dragging the rigid body or the force&apos;s arrow up</source>
+        <translation>Weniger Last; auch durch Ziehen des starren Körpers oder des Kraftpfeils nach oben</translation>
+    </message>
+    <message>
+        <source>Slide faster</source>
+        <translation>Schneller gleiten</translation>
+    </message>
+    <message>
+        <source>More velocity; also by dragging its arrow to the right</source>
+        <translation>Mehr Geschwindigkeit; auch durch Ziehen ihres Pfeils nach rechts</translation>
+    </message>
+    <message>
+        <source>Slide slower</source>
+        <translation>Langsamer gleiten</translation>
+    </message>
+    <message>
+        <source>Less velocity; also by dragging its arrow to the left</source>
+        <translation>Weniger Geschwindigkeit; auch durch Ziehen ihres Pfeils nach links</translation>
     </message>
 </context>
 <context>

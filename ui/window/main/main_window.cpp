@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
@@ -25,6 +26,8 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/contact/motion_view.h"
+#include "ui/window/contact/time_bar.h"
 #include "ui/window/curve/comparison_commands.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/curve/curve_comparison.h"
@@ -53,6 +56,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
+constexpr int kRestingPoll = 100;  // ms, while time stands still and nothing is computed
 constexpr int kUnseenPoll = 250;   // ms, while nobody sees the frames
 
 /// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
@@ -126,6 +130,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   buildMenus();
   connectScene();
   connectFrames();
+  connectTime();
   connectCurve();
   appearance_->setColours(Colours::System);
   showScene(scene);
@@ -135,7 +140,11 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
 
   poll_ = new QTimer(this);
   poll_->setTimerType(Qt::PreciseTimer);
-  connect(poll_, &QTimer::timeout, session_, &Session::poll);
+  connect(poll_, &QTimer::timeout, this, [this] {
+    session_->poll();
+    choosePoll();
+  });
+  connect(session_, &Session::stirred, this, &MainWindow::choosePoll);
   visibility_ = new WindowVisibility(*this);
   connect(visibility_, &WindowVisibility::changed, this, &MainWindow::followVisibility);
   session_->begin();
@@ -159,7 +168,15 @@ void MainWindow::buildViews() {
   splitter_->setObjectName("viewSplitter");
   splitter_->setHandleWidth(1);
   splitter_->setChildrenCollapsible(false);
-  splitter_->addWidget(canvas_);
+  timeBar_ = new TimeBar;
+  auto* contact = new QWidget;
+  contact->setObjectName("contactPage");
+  auto* column = new QVBoxLayout(contact);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(canvas_, 1);
+  column->addWidget(timeBar_);
+  splitter_->addWidget(contact);
   splitter_->addWidget(tabs_);
   splitter_->setStretchFactor(0, 58);
   splitter_->setStretchFactor(1, 42);
@@ -197,9 +214,13 @@ void MainWindow::buildCommands() {
                   Symbol::Pause});
   commands_->add({"step",
                   [] { return tr("Step"); },
-                  [this] { session_->singleStep(partPerStep()); },
+                  [this] { step(QGuiApplication::keyboardModifiers() & Qt::ShiftModifier); },
                   {Qt::Key_Period},
                   Symbol::Step});
+  commands_->add({"stepFinely",
+                  [] { return tr("Fine step"); },
+                  [this] { step(true); },
+                  {Qt::SHIFT | Qt::Key_Period, Qt::Key_Greater, Qt::Key_Colon}});
   commands_->add({"reset",
                   [] { return tr("Reset"); },
                   [this] { session_->reset(); },
@@ -247,6 +268,8 @@ void MainWindow::connectScene() {
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
+  connect(canvas_, &ContactCanvas::sceneEdited, this,
+          [this](const Scene& scene) { document_->edit(scene); });
   connect(figures_, &FigurePages::sceneWanted, this, [this](const Scene& scene) {
     documents_->replace({{}, {}, scene});
   });
@@ -273,6 +296,8 @@ void MainWindow::connectScene() {
 }
 
 void MainWindow::showScene(const Scene& scene) {
+  canvas_->setScene(scene);
+  timeBar_->showScene(scene);
   tabs_->showScene(scene);
   showDescription();
   showTitle();
@@ -325,7 +350,8 @@ void MainWindow::connectFrames() {
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
     // The space bar presses the buttons of the page of figures; it does not pause the run behind
     // it.
-    for (QAction* action : commands_->get({"play", "step", "reset"})) action->setEnabled(!areShown);
+    for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset"}))
+      action->setEnabled(!areShown);
     followVisibility();
     if (areShown) return;
     if (session_->frame()) canvas_->setFrame(session_->frame());
@@ -344,13 +370,34 @@ void MainWindow::showFrame() {
   if (!figures_->isShowingFigures()) canvas_->setFrame(frame);
   status_->showFrame(*frame, readCurve(*frame, session_->curve()));
   tabs_->showFrame(*frame);
+  if (frame->sceneNumber == session_->sceneNumber()) timeBar_->showFrame(*frame);
   if (frame->sceneNumber == session_->sceneNumber()) panel_->showLine(sizeOf(*frame));
 }
 
 /// Pauses the moving picture while the window is hidden; curves are still computed.
 void MainWindow::followVisibility() {
-  poll_->setInterval(visibility_->isSeen() ? kPollInterval : kUnseenPoll);
+  choosePoll();
   session_->setSeen(visibility_->isSeen() && !figures_->isShowingFigures());
+}
+
+/// Asks for news as often as there may be some: a window at rest costs next to nothing.
+void MainWindow::choosePoll() {
+  if (!poll_) return;
+  const bool isSeen = !visibility_ || visibility_->isSeen();
+  const int interval = !isSeen ? kUnseenPoll : session_->isResting() ? kRestingPoll : kPollInterval;
+  if (poll_->interval() != interval) poll_->setInterval(interval);
+}
+
+void MainWindow::connectTime() {
+  connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
+  connect(timeBar_, &TimeBar::momentWanted, session_, &Session::seek);
+  connect(&tabs_->motion(), &MotionView::momentWanted, session_, &Session::seek);
+  // A drag of the moment stops the time, which goes on afterwards if it did before.
+  connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
+    if (isOn) wasPlaying_ = session_->isPlaying();
+    if (isOn && wasPlaying_) session_->setPlaying(false);
+    if (!isOn && wasPlaying_) session_->setPlaying(true);
+  });
 }
 
 /// Requests only the optional values that the contact shows and the statistics count.
@@ -358,13 +405,13 @@ void MainWindow::wantFields() {
   session_->wantFields(canvas_->fields() | tabs_->fields());
 }
 
-/// Returns the part of the period by which a single step moves the line: a small part of the view,
-/// so that the step is visible.
-double MainWindow::partPerStep() const {
-  constexpr double kOfView = 1.0 / 200;
+/// Moves the line by a part of the view that is seen well, or by a pixel or two.
+void MainWindow::step(bool finely) {
+  const double ofView = finely ? 1.0 / 800 : 1.0 / 50;
   const Frame* frame = canvas_->frame();
-  if (!frame || !(frame->length > 0)) return kOfView;
-  return kOfView * canvas_->viewer().options().view.width / frame->length;
+  const bool isKnown = frame && frame->length > 0;
+  session_->singleStep(isKnown ? ofView * canvas_->viewer().options().view.width / frame->length
+                               : ofView);
 }
 
 // ---- The friction curve

@@ -36,6 +36,7 @@ class SceneTabs;
 class Session;
 class StatusLine;
 class Tour;
+class TimeBar;
 class TourBar;
 class WindowLayout;
 class WindowVisibility;
@@ -53,7 +54,8 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }         // the running scene
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
-  SceneTabs& tabs() { return *tabs_; }  // under the contact
+  TimeBar& timeBar() { return *timeBar_; }  // under the contact
+  SceneTabs& tabs() { return *tabs_; }      // under the bar
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
@@ -90,17 +92,20 @@ class MainWindow : public QMainWindow {
   void showShortcuts();
   void showAbout();
 
+  void connectTime();
   void followVisibility();
+  void choosePoll();
   void wantFields();
   void showScene(const Scene& scene);
   void showDescription();
   void showTitle();
   void showFrame();
-  double partPerStep() const;
+  void step(bool finely);
 
   Session* session_;
   SceneDocument* document_;
   ContactCanvas* canvas_;
+  TimeBar* timeBar_ = nullptr;
   SceneTabs* tabs_ = nullptr;
   QSplitter* splitter_ = nullptr;
   FigurePages* figures_ = nullptr;
@@ -120,6 +125,7 @@ class MainWindow : public QMainWindow {
   Tour* tour_ = nullptr;
   WindowVisibility* visibility_ = nullptr;
   QTimer* poll_ = nullptr;
+  bool wasPlaying_ = false;               // before a moment was dragged
   std::optional<std::string> described_;  // last text in the bar of the description
 };
 

@@ -66,7 +66,7 @@ void MainWindow::buildMenus() {
 
   figures_->fillMenu(*addMenu([] { return tr("Fi&gures"); }));
 
-  add(*addMenu([] { return tr("&Run"); }), {"play", "step", "reset"});
+  add(*addMenu([] { return tr("&Run"); }), {"play", "step", "stepFinely", "reset"});
 
   QMenu& view = *addMenu([] { return tr("&View"); });
   view.setToolTipsVisible(true);

@@ -11,13 +11,13 @@
 
 #include "core/chart/material_sheets.h"
 #include "core/run/line_diagrams.h"
-#include "core/run/transient_diagram.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/chart_view.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
+#include "ui/window/contact/motion_view.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
@@ -71,7 +71,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     : QTabWidget(parent),
       session_(session),
       plot_(new ChartView),
-      strips_(new ChartView),
+      motion_(new MotionView),
       spectrum_(new DiagramView),
       statistics_(new DiagramView),
       material_(new DiagramView),
@@ -87,13 +87,12 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
       Qt::ClickFocus);  // clicking here leaves an entry, so that the window gets the keys again
   plot_->setObjectName("frictionPlot");
   plot_->setMinimumHeight(kOnePlot);
-  strips_->setObjectName("transientStrips");
-  strips_->setFocusPolicy(Qt::NoFocus);
+  motion_->setObjectName("transientStrips");  // as in settings of earlier versions
   spectrum_->setObjectName("spectrumView");
   statistics_->setObjectName("statisticsView");
   material_->setObjectName("materialView");
   // The map is last, so that the keys of the other tabs stay.
-  for (QWidget* page : std::initializer_list<QWidget*>{plot_, strips_, spectrum_, statistics_,
+  for (QWidget* page : std::initializer_list<QWidget*>{plot_, motion_, spectrum_, statistics_,
                                                        material_, accuracy_, plan_, map_})
     addTab(page, QString());
   setTabVisible(kMotionTab, false);
@@ -112,6 +111,8 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     connect(view, &DiagramView::saved, this, &SceneTabs::saved);
     connect(view, &DiagramView::failed, this, &SceneTabs::failed);
   }
+  connect(motion_, &MotionView::saved, this, &SceneTabs::saved);
+  connect(motion_, &MotionView::failed, this, &SceneTabs::failed);
   connect(map_, &MapPanel::saved, this, &SceneTabs::saved);
   connect(map_, &MapPanel::failed, this, &SceneTabs::failed);
   connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsWanted);
@@ -127,7 +128,6 @@ void SceneTabs::showTexts() {
       button->setAccessibleName(
           QCoreApplication::translate("QTabBar", QByteArray("Scroll ") + side));
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
-  strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
   material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
@@ -193,12 +193,12 @@ void SceneTabs::showScene(const Scene& scene) {
   const bool moves = scene.sliding.kind != SlidingKind::Steady;
   const bool moved = isTabVisible(kMotionTab);
   // The tab of the motion is left before it is hidden; otherwise Qt shows the next one.
-  if (!moves && currentWidget() == strips_) setCurrentWidget(plot_);
+  if (!moves && currentWidget() == motion_) setCurrentWidget(plot_);
   QAction& action = *wanted_.at(kMotionTab);
   action.setVisible(moves);
   setTabVisible(kMotionTab, moves && action.isChecked());
   if (moves && !moved) setCurrentIndex(kMotionTab);
-  if (moves) strips_->setSheet(transientSheet(scene, {}));
+  motion_->showScene(scene);
   hasMeasuredFriction_ = !scene.comparison.data.empty();
   keepRoomForPlots();
   plan_->showScene(scene);
@@ -222,8 +222,7 @@ void SceneTabs::showScene(const Scene& scene) {
 }
 
 void SceneTabs::showFrame(const Frame& frame) {
-  if (frame.transient && frame.sceneNumber == session_.sceneNumber())
-    strips_->setSheet(transientSheet(*frame.scene, *frame.transient, frame.spacing, frame.length));
+  if (frame.transient && frame.sceneNumber == session_.sceneNumber()) motion_->showFrame(frame);
   if (statistics_->isVisible())
     statistics_->show(
         [shown = session_.frame()] { return statisticsSheet(*shown); },
@@ -231,7 +230,8 @@ void SceneTabs::showFrame(const Frame& frame) {
 }
 
 void SceneTabs::setTheme(const Theme& theme) {
-  for (ChartView* view : {plot_, strips_}) view->setTheme(theme);
+  plot_->setTheme(theme);
+  motion_->setTheme(theme);
   for (DiagramView* view : {spectrum_, statistics_, material_}) view->setTheme(theme);
   accuracy_->setTheme(theme);
   map_->setTheme(theme);
@@ -262,7 +262,7 @@ FrameFields SceneTabs::fields() const {
 }
 
 bool SceneTabs::isShowingMotion() const {
-  return currentWidget() == strips_;
+  return currentWidget() == motion_;
 }
 
 }  // namespace asperity

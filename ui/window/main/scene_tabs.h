@@ -26,6 +26,7 @@ class Commands;
 class DiagramView;
 class ExcitationOfScene;
 class MapPanel;
+class MotionView;
 class PlanList;
 class Session;
 
@@ -39,6 +40,7 @@ class SceneTabs : public QTabWidget {
   DiagramView& material() { return *material_; }
   AccuracyPanel& accuracy() { return *accuracy_; }
   MapPanel& map() { return *map_; }
+  MotionView& motion() { return *motion_; }
 
   /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
@@ -81,7 +83,8 @@ class SceneTabs : public QTabWidget {
   void keepRoomForPlots();
 
   Session& session_;
-  ChartView *plot_, *strips_;
+  ChartView* plot_;
+  MotionView* motion_;
   DiagramView *spectrum_, *statistics_, *material_;
   AccuracyPanel* accuracy_;
   PlanList* plan_;

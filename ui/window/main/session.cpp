@@ -10,6 +10,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPatience = 200;  // ms, until the window says that it waits
+constexpr int kCalm = 1000;     // ms without an order or a frame, until the session rests
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
@@ -78,16 +79,45 @@ void Session::setScene(const Scene& scene, Begin begin) {
   sceneNumber_ = begin == Begin::Opened ? runner_.open(scene_) : runner_.post(scene_);
   // Names of pinned curves contain their differences from the scene.
   if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
+  stir();
+}
+
+void Session::stir() {
+  stirTime_.start();
+  emit stirred();
+}
+
+bool Session::isResting() const {
+  return !isPlaying() && averaging() != Averaging::Running &&
+         (runningNumber_ == sceneNumber_ || brokenNumber_ == sceneNumber_) && stirTime_.isValid() &&
+         stirTime_.elapsed() > kCalm;
+}
+
+void Session::setPace(double secondsPerPeriod) {
+  runner_.setPace(secondsPerPeriod);
+}
+
+void Session::seek(double time) {
+  if (runner_.isPlaying()) setPlaying(false);
+  runner_.seek(time);
+  stir();
+}
+
+void Session::wantFields(const FrameFields& fields) {
+  runner_.want(fields);
+  stir();
 }
 
 void Session::setPlaying(bool playing) {
   playing ? runner_.play() : runner_.pause();
+  stir();
   emit playingChanged(playing);
 }
 
 void Session::singleStep(double part) {
   if (runner_.isPlaying()) setPlaying(false);
   runner_.singleStep(part);
+  stir();
 }
 
 void Session::setSeen(bool seen) {
@@ -97,6 +127,7 @@ void Session::setSeen(bool seen) {
 
 void Session::reset() {
   runner_.reset();
+  stir();
 }
 
 Session::Averaging Session::averaging() const {
@@ -115,6 +146,7 @@ void Session::startCurve() {
   curve_.reset();
   curveTime_.start();
   runner_.startCurve();
+  stir();
 }
 
 bool Session::isWaiting() const {
@@ -175,6 +207,7 @@ void Session::takeCurves() {
 void Session::takeFrame() {
   std::shared_ptr<const Frame> newest = runner_.newestFrame();
   if (!newest || newest == frame_) return;
+  stirTime_.start();
   const bool marked = sameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
   if (!marked) {

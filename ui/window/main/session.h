@@ -38,12 +38,20 @@ class Session : public QObject {
   /// Makes a single step after a pause. part: distance that the line moves, as a part of the
   /// period; at least one time step.
   void singleStep(double part = 0);
+  /// Sets the seconds on the screen in which the line moves by its period, or a motion takes place.
+  void setPace(double secondsPerPeriod);
+  /// Goes to a moment of a motion, s, and pauses there.
+  void seek(double time);
   /// Sets whether the frames are visible; time does not advance otherwise.
   void setSeen(bool seen);
   bool isSeen() const { return isSeen_; }
   /// Requests frames with these optional values from now on.
-  void wantFields(const FrameFields& fields) { runner_.want(fields); }
+  void wantFields(const FrameFields& fields);
   void reset();
+
+  /// Returns whether nothing is on its way: time stands still, the curve is complete or stopped,
+  /// and no order or frame is new.
+  bool isResting() const;
 
   /// The averaging of the present scene's curve. It can be stopped, which keeps the present result,
   /// and begun again.
@@ -73,6 +81,8 @@ class Session : public QObject {
 
  signals:
   void playingChanged(bool playing);
+  /// Emitted when an order goes to the runner, whose answer is expected soon.
+  void stirred();
   void frameArrived();
   void plotChanged();
   /// Emitted when only the marker has changed, and it lies within the present axes.
@@ -89,6 +99,7 @@ class Session : public QObject {
 
  private:
   RunnerOptions withNews(RunnerOptions options);
+  void stir();
   void takeMessages();
   void takeCurves();
   void measureRate(const CurveUpdate& update);
@@ -107,6 +118,7 @@ class Session : public QObject {
   FrictionChartModel friction_;
   std::optional<CurveUpdate> curve_;
   QElapsedTimer sceneTime_, curveTime_;  // since the scene was set, and since its curve was begun
+  QElapsedTimer stirTime_;               // since the last order or frame
   bool isStopped_ = false;
   bool wasWaiting_ = false;
   bool isSeen_ = true;

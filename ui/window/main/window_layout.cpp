@@ -31,7 +31,7 @@ constexpr int kLayoutVersion = 1;  // version of the layout of docks and tool ba
 constexpr QMargins kFrame{8, 40, 8, 8};
 
 const QList<int>& defaultSplit() {
-  static const QList<int> sizes{580, 420};
+  static const QList<int> sizes{600, 400};
   return sizes;
 }
 

@@ -1,0 +1,242 @@
+// The bar of time: pace and slow motion, the moment of a motion, and what the window does with
+// them.
+#include "ui/window/contact/time_bar.h"
+
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolTip>
+#include <fstream>
+#include <sstream>
+
+#include "main_window_fixture.h"
+#include "qt_application.h"
+#include "ui/window/contact/motion_view.h"
+#include "ui/window/main/scene_tabs.h"
+
+namespace asperity {
+namespace {
+
+class TimeBarTest : public testing::Test {
+ protected:
+  TimeBarTest() {
+    scene_.sliding.velocity = 1;
+    show();
+    frame_.length = 0.02;
+    bar_.showFrame(frame_);
+  }
+  void show() { bar_.showScene(scene_); }
+  template <class Widget>
+  Widget& part(const char* name) {
+    return *bar_.findChild<Widget*>(name);
+  }
+  void type(const QString& text) {
+    auto& box = part<QLineEdit>("slowMotion");
+    box.setText(text);
+    QTest::keyClick(&box, Qt::Key_Return);
+  }
+
+  TimeBar bar_;
+  Scene scene_;
+  Frame frame_;
+};
+
+/// 12 s on the screen for the 20 ms of a period.
+TEST_F(TimeBarTest, SlowMotionIsThePaceOverTheSimulatedTime) {
+  EXPECT_DOUBLE_EQ(bar_.slowMotion(), 12 / 0.02);
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600×"));
+  scene_.sliding.velocity = 0;
+  show();
+  EXPECT_EQ(bar_.slowMotion(), 0);
+  EXPECT_FALSE(part<QLineEdit>("slowMotion").isEnabled());
+}
+
+TEST_F(TimeBarTest, ThePaceStaysWhileTheVelocityChangesOrTheSlowMotionDoes) {
+  scene_.sliding.velocity = 2;
+  show();
+  EXPECT_DOUBLE_EQ(bar_.pace(), 12);
+  EXPECT_DOUBLE_EQ(bar_.slowMotion(), 1200);
+  part<QCheckBox>("keepPace").setChecked(false);
+  QSignalSpy paces(&bar_, &TimeBar::paceChanged);
+  scene_.sliding.velocity = 1;
+  show();
+  EXPECT_DOUBLE_EQ(bar_.slowMotion(), 1200);
+  EXPECT_DOUBLE_EQ(bar_.pace(), 24);
+  ASSERT_EQ(paces.size(), 1);
+  EXPECT_DOUBLE_EQ(paces[0][0].toDouble(), 24);
+}
+
+TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
+  QSignalSpy paces(&bar_, &TimeBar::paceChanged);
+  type("300×");
+  EXPECT_DOUBLE_EQ(bar_.pace(), 6);
+  type("1e3 x");
+  EXPECT_DOUBLE_EQ(bar_.pace(), 20);
+  for (const char* nonsense : {"", "fast", "-3", "0", "nan", "inf"}) {
+    type(nonsense);
+    EXPECT_DOUBLE_EQ(bar_.pace(), 20) << nonsense;
+    EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1000×")) << nonsense;
+  }
+  EXPECT_EQ(paces.size(), 2);
+  type("1e12");  // as slow as it gets
+  const double slowest = bar_.pace();
+  EXPECT_GT(slowest, 60);
+  EXPECT_LT(slowest, 1e4);
+  EXPECT_EQ(part<QSlider>("paceSlider").value(), part<QSlider>("paceSlider").maximum());
+  QTest::keyClick(&part<QSlider>("paceSlider"), Qt::Key_Left);
+  EXPECT_LT(bar_.pace(), slowest);
+}
+
+TEST_F(TimeBarTest, OnlyAMotionHasAMoment) {
+  EXPECT_TRUE(part<QSlider>("moment").isHidden());
+  scene_.sliding.kind = SlidingKind::Step;
+  scene_.sliding.duration = 0.04;
+  show();
+  EXPECT_FALSE(part<QSlider>("moment").isHidden());
+  QSignalSpy moments(&bar_, &TimeBar::momentWanted);
+  frame_.transient = std::make_shared<const std::vector<TransientSample>>();
+  frame_.time = 0.01;
+  bar_.showFrame(frame_);
+  EXPECT_EQ(moments.size(), 0);  // time itself asks for nothing
+  EXPECT_NEAR(part<QSlider>("moment").value(), 250, 1);
+  part<QSlider>("moment").setValue(500);
+  ASSERT_EQ(moments.size(), 1);
+  EXPECT_NEAR(moments[0][0].toDouble(), 0.02, 1e-9);
+}
+
+class TimeInTheWindow : public MainWindowTest {
+ protected:
+  void openMotion(SlidingKind kind) {
+    Scene moving = smallScene();
+    moving.sliding.kind = kind;
+    window_.document().open(moving);
+    ASSERT_TRUE(waitForFrame());
+  }
+};
+
+TEST_F(TimeInTheWindow, AMomentIsDraggedAndTimeGoesOnAsBefore) {
+  openMotion(SlidingKind::Step);
+  auto& moment = control<QSlider>("moment");
+  const double duration = window_.document().scene().sliding.duration;
+  const auto isAt = [&](double part) {
+    return waitFor([&] {
+      return frame()->time <= part * duration * (1 + 1e-9) &&
+             frame()->time + frame()->nextStep >= part * duration * (1 - 1e-9);
+    });
+  };
+  emit moment.sliderPressed();
+  EXPECT_FALSE(session().isPlaying());
+  for (const double part : {0.7, 0.25, 0.5}) {
+    moment.setValue(static_cast<int>(part * moment.maximum()));
+    EXPECT_TRUE(isAt(part)) << part;
+  }
+  emit moment.sliderReleased();
+  EXPECT_TRUE(session().isPlaying());
+  EXPECT_TRUE(waitFor([&] { return frame()->time > 0.52 * duration; }));
+}
+
+TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
+  openMotion(SlidingKind::Oscillation);
+  MotionView& motion = window_.tabs().motion();
+  EXPECT_FALSE(motion.loop().isHidden());
+  ASSERT_TRUE(waitFor([&] { return frame()->transient && frame()->transient->size() > 30; }));
+  session().setPlaying(false);
+  ASSERT_TRUE(waitForRest());
+  const std::vector<TransientSample>& samples = *frame()->transient;
+  const TransientSample& one = samples[samples.size() / 2];
+  const DiagramAxis& y = motion.strips().sheet().diagrams[0].y;
+  const QPointF at = motion.strips().positionOf(one.time, (y.from + y.to) / 2);
+  const TransientSample* found = motion.sampleAt(motion.strips(), at);
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->time, one.time);
+  EXPECT_FALSE(motion.sampleAt(motion.strips(), {-50, 20}));
+  // The loop has one point for each sample; a place far from it reads nothing.
+  const Diagram& loop = motion.loop().sheet().diagrams[0];
+  EXPECT_EQ(loop.series[0].points.size(), samples.size());
+  EXPECT_NEAR(loop.series[0].points[5].y, samples[5].tangentialForce / samples[5].normalForce,
+              1e-15);
+  // What is saved are the samples that are shown.
+  QTemporaryDir folder;
+  QSignalSpy saved(&motion, &MotionView::saved);
+  for (const char* name : {"/a.csv", "/a.png", "/a.svg"}) motion.saveStrips(folder.path() + name);
+  motion.saveLoop(folder.path() + "/loop.pdf");
+  ASSERT_TRUE(waitFor([&] { return saved.size() == 4; }));
+  std::ifstream file((folder.path() + "/a.csv").toStdString());
+  std::size_t rows = 0;
+  for (std::string line; std::getline(file, line);) rows += line.starts_with('#') ? 0 : 1;
+  EXPECT_EQ(rows, samples.size() + 1);
+  EXPECT_GT(QFileInfo(folder.path() + "/a.png").size(), 5000);
+  EXPECT_GT(QFileInfo(folder.path() + "/loop.pdf").size(), 1000);
+  openMotion(SlidingKind::Step);
+  EXPECT_TRUE(motion.loop().isHidden());
+}
+
+TEST_F(TimeInTheWindow, AClickOnAStripGoesToItsMoment) {
+  openMotion(SlidingKind::Step);
+  ASSERT_TRUE(waitFor([&] { return frame()->transient && frame()->transient->size() > 60; }));
+  session().setPlaying(false);
+  ASSERT_TRUE(waitForRest());
+  ChartView& strips = window_.tabs().motion().strips();
+  const TransientSample wanted = (*frame()->transient)[20];
+  const DiagramAxis& y = strips.sheet().diagrams[0].y;
+  const QPoint at = strips.positionOf(wanted.time, (y.from + y.to) / 2).toPoint();
+  QTest::mouseClick(&strips, Qt::LeftButton, {}, at);
+  EXPECT_TRUE(waitFor([&] {
+    return std::abs(frame()->time - wanted.time) <
+           0.02 * window_.document().scene().sliding.duration;
+  }));
+}
+
+/// Shift makes a step fine.
+TEST_F(TimeInTheWindow, AStepIsSeenAndAFineOneIsSmall) {
+  ASSERT_TRUE(waitForFrame());
+  session().setPlaying(false);
+  ASSERT_TRUE(waitForRest());
+  const auto moved = [&](const char* name) {
+    const double before = frame()->distance;
+    window_.findChild<QAction*>(name)->trigger();
+    EXPECT_TRUE(waitFor([&] { return frame()->distance != before; }));
+    return (frame()->distance - before) / frame()->length;
+  };
+  const double coarse = moved("step"), fine = moved("stepFinely");
+  EXPECT_GT(coarse, 0.01);
+  EXPECT_LT(fine, 0.25 * coarse);
+  EXPECT_GT(fine, 0);
+}
+
+TEST_F(TimeInTheWindow, ADragInThePictureIsOneStepBack) {
+  ASSERT_TRUE(waitForFrame());
+  const Scene start = window_.document().scene();
+  ContactCanvas& canvas = window_.canvas();
+  const QRectF plot = canvas.plotArea();
+  const QPoint at(static_cast<int>(plot.left() + 0.3 * plot.width()),
+                  static_cast<int>(plot.top() + 0.03 * plot.height()));
+  QTest::mousePress(&canvas, Qt::LeftButton, {}, at);
+  for (const int down : {10, 20, 30}) QTest::mouseMove(&canvas, at + QPoint(0, down));
+  QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at + QPoint(0, 30));
+  EXPECT_GT(window_.document().scene().load.normalForce, start.load.normalForce);
+  EXPECT_EQ(window_.document().history().count(), 1);
+  window_.document().history().undo();
+  EXPECT_EQ(window_.document().scene(), start);
+}
+
+/// A window at rest asks seldom, and answers at once all the same.
+TEST_F(TimeInTheWindow, AWindowAtRestAnswersOrders) {
+  ASSERT_TRUE(waitForFrame());
+  session().setPlaying(false);
+  ASSERT_TRUE(waitFor([&] { return session().isResting(); }));
+  const double before = frame()->distance;
+  session().singleStep(0.01);
+  EXPECT_FALSE(session().isResting());
+  EXPECT_TRUE(waitFor([&] { return frame()->distance > before; }));
+  session().setPlaying(true);
+  EXPECT_FALSE(session().isResting());
+}
+
+}  // namespace
+}  // namespace asperity

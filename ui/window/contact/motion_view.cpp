@@ -1,0 +1,188 @@
+#include "ui/window/contact/motion_view.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/run/motion_table.h"
+#include "core/run/transient_diagram.h"
+#include "core/scene/effects.h"
+#include "core/scene/provenance.h"
+#include "ui/chart/chart_view.h"
+#include "ui/draw/png_file.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/window/figures/diagram_view.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr double kReach = 24;  // pixels from a point of the loop
+
+QString named(const QString& name, double value, const char* unit) {
+  return name + " = " + QString::fromStdString(quantity(value, unit));
+}
+
+}  // namespace
+
+MotionView::MotionView(QWidget* parent)
+    : QWidget(parent),
+      strips_(new ChartView),
+      loop_(new ChartView),
+      stripFiles_(new DiagramView(this)),
+      loopFiles_(new DiagramView(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(strips_, 3);
+  row->addWidget(loop_, 2);
+  strips_->setObjectName("motionStrips");
+  loop_->setObjectName("frictionLoop");
+  loop_->hide();
+  for (DiagramView* files : {stripFiles_, loopFiles_}) {
+    files->hide();
+    connect(files, &DiagramView::saved, this, &MotionView::saved);
+    connect(files, &DiagramView::failed, this, &MotionView::failed);
+  }
+  for (ChartView* chart : {strips_, loop_}) {
+    chart->setFocusPolicy(Qt::NoFocus);
+    chart->setMouseTracking(true);
+    chart->installEventFilter(this);
+  }
+  addMenu(*strips_, *stripFiles_);
+  addMenu(*loop_, *loopFiles_);
+  keepTranslated(*this, [this] { showTexts(); });
+}
+
+void MotionView::addMenu(ChartView& chart, DiagramView& files) {
+  auto* copy = new QAction(&chart);
+  auto* save = new QAction(&chart);
+  copy->setObjectName("copyMotion");
+  save->setObjectName("saveMotion");
+  connect(copy, &QAction::triggered, &files, &DiagramView::copy);
+  connect(save, &QAction::triggered, &files, &DiagramView::saveAs);
+  chart.addActions({copy, save});
+  chart.setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void MotionView::showTexts() {
+  strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
+  loop_->setAccessibleName(tr("loop of friction over velocity"));
+  for (QWidget* chart : std::initializer_list<QWidget*>{strips_, loop_}) {
+    chart->findChild<QAction*>("copyMotion")->setText(tr("Copy picture"));
+    chart->findChild<QAction*>("saveMotion")->setText(tr("Save picture or data…"));
+  }
+}
+
+void MotionView::showScene(const Scene& scene) {
+  duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
+  samples_.reset();
+  loop_->setVisible(scene.sliding.kind == SlidingKind::Oscillation);
+  if (!(duration_ > 0)) return;
+  strips_->setSheet(transientSheet(scene, {}));
+  if (!loop_->isHidden()) loop_->setSheet(frictionLoopSheet({}));
+}
+
+void MotionView::showFrame(const Frame& frame) {
+  if (!frame.transient) return;
+  samples_ = frame.transient;
+  const double spacing = frame.spacing, length = frame.length;
+  strips_->setSheet(transientSheet(*frame.scene, *samples_, spacing, length));
+  if (!loop_->isHidden()) loop_->setSheet(frictionLoopSheet(*samples_));
+  const auto origin = [scene = frame.scene] { return pictureOrigin("strips", *scene); };
+  const auto table = [scene = frame.scene, samples = samples_] {
+    MotionTable rows;
+    rows.lines = {*samples};
+    rows.hasInterface = hasLocalFriction(*scene);
+    return provenanceComment("strips", *scene) + motionCsv(rows);
+  };
+  stripFiles_->show([scene = frame.scene, samples = samples_, spacing,
+                     length] { return transientSheet(*scene, *samples, spacing, length); },
+                    {"motion", origin, table, {}});
+  loopFiles_->show([samples = samples_] { return frictionLoopSheet(*samples); },
+                   {"friction_loop", origin, table, {}});
+}
+
+void MotionView::setTheme(const Theme& theme) {
+  for (ChartView* chart : {strips_, loop_}) chart->setTheme(theme);
+  for (DiagramView* files : {stripFiles_, loopFiles_}) files->setTheme(theme);
+}
+
+void MotionView::saveStrips(const QString& file) {
+  stripFiles_->save(file);
+}
+
+void MotionView::saveLoop(const QString& file) {
+  loopFiles_->save(file);
+}
+
+const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF place) const {
+  if (!samples_ || samples_->empty() || chart.sheet().diagrams.empty()) return nullptr;
+  const bool isLoop = &chart == loop_;
+  double nearest = isLoop ? kReach : std::numeric_limits<double>::infinity();
+  const TransientSample* found = nullptr;
+  const DiagramAxis& y = chart.sheet().diagrams.front().y;
+  const double height = 0.5 * (y.from + y.to);
+  if (!isLoop) {
+    // Only over the strips, not over their titles.
+    const double left = chart.positionOf(0, height).x(),
+                 right = chart.positionOf(duration_, height).x();
+    if (place.x() < left - 1 || place.x() > right + 1) return nullptr;
+  }
+  for (const TransientSample& sample : *samples_) {
+    double away = 0;
+    if (isLoop) {
+      if (!(sample.normalForce > 0)) continue;
+      const QPointF at =
+          chart.positionOf(sample.velocity, sample.tangentialForce / sample.normalForce) - place;
+      away = std::hypot(at.x(), at.y());
+    } else {
+      away = std::abs(chart.positionOf(sample.time, height).x() - place.x());
+    }
+    if (!(away < nearest)) continue;
+    nearest = away;
+    found = &sample;
+  }
+  return found;
+}
+
+QString MotionView::reading(const TransientSample& sample) const {
+  QStringList lines{named("t", sample.time, "s"), named("v", sample.velocity, "m/s")};
+  if (std::isfinite(sample.mu))
+    lines += QStringLiteral("μ = ") + QString::fromStdString(shortNumber(sample.mu));
+  lines += named("d", sample.indentation, "m");
+  lines += tr("normal force %1").arg(QString::fromStdString(quantity(sample.normalForce, "N")));
+  lines +=
+      tr("in contact %1 %").arg(QString::fromStdString(shortNumber(100 * sample.contactFraction)));
+  return lines.join('\n');
+}
+
+bool MotionView::eventFilter(QObject* watched, QEvent* event) {
+  auto* chart = static_cast<ChartView*>(watched);
+  if (event->type() == QEvent::MouseMove) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const TransientSample* sample = sampleAt(*chart, mouse->position());
+    if (sample && mouse->buttons() == Qt::NoButton)
+      QToolTip::showText(chart->mapToGlobal(mouse->position().toPoint()), reading(*sample), chart);
+    else
+      QToolTip::hideText();
+  } else if (event->type() == QEvent::MouseButtonPress && chart == strips_) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    pressed_.reset();
+    if (mouse->button() == Qt::LeftButton) pressed_ = mouse->position();
+  } else if (event->type() == QEvent::MouseButtonRelease && chart == strips_ && pressed_) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const bool isClick = (mouse->position() - *pressed_).manhattanLength() < 4;
+    pressed_.reset();
+    if (const TransientSample* sample = sampleAt(*chart, mouse->position()); isClick && sample)
+      emit momentWanted(sample->time);
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace asperity

@@ -1,0 +1,65 @@
+// A motion in time: velocity, friction, indentation and contact length as strips below each other
+// and, for an oscillation, the loop of friction over velocity beside them. The pointer reads the
+// nearest moment; a click on a strip goes there; a menu copies or saves each of both. GUI thread;
+// belongs to its parent.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/run/frame.h"
+#include "core/scene/scene.h"
+#include "ui/draw/theme.h"
+
+namespace asperity {
+
+class ChartView;
+class DiagramView;
+
+class MotionView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MotionView(QWidget* parent = nullptr);
+
+  void showScene(const Scene& scene);
+  void showFrame(const Frame& frame);
+  void setTheme(const Theme& theme);
+
+  ChartView& strips() { return *strips_; }
+  ChartView& loop() { return *loop_; }
+  /// Returns the sample at a place of the strips or the loop, in the pixels of that widget; none
+  /// where the pointer is not near one.
+  const TransientSample* sampleAt(const ChartView& chart, QPointF place) const;
+
+  /// Writes the strips or the loop: .png, .svg, .pdf, or .csv with all samples. saved() or failed()
+  /// follows.
+  void saveStrips(const QString& file);
+  void saveLoop(const QString& file);
+
+ signals:
+  /// Emitted when a moment of the strips is clicked, s.
+  void momentWanted(double time);
+  /// Emitted when a picture or table was saved, or put on the clipboard (no file), or could not be.
+  void saved(const QString& file);
+  void failed(const QString& reason);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  using Samples = std::shared_ptr<const std::vector<TransientSample>>;
+  void addMenu(ChartView& chart, DiagramView& files);
+  void showTexts();
+  QString reading(const TransientSample& sample) const;
+
+  ChartView *strips_, *loop_;
+  DiagramView *stripFiles_, *loopFiles_;  // never shown: they write what the charts show
+  Samples samples_;
+  double duration_ = 0;             // s
+  std::optional<QPointF> pressed_;  // on the strips
+};
+
+}  // namespace asperity

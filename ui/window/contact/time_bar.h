@@ -1,0 +1,63 @@
+// The bar below the contact: the moment of a motion, to be dragged, and the slow motion.
+// The pace is the time on the screen in which the line moves by one period, or a motion takes
+// place; slow motion is this time over the simulated one. Where the velocity changes, either the
+// pace stays, so that the picture moves as before, or the slow motion, so that twice the velocity
+// looks twice as fast. GUI thread; belongs to its parent. Cannot fail: a pace too fast or too slow
+// becomes the nearest possible one.
+#pragma once
+
+#include <QWidget>
+
+#include "core/run/frame.h"
+#include "core/scene/scene.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QSlider;
+
+namespace asperity {
+
+class TimeBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TimeBar(QWidget* parent = nullptr);
+
+  void showScene(const Scene& scene);
+  /// Shows the moment of a motion, and the length of the line, on which slow motion depends.
+  void showFrame(const Frame& frame);
+
+  /// Returns the seconds on the screen for one period, or for a motion.
+  double pace() const { return pace_; }
+  /// Returns the slow motion: seconds on the screen for a simulated one; 0 where nothing moves.
+  double slowMotion() const;
+  /// Sets the slow motion; it becomes what the limits of the pace allow.
+  void setSlowMotion(double factor);
+  bool keepsPace() const;
+
+ signals:
+  void paceChanged(double secondsPerPeriod);
+  /// Emitted while the moment is dragged, and for its keys: s, of a motion.
+  void momentWanted(double time);
+  /// Emitted at the beginning and the end of a drag of the moment.
+  void scrubbing(bool isOn);
+
+ private:
+  void showTexts();
+  void setPace(double pace);
+  void showPace();
+  void readFactor();
+  double simulatedTime() const;
+
+  Scene scene_;
+  double length_ = 0;  // m, period of the line; 0: not known yet
+  double pace_;
+  double time_ = 0, duration_ = 0;  // s, of a motion; duration 0: steady sliding
+  QSlider *moment_, *slider_;
+  QLabel *momentText_, *name_;
+  QLineEdit* factor_;
+  QCheckBox* keep_;
+};
+
+}  // namespace asperity
