@@ -17,6 +17,7 @@
 #include "app/batch_file.h"
 #include "app/command_options.h"
 #include "app/completions.h"
+#include "app/dictionary.h"
 #include "app/interruption.h"
 #include "app/remake.h"
 #include "app/vector_target.h"
@@ -45,6 +46,8 @@ class CommandLine {
     app_.add_option("--completions", completions_,
                     "Print completions of this command line for bash, zsh or fish")
         ->type_name("SHELL");
+    app_.add_flag("--dictionary", printsDictionary_,
+                  "Print all scene keys, columns and options as Markdown");
     app_.set_help_flag("-h,--help", "Show this help");
     app_.require_subcommand(0, 1);
     app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
@@ -101,6 +104,10 @@ class CommandLine {
       if (script.empty())
         throw InputError("", "--completions", notOneOf(completions_, completionShells()));
       fmt::print("{}", script);
+      return kDone;
+    }
+    if (printsDictionary_) {
+      fmt::print("{}", dictionaryMarkdown(app_));
       return kDone;
     }
     return selected_ ? selected_() : runWindowCommand(window_);
@@ -213,16 +220,19 @@ class CommandLine {
                      "d ln mu / d ln x")
         ->capture_default_str();
     addOutputs(command, map_.outputs,
-               "FILE.csv (one row a cell, x fastest), .json, .png, .svg or .pdf; may be repeated "
+               "FILE.csv (one row a cell, x fastest), .json, .png, .svg, .pdf, .eps or .tif; may "
+               "be repeated "
                "(default: CSV to standard output)");
     addPictureOptions(*command, map_.picture, "1200x900", "print", FigurePart::Chart);
+    addColumnChoice(command, map_.columns);
   }
   void addSensitivity() {
     CLI::App* command =
         addCommand("sensitivity", "How much friction changes with each parameter of a scene",
                    sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
     addOutputs(command, sensitivity_.outputs,
-               "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: a table for people "
+               "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
+               "for people "
                "to standard output)");
     addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
   }
@@ -231,7 +241,8 @@ class CommandLine {
         "cutoff", "Friction against the short-wave cut-off: which waves of the line make it",
         cutoff_.common, [this] { return runCutoff(cutoff_); });
     addOutputs(command, cutoff_.outputs,
-               "FILE.csv, .json, .png, .svg or .pdf; may be repeated (default: CSV to standard "
+               "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: CSV to "
+               "standard "
                "output)");
     addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
   }
@@ -262,7 +273,8 @@ class CommandLine {
                                    render_.common, [this] { return runRender(render_); });
     command
         ->add_option("-o,--output", render_.output,
-                     "FILE.png, .svg or .pdf for one picture; FILE.mp4, .webm, .gif or .webp for a "
+                     "FILE.png, .svg, .pdf, .eps or .tif for one picture; FILE.mp4, .webm, .gif or "
+                     ".webp for a "
                      "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
                      "standard output) for a table of the contact")
         ->required();
@@ -318,7 +330,7 @@ class CommandLine {
     addOutputs(
         command, surface_.outputs,
         "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
-        "FILE.png, .svg or .pdf; - is CSV to standard output; may repeat");
+        "FILE.png, .svg, .pdf, .eps or .tif; - is CSV to standard output; may repeat");
     command
         ->add_option("--table", surface_.table,
                      "Of .csv: line (position, height), spectrum, or statistics")
@@ -352,6 +364,7 @@ class CommandLine {
     command->add_flag("--no-profiles", fit_.withoutProfiles,
                       "Leave out the profiles of the objective, which take most of the time");
     addPictureOptions(*command, fit_.picture, "1200x900", "print", FigurePart::Curve);
+    addColumnChoice(command, fit_.columns);
   }
   void addMaterial() {
     CLI::App* command = app_.add_subcommand(
@@ -426,6 +439,7 @@ class CommandLine {
     command->add_option("--source", material.source,
                         "Where the numbers come from, kept in material.json");
     addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
+    addColumnChoice(command, material.tableColumns);
     addShared(*command, material.common);
     command->callback([this, fit = std::move(fit)] {
       for (const CLI::Option* option : fit)
@@ -453,6 +467,7 @@ class CommandLine {
                    ->capture_default_str(),
                1, 1000000);
     addPictureOptions(*command, figure_.picture, "that of the figure", "print", FigurePart::Curve);
+    addColumnChoice(command, figure_.columns);
     addShared(*command, figure_.common);
     command->footer("Figures:\n" + words);
     command->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
@@ -493,7 +508,8 @@ class CommandLine {
     command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
     command->add_flag("--contact-sheet", batch_.contactSheet,
                       "Make contact sheets of more than 100 scenes, too");
-    addPictureOptions(*command, batch_.picture, "the batch's", "light");
+    addPictureOptions(*command, batch_.picture, "the batch's", "light", FigurePart::Curve);
+    addColumnChoice(command, batch_.columns);
     addShared(*command, batch_.common);
     command->remove_option(
         command->get_option("--set"));  // each entry of the batch has its own "set"
@@ -561,6 +577,7 @@ class CommandLine {
         ->required();
     addPictureOptions(*command, accuracy_.picture, "that of the diagrams", "print",
                       FigurePart::Chart);
+    addColumnChoice(command, accuracy_.columns);
   }
   void addExplain() {
     CLI::App* command = addCommand(
@@ -628,6 +645,7 @@ class CommandLine {
 
   CLI::App app_;
   std::string completions_;
+  bool printsDictionary_ = false;
   std::vector<CommonOptions*> allCommon_;
   CommonOptions window_, columns_;
   CheckCommand check_;

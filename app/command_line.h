@@ -49,6 +49,7 @@ struct MapCommand {
   PictureArguments picture;
   std::string x, y;  // KEY=FROM:TO:N
   std::string quantity = "mu";
+  std::string columns;  // --columns; empty: all
 };
 
 /// The commands `sensitivity` and `cutoff`.
@@ -96,6 +97,7 @@ struct FitCommand {
   std::string output;               // folder
   bool withoutProfiles = false;
   PictureArguments picture;
+  std::string columns;  // --columns; empty: all
 };
 
 struct MaterialCommand {
@@ -111,6 +113,7 @@ struct MaterialCommand {
   bool isVertical = false, isLiquid = false;
   /// Options of the fit and their values, as they were written.
   std::vector<std::pair<std::string, std::string>> written;
+  std::string tableColumns;  // --columns; empty: all
 };
 
 /// The actions of `asperity study`; each uses some of the members.
@@ -132,6 +135,7 @@ struct FigureCommand {
   std::string output;  // folder
   std::int64_t realizations = 200;
   PictureArguments picture;
+  std::string columns;  // --columns; empty: all
 };
 
 struct ExplainCommand {
@@ -155,6 +159,7 @@ struct AccuracyCommand {
   CommonOptions common;
   std::string output;  // folder
   PictureArguments picture;
+  std::string columns;  // --columns; empty: all
 };
 
 struct BatchCommand {
@@ -162,6 +167,7 @@ struct BatchCommand {
   std::string output;    // folder
   bool contactSheet = false;
   PictureArguments picture;
+  std::string columns;  // --columns; empty: all
 };
 
 /// Returns the scene of a command with its assignments. The scene comes from a file or, where no

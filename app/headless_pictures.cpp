@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdio>
 
+#include "app/eps_file.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/pdf_file.h"
 #include "ui/draw/svg_file.h"
+#include "ui/draw/tiff_file.h"
 
 namespace asperity {
 namespace {
@@ -55,8 +57,12 @@ void HeadlessPictures::write(const std::string& file, const DrawList& list,
               .millimetres = properties.isOnPaper ? 25.4 / (96 * properties.scale) : 0});
   else if (extension == ".pdf")
     writePdf(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
+  else if (extension == ".eps")
+    writeEps(file, list, {properties.title, properties.metadata, 0.75 / properties.scale});
+  else if (extension == ".tif" || extension == ".tiff")
+    writeTiff(file, draw(list), {properties.title, properties.metadata, 96 * properties.scale});
   else
-    throw unknownExtension(file, extension, {".png", ".svg", ".pdf"});
+    throw unknownExtension(file, extension, kPictureExtensions);
 }
 
 void HeadlessPictures::writePng(const std::string& file, const DrawList& list,

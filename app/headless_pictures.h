@@ -25,7 +25,7 @@ class HeadlessPictures {
   HeadlessPictures(const HeadlessPictures&) = delete;
   HeadlessPictures& operator=(const HeadlessPictures&) = delete;
 
-  /// Writes PNG, SVG or PDF by the extension (.png, .svg, .pdf); throws InputError for any other.
+  /// Writes a picture by its extension (kPictureExtensions); throws InputError for any other.
   /// The file keeps the given properties. The picture is drawn at once; the file may be written
   /// later, but before finish() returns.
   void write(const std::string& file, const DrawList& list,

@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <set>
 
+#include "app/eps_file.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "ui/draw/tiff_file.h"
 #include "ui/language/words.h"
 
 namespace asperity {
@@ -20,6 +22,19 @@ std::string extensionOf(const std::string& file) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   return extension;
+}
+
+bool isPictureFile(const std::string& file) {
+  return std::ranges::find(kPictureExtensions, extensionOf(file)) != kPictureExtensions.end();
+}
+
+void needToolFor(const std::string& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".eps") needEpsTool(file);
+  if ((extension == ".tif" || extension == ".tiff") && !canWriteTiff())
+    throw InputError(file, "",
+                     "this program was built without libtiff, which writes TIFF; .png needs no "
+                     "other library");
 }
 
 bool hasStandardOutput(const std::vector<std::string>& files) {
@@ -46,6 +61,7 @@ void checkOutputs(const std::vector<std::string>& files,
     const std::string extension = extensionOf(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
       throw unknownExtension(file, extension, extensions);
+    needToolFor(file);
     if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
       throw InputError("", "--output", file + " is given more than once");
   }

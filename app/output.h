@@ -12,6 +12,18 @@ namespace asperity {
 /// Returns the extension in small letters: ".csv" for "out/Curve.CSV".
 std::string extensionOf(const std::string& file);
 
+/// Extensions of pictures, and of the tables and pictures that most commands write.
+inline const std::initializer_list<std::string_view> kPictureExtensions = {
+    ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
+inline const std::initializer_list<std::string_view> kOutputExtensions = {
+    ".csv", ".json", ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
+
+/// Whether a file is a picture by its extension.
+bool isPictureFile(const std::string& file);
+
+/// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
+void needToolFor(const std::string& file);
+
 /// What a command prints where it is given no output file.
 enum class Without { PrintsSummary, PrintsTable };
 

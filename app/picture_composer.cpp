@@ -43,7 +43,7 @@ ContactOverlay overlayFrom(const std::string& name) {
 }
 
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {
-  if (sheet.diagrams.size() < 2) return;
+  if (sheet.diagrams.size() < 2 || settings.isOnPaper) return;  // on paper the height follows
   const int room = settings.height - above;
   DiagramOptions options = settings.diagramOptions();
   options.height = room;
@@ -109,6 +109,7 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
 }
 
 int PictureComposer::contactHeight() const {
+  if (above_) return *above_;
   const bool hasDifference = content_.layout == PictureLayout::Both && content_.curves.difference;
   return static_cast<int>(
       std::lround((hasDifference ? kContactPartOfThree : kContactPart) * settings_.height));
@@ -121,8 +122,9 @@ float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
   return std::max(text, kLeastStripText);
 }
 
-void PictureComposer::checkStrips(const Scene& scene) const {
+void PictureComposer::checkStrips(const Scene& scene) {
   if (content_.layout != PictureLayout::Transient) return;
+  if (settings_.isOnPaper) return growFor(styled(transientSheet(scene, {}, 0, 0), settings_.style));
   const auto hasRoom = [&](int height) {
     const DiagramSheet strips =
         withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
@@ -141,13 +143,23 @@ void PictureComposer::checkStrips(const Scene& scene) const {
                            settings_.width, least));
 }
 
-void PictureComposer::checkRoom(const Scene& scene) const {
+void PictureComposer::checkRoom(const Scene& scene) {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
   DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
   if (layout == PictureLayout::Both) sheet.title = {};
-  checkPanels(sheet, settings_, layout == PictureLayout::Both ? contactHeight() : 0);
+  const int above = layout == PictureLayout::Both ? contactHeight() : 0;
+  checkPanels(sheet, settings_, above);
+  if (settings_.isOnPaper) growFor(sheet);
+}
+
+void PictureComposer::growFor(const DiagramSheet& sheet) {
+  const int above = content_.layout == PictureLayout::Curve ? 0 : contactHeight();
+  DiagramOptions options = optionsFor(settings_.height - above, 0);
+  if (above > 0) options.above = FrameAbove{};
+  settings_.height = above + heightInPrint(sheet, options);
+  if (above > 0) above_ = above;  // the contact does not grow with its chart
 }
 
 ContactPictureOptions PictureComposer::contactOptions(int height) const {

@@ -39,8 +39,8 @@ class PictureComposer {
   PictureComposer(const PictureSettings& settings, PictureContent content);
 
   /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
-  /// scene, would not fit.
-  void checkRoom(const Scene& scene) const;
+  /// scene, would not fit; on paper the picture gets as high as they need.
+  void checkRoom(const Scene& scene);
 
   DrawList compose(const Frame& frame);
 
@@ -51,13 +51,16 @@ class PictureComposer {
   ContactPictureOptions contactOptions(int height) const;
   DiagramOptions optionsFor(int height, float leastText) const;
   float stripText(const DiagramSheet& strips, int height) const;
-  void checkStrips(const Scene& scene) const;
+  void checkStrips(const Scene& scene);
+  /// Makes a picture on paper as high as the sheet of its chart needs.
+  void growFor(const DiagramSheet& sheet);
   DiagramSheet curveWithMarker(const Frame& frame) const;
 
   PictureSettings settings_;
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // options of the last frame
+  std::optional<int> above_;  // height of the contact on paper, where its chart has grown
   std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
 };
 

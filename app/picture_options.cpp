@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "ui/contact/contact_overlay.h"
+#include "ui/draw/font_choice.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
 
@@ -133,7 +134,7 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
     const std::string extension = extensionOf(file);
     const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
     hasPicture |= !isTable;
-    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf";
+    hasPixels |= !isTable && extension != ".svg" && extension != ".pdf" && extension != ".eps";
   }
   const auto refuse = [](const char* option, bool given, const char* why) {
     if (given) throw InputError("", option, why);
@@ -151,7 +152,7 @@ void checkUseful(const PictureArguments& arguments, const std::vector<std::strin
            "belongs to pictures, and no output is one");
   if (!hasPixels)
     refuse("--backend", !arguments.backend.empty(),
-           "draws pixels; .svg and .pdf are written without them");
+           "draws pixels; .svg, .pdf and .eps are written without them");
 }
 
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
@@ -161,7 +162,8 @@ void addPictureOptions(CLI::App& command, PictureArguments& arguments,
     return command.add_option(option, value, sentence)->group(kPictureGroup);
   };
   add("--size", arguments.size,
-      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt) (default: " +
+      "Width and height in pixels, or on paper as 86mmx60mm (px, mm, cm, in, pt); several panels "
+      "may need a larger height on paper (default: " +
           defaultSize + " times the scale)")
       ->type_name("WxH");
   add("--scale", arguments.scale,
@@ -219,6 +221,7 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
                ? fmt::format("{}x{}", pixels(defaults.width), pixels(defaults.height))
                : style.size,
            settings);
+  useFontFamily(style.font);
   settings.themeName = style.theme.empty() ? defaults.theme : style.theme;
   settings.theme = chosenFrom(kThemes, settings.themeName, "--theme")();
   settings.transparent = arguments.transparent;
@@ -241,8 +244,10 @@ PictureProperties PictureSettings::properties(const std::string& title,
 }
 
 DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText) {
-  DrawList list =
-      composeDiagrams(styled(sheet, settings.style), settings.diagramOptions(leastText));
+  const DiagramSheet shown = styled(sheet, settings.style);
+  DiagramOptions options = settings.diagramOptions(leastText);
+  if (settings.isOnPaper) options.height = heightInPrint(shown, options);
+  DrawList list = composeDiagrams(shown, options);
   if (settings.style.isGrey) removeColours(list);
   return list;
 }

@@ -102,7 +102,8 @@ Remake remakeOf(const OpenCommand& command, const FoundScene& found) {
   std::set<std::string> anew = wordsOf(command.others);
   if (!command.common.language.empty()) anew.insert("language");
   const bool dropsPictures = isTable(output) && !isTable(file);
-  const bool isVector = extensionOf(output) == ".svg" || extensionOf(output) == ".pdf";
+  const bool isVector = extensionOf(output) == ".svg" || extensionOf(output) == ".pdf" ||
+                        extensionOf(output) == ".eps";
   for (const auto& [key, value] : options.items()) {
     const std::string word = dashed(key);
     const bool isReplaced = anew.contains(word) || (word == "scale" && anew.contains("dpi")) ||

@@ -13,6 +13,7 @@
 #include "core/accuracy/work_precision_sheet.h"
 #include "core/base/atomic_file.h"
 #include "core/run/motion_accuracy.h"
+#include "core/scene/data_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
@@ -127,6 +128,7 @@ int runAccuracy(const AccuracyCommand& command) {
     needVelocityAxis(scene, "asperity accuracy");
   });
   pictureSettings(command.picture, {1200, 800, "print"});
+  const ColumnChoice columns(command.columns, {"accuracy"});
   makeFolder(command.output);
   for (const char* name : kFiles) {
     checkWritable(fileIn(command.output, name));
@@ -136,7 +138,7 @@ int runAccuracy(const AccuracyCommand& command) {
   const std::string json = workPrecisionJson(comparison);
   writeFileAtomically(
       fileIn(command.output, "accuracy.csv"),
-      provenanceComment("accuracy", comparison.scene) + workPrecisionCsv(comparison));
+      columns.of(provenanceComment("accuracy", comparison.scene) + workPrecisionCsv(comparison)));
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
   writePictures(command, comparison);
   printSummary(command.common.json, command.common.quiet, summaryOf(comparison, command.output));

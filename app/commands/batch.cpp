@@ -27,6 +27,7 @@
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/run/motion_table.h"
+#include "core/scene/data_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
@@ -64,6 +65,11 @@ class BatchRun {
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(readBatch(command.common.scene)) {
     settings_ = readSettings();
+    columns_ = ColumnChoice(command.columns, {"batch"});
+    const bool hasChart = std::ranges::any_of(
+        batch_.items, [](const BatchItem& item) { return item.show != "contact"; });
+    if (!hasChart)
+      refuseChartOptions(command.picture, "is of charts, and no entry of the batch shows one");
     if (batch_.items.size() <= kMostOnSheets || command.contactSheet) makeSheets();
     makeFolder(command.output);
     progress_.emplace(command.output);
@@ -86,7 +92,8 @@ class BatchRun {
     // The small files with the results are written first: the sheets are large, and may fail.
     const std::string made = provenanceLine(origin());
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
-    writeFileAtomically(fileIn("results.csv"), "# asperity: " + made + "\n" + batchTable(results_));
+    writeFileAtomically(fileIn("results.csv"),
+                        "# asperity: " + made + "\n" + columns_.of(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // All scenes stand once in the table, and in the only sheet where there is one.
     const std::string ofSheets =
@@ -236,10 +243,11 @@ class BatchRun {
              const Frame& frame, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
     const std::string& name = result.item.name;
+    const ProvenanceOptions given(optionsFor(command_.common.given, ".png"));
     PictureComposer composer(settings_, content);
     composer.checkRoom(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
-                   {shown.title, pictureOrigin("batch", scene), settings_.scale});
+                   settings_.properties(shown.title, pictureOrigin("batch", scene)));
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
@@ -269,6 +277,7 @@ class BatchRun {
                       {"title", translated(item.title)},
                       {"picture", settings_.json()},
                       {"backend", static_cast<int>(settings_.backend)},
+                      {"options", optionsFor(command_.common.given, ".png")},
                       {"origin", provenance("batch", item.scene)}};
     return sha256(all.dump());
   }
@@ -334,6 +343,7 @@ class BatchRun {
   const BatchCommand& command_;
   Batch batch_;
   PictureSettings settings_, small_;
+  ColumnChoice columns_;
   std::optional<ContactSheets> grid_;  // none: no contact sheet
   std::optional<BatchProgress> progress_;
   using Finished = std::pair<std::string, BatchProgressEntry>;

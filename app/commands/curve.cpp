@@ -165,7 +165,7 @@ int runCurve(const CurveCommand& command) {
   const ComparedScene compared = withCurveOptions(sceneOf(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);

@@ -14,7 +14,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
+#include "ui/chart/diagram_picture.h"
 #include "ui/chart/figure_drawing.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/translated.h"
@@ -68,6 +70,14 @@ void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& 
   checkWritable(claimsFile(command));
 }
 
+/// Throws InputError where a column is of none of the figures.
+ColumnChoice columnsOf(const FigureCommand& command, const std::vector<FigureName>& names) {
+  std::vector<std::string> tables;
+  for (const FigureName name : names)
+    tables.push_back(fmt::format("figure {}", entryOf(name).word));
+  return {command.columns, {tables.begin(), tables.end()}};
+}
+
 void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
   const auto optionsOf = [&](const char* extension) {
     nlohmann::ordered_json options = optionsFor(command.common.given, extension);
@@ -78,12 +88,16 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
   {
     const ProvenanceOptions given(optionsOf(".csv"));
     writeFileAtomically(fileOf(command, figure.name, ".csv"),
-                        provenanceComment("figure", figure.scene) + figure.csv);
+                        columnsOf(command, namesOf(command.names))
+                            .amongThoseOf(provenanceComment("figure", figure.scene) + figure.csv));
   }
   const PictureSettings settings = pictureSettings(command.picture, printDefaults(figure.sheet));
   Figure shown = figure;
   shown.sheet = styled(figure.sheet, settings.style);
-  DrawList picture = composeFigure(shown, contactOf(figure).get(), settings.diagramOptions());
+  DiagramOptions options = settings.diagramOptions();
+  if (settings.isOnPaper && !shown.sheet.diagrams.empty())
+    options.height = heightInPrint(shown.sheet, options);
+  DrawList picture = composeFigure(shown, contactOf(figure).get(), options);
   if (settings.style.isGrey) removeColours(picture);
   const ProvenanceOptions given(optionsOf(".png"));
   const PictureProperties properties =
@@ -163,6 +177,7 @@ int runFigure(const FigureCommand& command) {
       refuseChartOptions(command.picture, "is of charts, and this figure is a contact");
   }
   pictureSettings(command.picture, {1200, 800, "print"});
+  columnsOf(command, names);
   prepareFolder(command, names);
   const Made made = makeFigures(command, names);
   const std::string claims = claimsJson(made.figures);

@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/chart/comparison.h"
 #include "core/chart/fit_report.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 #include "core/scene/sweep.h"
 #include "ui/draw/ticks.h"
@@ -67,6 +68,7 @@ int runFit(const FitCommand& command) {
   const PictureSettings settings = pictureSettings(command.picture, kPictures);
   CurveArguments beside;
   beside.data = command.data;
+  const ColumnChoice columns(command.columns, {"fit", "curve"});
   const ComparedScene compared = withCurveOptions(sceneOf(command.common), beside);
   const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
@@ -89,7 +91,8 @@ int runFit(const FitCommand& command) {
     fitted.varied = command.varied;
     const FitReport report = fitReport(fitted, command.output);
     OutputFolder output(command.output, inputs, settings);
-    for (const auto& [name, bytes] : report.texts) output.addText(name, bytes);
+    for (const auto& [name, bytes] : report.texts)
+      output.addText(name, name.ends_with(".csv") ? columns.amongThoseOf(bytes) : bytes);
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
     nlohmann::ordered_json origin = provenance("fit", fitted.fit.scene);
     origin["picture"] = settings.json();

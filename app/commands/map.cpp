@@ -10,6 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/chart/map_sheet.h"
 #include "core/friction/parameter_map.h"
+#include "core/scene/data_table.h"
 #include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
@@ -18,6 +19,8 @@
 
 namespace asperity {
 namespace {
+
+const std::vector<std::string_view> kTables{"map"};
 
 ParameterMap compute(const Scene& scene, const MapCommand& command) {
   const MapAxis x = mapAxis(scene, rangeFromOption("--x", command.x));
@@ -45,12 +48,16 @@ void writePicture(const std::string& output, const ParameterMap& map, const std:
 std::string tableOf(const ParameterMap& map, const MapCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
-         mapCsv(map, command.quantity);
+         ColumnChoice(command.columns, kTables).of(mapCsv(map, command.quantity));
 }
 
 std::string jsonOf(const ParameterMap& map, const MapCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".json"));
-  return mapJson(map, command.quantity);
+  const ColumnChoice columns(command.columns, kTables);
+  if (columns.isAll()) return mapJson(map, command.quantity);
+  auto answer = nlohmann::ordered_json::parse(mapJson(map, command.quantity));
+  answer["points"] = columns.of(answer["points"]);
+  return answer.dump(2) + "\n";
 }
 
 std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& outputs) {
@@ -73,12 +80,13 @@ std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& o
 int runMap(const MapCommand& command) {
   const Scene scene = sceneOf(command.common);
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity map"); });
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);
   if (!isMapQuantity(command.quantity))
     throw InputError("", "--show", notOneOf(command.quantity, mapQuantities()));
+  const ColumnChoice checked(command.columns, kTables);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 900, "print"});
   const ParameterMap map =
       withSceneContext(command.common, [&] { return compute(scene, command); });

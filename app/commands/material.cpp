@@ -18,6 +18,7 @@
 #include "core/chart/material_sheets.h"
 #include "core/material/material_model.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/material_tables.h"
 #include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
@@ -107,6 +108,10 @@ bool isScene(const std::string& file) {
   return first != begin.npos && begin[first] == '{';
 }
 
+ColumnChoice columnsOf(const MaterialCommand& command) {
+  return {command.tableColumns, {"material"}};
+}
+
 void refuseSceneOptions(const MaterialCommand& command) {
   if (!command.common.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a table of moduli");
@@ -118,12 +123,13 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   const std::string& file = command.common.scene;
   const Material material = makeMaterial(readRegularFile(file, kLargestFile), file, choices);
   const std::string json = materialJson(material);
+  const ColumnChoice columns = columnsOf(command);
   OutputFolder output(command.output, {command.common.scene}, style);
   output.addText("material.json", json);
-  output.addText("prony.csv", pronyCsv(material));
+  output.addText("prony.csv", columns.amongThoseOf(pronyCsv(material)));
   if (material.isMeasured()) {
-    output.addText("isotherms.csv", isothermsCsv(material));
-    output.addText("shifts.csv", shiftsCsv(material));
+    output.addText("isotherms.csv", columns.amongThoseOf(isothermsCsv(material)));
+    output.addText("shifts.csv", columns.amongThoseOf(shiftsCsv(material)));
   }
   for (NamedSheet& sheet : materialSheets(material))
     output.addSheet(sheet.name, std::move(sheet.sheet));
@@ -148,7 +154,8 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
     const Excitation excitation = excitationOf(scene);
     OutputFolder output(command.output, {command.common.scene}, style);
     output.addText("excitation.csv",
-                   provenanceComment("material", scene) + excitationCsv(scene, excitation));
+                   columnsOf(command).amongThoseOf(provenanceComment("material", scene) +
+                                                   excitationCsv(scene, excitation)));
     output.addSheet("excitation", excitationSheet(scene, excitation));
     nlohmann::ordered_json origin = provenance("material", scene);
     origin["picture"] = style.json();
@@ -169,6 +176,7 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
 int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
   const PictureSettings style = pictureSettings(command.picture, kPictures);
+  columnsOf(command);
   return isScene(command.common.scene) ? showInScene(command, style)
                                        : makeFromMeasurements(command, style);
 }

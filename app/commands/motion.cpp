@@ -85,7 +85,7 @@ std::string summaryOf(const MotionTable& table, const std::vector<std::string>& 
 
 int runMotion(const MotionCommand& command) {
   const Scene scene = sceneOf(command.common);
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);

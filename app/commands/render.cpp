@@ -40,11 +40,15 @@ enum class Kind { Picture, Film, Sequence };
 Kind kindOf(const std::string& output) {
   checkFolderName(output);
   const std::string extension = extensionOf(output);
-  if (extension == ".png" || extension == ".svg" || extension == ".pdf") return Kind::Picture;
+  if (isPictureFile(output)) {
+    needToolFor(output);
+    return Kind::Picture;
+  }
   if (isFilm(extension)) return Kind::Film;
   if (!extension.empty() && !fs::is_directory(output))
-    throw InputError(output, "",
-                     "is neither a folder nor a .png, .svg, .pdf, .mp4, .webm, .gif or .webp file");
+    throw InputError(
+        output, "",
+        "is neither a folder nor a .png, .svg, .pdf, .eps, .tif, .mp4, .webm, .gif or .webp file");
   return Kind::Sequence;
 }
 

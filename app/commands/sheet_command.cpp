@@ -13,7 +13,7 @@ namespace asperity {
 
 PictureSettings checkSheetOutputs(const SheetCommand& command, const Scene& scene,
                                   const PictureDefaults& defaults) {
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));
   checkUseful(command.picture, command.outputs);

@@ -138,8 +138,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
         provenanceComment("surface", scene) +
             ColumnChoice(command.columns, {columnsOf}).of(csvTextOf(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
-  if (extension == ".png" || extension == ".svg" || extension == ".pdf")
-    writePicture(output, command, scene, source, line);
+  if (isPictureFile(output)) writePicture(output, command, scene, source, line);
 }
 
 /// Throws for options of tables that no output is, and for unknown ones.
@@ -173,7 +172,7 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneOfFile(command.common) : sceneOf(command.common);
-  checkOutputs(command.outputs, {".csv", ".json", ".png", ".svg", ".pdf"}, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   checkTable(command);
   checkUseful(command.picture, command.outputs);
   settingsOf(command, false);

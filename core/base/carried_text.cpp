@@ -123,6 +123,25 @@ std::string_view textOfTable(std::string_view bytes) {
   return bytes.substr(0, bytes.find_first_of("\r\n"));
 }
 
+/// TIFF: the description of the image, a text that ends with a zero byte.
+std::string_view textOfTiff(std::string_view bytes) {
+  const std::string_view rest = after(bytes, "asperity: {");
+  return rest.empty() ? rest : before({rest.data() - 1, rest.size() + 1}, "\0"sv);
+}
+
+/// EPS: comments after the header, each with a part of the text.
+std::string textOfEps(std::string_view bytes) {
+  constexpr std::string_view kBeginning = "\n%asperity: ";
+  std::string text;
+  std::size_t at = bytes.find(kBeginning);
+  while (at != std::string_view::npos && bytes.substr(at).starts_with(kBeginning)) {
+    const std::size_t begin = at + kBeginning.size();
+    at = bytes.find('\n', begin);
+    text += bytes.substr(begin, at == std::string_view::npos ? at : at - begin);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string carriedText(std::string_view bytes) {
@@ -134,6 +153,9 @@ std::string carriedText(std::string_view bytes) {
     return withoutEntities(textOfXmp(bytes));
   if (bytes.substr(0, bytes.find_first_not_of(" \t\r\n") + 1).ends_with('<'))
     return withoutEntities(textOfElement(bytes, "<metadata"));
+  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv))
+    return std::string(textOfTiff(bytes));
+  if (bytes.starts_with("%!PS")) return textOfEps(bytes);
   return std::string(textOfTable(bytes));
 }
 

@@ -127,7 +127,7 @@ Message addCurve(FigureStyle& style, const std::string& text) {
   return {};
 }
 
-constexpr std::array<FigureOption, 17> kOptions{{
+constexpr std::array<FigureOption, 18> kOptions{{
     {"size", "WxH", "Width and height, in pixels or as 86mmx60mm (px, mm, cm, in, pt)",
      FigurePart::Picture,
      [](FigureStyle& style, const std::string& text) -> Message {
@@ -144,6 +144,12 @@ constexpr std::array<FigureOption, 17> kOptions{{
      FigurePart::Picture,
      [](FigureStyle& style, const std::string& text) -> Message {
        style.theme = text;
+       return {};
+     }},
+    {"font", "FAMILY", "Font of all texts, by the name of its family (default: DejaVu Sans)",
+     FigurePart::Picture,
+     [](FigureStyle& style, const std::string& text) -> Message {
+       style.font = text;
        return {};
      }},
     {"font-size", "PT", "Size of the numbers at the axes, in points; other texts follow",

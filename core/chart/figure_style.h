@@ -43,6 +43,7 @@ std::optional<PictureSize> pictureSizeFrom(std::string_view text);
 
 struct FigureStyle {
   std::string size{}, theme{};  // as given; empty: automatic
+  std::string font{};           // family; empty: DejaVu Sans
   double dotsPerInch = 0;       // 0: automatic
   double fontSize = 0;          // pt, of the numbers at the axes; 0: automatic
   double lineWidth = 0;         // pt, of curves; 0: automatic

@@ -151,6 +151,16 @@ std::string ColumnChoice::of(const std::string& csv) const {
   return text;
 }
 
+std::string ColumnChoice::amongThoseOf(const std::string& csv) const {
+  std::size_t at = 0;
+  while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
+  const std::vector<std::string_view> names = cellsAt(csv, at);
+  ColumnChoice known;
+  for (const std::string& column : columns_)
+    if (std::ranges::find(names, column) != names.end()) known.columns_.push_back(column);
+  return known.of(csv);
+}
+
 Json ColumnChoice::of(const Json& rows) const {
   if (isAll()) return rows;
   Json chosen = Json::array();

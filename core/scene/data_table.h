@@ -46,6 +46,9 @@ class ColumnChoice {
   /// because its scene gives it no meaning, is empty. csv: a line of names, then rows; lines of
   /// comment before them stay.
   std::string of(const std::string& csv) const;
+  /// The same of one of several tables that a command writes: those columns that it has. A table
+  /// that has none of them stays whole.
+  std::string amongThoseOf(const std::string& csv) const;
   /// The same for a list of objects; a column that an object has not is null.
   nlohmann::ordered_json of(const nlohmann::ordered_json& rows) const;
 

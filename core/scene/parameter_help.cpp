@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/number_text.h"
 #include "core/scene/parameters.h"
 
@@ -25,11 +27,27 @@ std::string parameterTableText() {
   return text;
 }
 
-std::string parameterTableMarkdown() {
-  std::string text = "| key | allowed | default | meaning |\n|---|---|---|---|\n";
-  for (const Parameter& row : parameters())
-    text += fmt::format("| `{}` | {} | {} | {} |\n", row.key, allowedText(row),
-                        valueText(defaultOf(row)), row.sentence);
+std::string escapedMarkdown(std::string_view text) {
+  std::string plain;
+  for (const char letter : text) {
+    if (std::string_view("\\`*_{}[]<>#+-!|~^$\"'").find(letter) != std::string_view::npos)
+      plain += '\\';
+    plain += letter;
+  }
+  return plain;
+}
+
+std::string parameterListMarkdown() {
+  std::string text;
+  for (const Parameter& row : parameters()) {
+    std::string anchor(row.key);
+    std::ranges::replace(anchor, '.', '-');
+    const std::string usual = valueText(defaultOf(row));
+    text += fmt::format("[`{}`]{{#key-{}}} {}{}\n\n:   {}\n\n", row.key, anchor,
+                        escapedMarkdown(allowedText(row).english()),
+                        usual.empty() ? "" : "; default " + escapedMarkdown(usual),
+                        escapedMarkdown(row.sentence));
+  }
   return text;
 }
 

@@ -1689,6 +1689,10 @@
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch (englisch)</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MapPanel</name>
@@ -1916,6 +1920,14 @@
     <message>
         <source>accept</source>
         <translation>annehmen</translation>
+    </message>
+    <message>
+        <source>The guide is not here: it is built with the program where pandoc is installed. Its pages can be read in the folder resources/guide of the sources.</source>
+        <translation>Das Handbuch ist nicht hier: Es wird mit dem Programm gebaut, wo pandoc installiert ist. Seine Seiten stehen im Ordner resources/guide der Quellen.</translation>
+    </message>
+    <message>
+        <source>No browser opens the guide; it is the file %1.</source>
+        <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
     </message>
 </context>
 <context>

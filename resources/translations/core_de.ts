@@ -5218,6 +5218,26 @@
         <source>is of another study than %1: %2</source>
         <translation>ist von einer anderen Studie als %1: %2</translation>
     </message>
+    <message>
+        <source>%1: its file %2 cannot be read</source>
+        <translation>%1: Die Datei %2 ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 has no characters that can be measured</source>
+        <translation>%1 hat keine Zeichen, die sich messen lassen</translation>
+    </message>
+    <message>
+        <source>%1 is in a collection of fonts (.ttc), of which a picture cannot contain a part</source>
+        <translation>%1 steht in einer Sammlung von Schriften (.ttc), von der ein Bild keinen Teil enthalten kann</translation>
+    </message>
+    <message>
+        <source>no font family &apos;%1&apos; is installed; &apos;fc-list : family&apos; lists them</source>
+        <translation>Es ist keine Schriftfamilie „%1“ installiert; „fc-list : family“ zählt sie auf</translation>
+    </message>
+    <message>
+        <source>no font family &apos;%1&apos; is installed; did you mean &apos;%2&apos;?</source>
+        <translation>Es ist keine Schriftfamilie „%1“ installiert; war „%2“ gemeint?</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

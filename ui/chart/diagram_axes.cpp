@@ -194,6 +194,8 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 std::string symbolOf(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
   const std::size_t space = name.rfind(' ');
+  // "relative error of mu" is not mu.
+  if (space != name.npos && name.substr(0, space).ends_with(" of")) return {};
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }
 

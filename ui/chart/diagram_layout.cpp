@@ -148,6 +148,7 @@ DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) 
   sizes.curve = options.look.curve;
   sizes.legendMode = options.look.legend;
   sizes.ticks = options.look.ticks;
+  sizes.isPrinted = options.look.letters > 0;
   return sizes;
 }
 

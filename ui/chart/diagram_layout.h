@@ -16,6 +16,7 @@ struct DiagramSizes {
   float curve = 0;  // width of curves; 0: by the unit
   LegendMode legendMode = LegendMode::Automatic;
   TickSide ticks = TickSide::Inside;
+  bool isPrinted = false;  // letters have a given size
 };
 
 /// Rows and columns of the diagrams on a sheet.

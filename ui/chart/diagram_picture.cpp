@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "ui/chart/diagram_annotations.h"
 #include "ui/chart/diagram_bars.h"
@@ -78,6 +79,15 @@ class Panel {
   /// Returns whether the frame is readable, with an upright title beside it and at least two ticks.
   bool isComfortable() const { return isReadable() && axes_.box.height >= 7 * sizes_.tick; }
 
+  /// Returns whether a reader of print misses nothing: the frame is of a fair height, and title and
+  /// legend are whole and hide next to nothing. Letters on paper cannot get smaller.
+  bool isWhole() const {
+    const float least = axes_.titleAbove ? kLowest : 7;
+    const bool isRead =
+        legend_.empty() || (legendBox_.width > 0 && legend_.isWhole && hidden_ <= kLittleHidden);
+    return isReadable() && axes_.box.height >= least * sizes_.tick && hasTitle() && isRead;
+  }
+
   /// Adds the diagram; nothing where the frame would be too small to read.
   void addTo(DrawList& list) const {
     if (!isReadable()) return;
@@ -112,8 +122,11 @@ class Panel {
   }
 
  private:
+  static constexpr float kLittleHidden = 0.03F;  // part of a legend's box
+  static constexpr float kLowest = 4.5F;         // height of a frame in print, in letters
+
   static bool isOver(const Box& part, const Box& whole) {
-    return part.right() <= whole.right() && part.y >= whole.y;
+    return part.right() <= whole.right() && part.y >= whole.y && part.bottom() <= whole.bottom();
   }
 
   /// Returns the line of the marker from the bottom to the top.
@@ -164,6 +177,7 @@ class Panel {
     constexpr float kLeastWidth = 0.55F,
                     kLeastHeight = 0.6F;  // minimum part of the frame that stays beside a legend
     constexpr float kMuch = 0.25F;        // part of a legend's box
+    below_ = 0;
     place(0, 0);
     if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
     if (sizes_.legendMode != LegendMode::Automatic) return;
@@ -184,10 +198,17 @@ class Panel {
       legend_ = over;
       const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
       legendBox_ = {axes_.box.x, top_ - above, over.width, over.height};
+      hidden_ = 0;
     } else if (sparesWidth || (!isAligned_ && hidden_ > kMuch)) {
       place(beside.width + gap, 0);
       legend_ = beside;
       legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};
+      hidden_ = 0;
+    } else if (sizes_.isPrinted && (hidden_ > kLittleHidden || !legend_.isWhole)) {
+      arrangeBelow();
+      if (axes_.box.height >= kLowest * sizes_.tick) return;
+      below_ = 0;  // rather a legend that hides something than no curve
+      place(0, 0);
     }
   }
 
@@ -342,6 +363,30 @@ std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sh
   return panels;
 }
 
+/// Leaves the legend to the first diagram where the legends of all others have nothing more: in
+/// print they would only take space.
+void shareLegend(DiagramSheet& sheet) {
+  if (sheet.diagrams.size() < 2) return;
+  const auto namesOf = [](const Diagram& diagram) {
+    std::set<std::string> names;
+    for (const DiagramSeries& series : diagram.series)
+      if (!series.name.empty()) names.insert(series.name.text);
+    if (diagram.ramp)
+      names.insert(diagram.ramp->title.text + '\n' + diagram.ramp->from.text + '\n' +
+                   diagram.ramp->to.text);
+    return names;
+  };
+  const std::set<std::string> first = namesOf(sheet.diagrams.front());
+  const bool isCommon = std::ranges::all_of(sheet.diagrams, [&](const Diagram& diagram) {
+    return std::ranges::includes(first, namesOf(diagram));
+  });
+  if (!isCommon) return;
+  for (std::size_t i = 1; i < sheet.diagrams.size(); ++i) {
+    for (DiagramSeries& series : sheet.diagrams[i].series) series.name = {};
+    sheet.diagrams[i].ramp.reset();
+  }
+}
+
 /// Returns the sheet in the current language, with markers as series: the trace of a marker, and a
 /// ring around its dot, which may lie in the middle of the trace.
 DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options) {
@@ -352,6 +397,7 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
   if (letters > 0) {
     const int most = static_cast<int>(static_cast<float>(options.width) / (kNarrowest * letters));
     if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
+    shareLegend(sheet);
   }
   for (Diagram& diagram : sheet.diagrams) {
     if (!diagram.marker) continue;
@@ -408,6 +454,19 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
       return options.height;
   }
   return 0;
+}
+
+int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
+  if (english.diagrams.size() < 2 && !asked.above) return asked.height;
+  const DiagramSheet sheet = prepared(english, asked);
+  DiagramOptions options = asked;
+  // Steps of half a letter, to three times the width, which is more than a page.
+  const int step = std::max(1, static_cast<int>(asked.look.letters / 2));
+  for (; options.height <= 3 * asked.width; options.height += step) {
+    DrawList list = emptyList(options);
+    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isWhole)) return options.height;
+  }
+  return asked.height;
 }
 
 float lowestFrame(const DiagramSheet& english, const DiagramOptions& options) {

@@ -46,6 +46,11 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = prin
 /// every diagram of the sheet fits with its frame and its name; 0 where the width is too small.
 int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 
+/// Returns the height of the lowest picture of this width, from options.height on, in which letters
+/// of a given size (options.look.letters) leave nothing out: every frame has a fair height, every
+/// title and legend is whole. options.height where there is none.
+int heightInPrint(const DiagramSheet& sheet, const DiagramOptions& options);
+
 /// Returns the height of the lowest frame, in heights of the numbers beside it; 0 where a frame
 /// does not fit and would be left out.
 float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);

@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "ui/draw/font_choice.h"
 #include "ui/draw/pixel_context.h"
 
 /// This is outside of any namespace, as Qt requires. It registers the embedded files, which is
@@ -116,6 +117,8 @@ constexpr std::int16_t kUnknown = 2048;
 }  // namespace
 
 std::int16_t fontAdvance(std::uint32_t character, bool bold) {
+  if (const auto& chosen = fontChoice().face(bold).advances; !chosen.empty())
+    if (const auto found = chosen.find(character); found != chosen.end()) return found->second;
   if (character >= 0x20 && character < 0x7F)
     return bold ? kBold[character - 0x20] : kRegular[character - 0x20];
   const auto* const special = std::lower_bound(
@@ -165,11 +168,12 @@ std::set<char32_t> charactersIn(const DrawList& list, bool bold) {
   return characters;
 }
 
-QByteArray fontSubset(bool bold, const std::set<char32_t>& characters) {
-  const QByteArray file = fontFile(bold);
+namespace {
+
+QByteArray subsetOf(const QByteArray& file, const std::set<char32_t>& characters) {
   const Face whole = faceOf(file);
   const SubsetInput input(hb_subset_input_create_or_fail());
-  if (!input) throw std::runtime_error("There is no memory to cut the embedded font.");
+  if (!input) throw std::runtime_error("There is no memory to cut a font.");
   hb_set_t* const wanted = hb_subset_input_unicode_set(input.get());
   for (const char32_t character : characters) hb_set_add(wanted, character);
   hb_set_t* const dropped = hb_subset_input_set(input.get(), HB_SUBSET_SETS_DROP_TABLE_TAG);
@@ -178,11 +182,21 @@ QByteArray fontSubset(bool bold, const std::set<char32_t>& characters) {
     hb_set_add(dropped, table);
   hb_subset_input_set_flags(input.get(), HB_SUBSET_FLAGS_NO_HINTING);
   const Face part(hb_subset_or_fail(whole.get(), input.get()));
-  if (!part) throw std::runtime_error("The embedded font cannot be cut to the glyphs in use.");
+  if (!part) throw std::runtime_error("A font cannot be cut to the glyphs in use.");
   const Blob bytes(hb_face_reference_blob(part.get()));
   unsigned size = 0;
   const char* const data = hb_blob_get_data(bytes.get(), &size);
   return {data, static_cast<qsizetype>(size)};
+}
+
+}  // namespace
+
+QByteArray fontSubset(bool bold, const std::set<char32_t>& characters) {
+  return subsetOf(fontFile(bold), characters);
+}
+
+QByteArray chosenFontSubset(bool bold, const std::set<char32_t>& characters) {
+  return subsetOf(fontChoice().face(bold).file, characters);
 }
 
 namespace {
@@ -283,6 +297,8 @@ QColor colourOf(const Rgba& c) {
 
 QFont fontOf(const DrawText& text) {
   QFont font(QStringLiteral("DejaVu Sans"));
+  if (const std::string& family = fontChoice().family; !family.empty())
+    font.setFamilies({QString::fromStdString(family), QStringLiteral("DejaVu Sans")});
   font.setPixelSize(std::max(1, qRound(text.size)));
   font.setBold(text.bold);
   font.setKerning(false);  // as textWidth() measures

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "core/base/atomic_file.h"
+#include "ui/draw/font_choice.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/png_file.h"
 #include "ui/draw/shapes.h"
@@ -217,15 +218,24 @@ class SvgWriter {
   /// Letters keep their measured distances: without kerning and ligatures.
   std::string style() const {
     std::string css;
+    const FontChoice& choice = fontChoice();
+    const auto add = [&](const std::string& family, bool bold, const QByteArray& font) {
+      css += "@font-face{font-family:\"" + family +
+             "\";font-weight:" + std::string(bold ? "bold" : "normal") +
+             ";src:url(data:font/ttf;base64," + font.toBase64().toStdString() + ")}\n";
+    };
     for (const bool bold : {false, true}) {
-      const std::set<char32_t> characters = charactersIn(list_, bold);
-      if (characters.empty() || !options_.embedFont) continue;
-      css += "@font-face{font-family:\"DejaVu Sans\";font-weight:" +
-             std::string(bold ? "bold" : "normal") + ";src:url(data:font/ttf;base64," +
-             fontSubset(bold, characters).toBase64().toStdString() + ")}\n";
+      std::set<char32_t> characters = charactersIn(list_, bold), chosen;
+      for (const char32_t character : characters)
+        if (choice.face(bold).advances.contains(character)) chosen.insert(character);
+      for (const char32_t character : chosen) characters.erase(character);
+      if (!options_.embedFont) continue;
+      if (!chosen.empty()) add(xmlText(choice.family), bold, chosenFontSubset(bold, chosen));
+      if (!characters.empty()) add("DejaVu Sans", bold, fontSubset(bold, characters));
     }
-    return "<style>\n" + css +
-           "text{font-family:\"DejaVu Sans\",sans-serif;font-kerning:none;"
+    const std::string first = choice.family.empty() ? "" : "\"" + xmlText(choice.family) + "\",";
+    return "<style>\n" + css + "text{font-family:" + first +
+           "\"DejaVu Sans\",sans-serif;font-kerning:none;"
            "font-variant-ligatures:none;white-space:pre}\n</style>\n";
   }
 

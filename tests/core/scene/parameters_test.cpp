@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -110,14 +109,15 @@ TEST(Parameters, ApplicabilityFollowsTheKind) {
 TEST(Parameters, TableTextsNameEveryKey) {
   for (const Parameter& row : parameters()) {
     EXPECT_THAT(parameterTableText(), HasSubstr(std::string(row.key)));
-    EXPECT_THAT(parameterTableMarkdown(), HasSubstr("`" + std::string(row.key) + "`"));
+    EXPECT_THAT(parameterListMarkdown(), HasSubstr("`" + std::string(row.key) + "`"));
   }
 }
 
-TEST(Parameters, TheReadmeHasTheTable) {
-  std::ifstream stream(ASPERITY_TESTS_DIR "/../README.md");
-  const std::string readme(std::istreambuf_iterator<char>(stream), {});
-  EXPECT_THAT(readme, HasSubstr(parameterTableMarkdown()));
+TEST(Parameters, MarkdownKeepsTheTextAsItIs) {
+  EXPECT_EQ(escapedMarkdown("<h^2> = 2 a*b | 'c_d'"), R"(\<h\^2\> = 2 a\*b \| \'c\_d\')");
+  // What is not escaped is our own: the name as code, its anchor, the sign of a definition.
+  EXPECT_THAT(parameterListMarkdown(),
+              HasSubstr("[`surface.hurst`]{#key-surface-hurst} 0 to 1; default 0.7\n\n:   How "));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ constexpr std::uint64_t kLargestTable = std::uint64_t{8} << 20;  // bytes of mea
 
 /// Pictures and films, which hold a scene or nothing that can be opened.
 bool isPicture(const std::filesystem::path& file) {
-  static constexpr std::array<std::string_view, 7> kExtensions{".png",  ".svg", ".pdf", ".mp4",
-                                                               ".webm", ".gif", ".webp"};
+  static constexpr std::array<std::string_view, 10> kExtensions{
+      ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff", ".mp4", ".webm", ".gif", ".webp"};
   return std::ranges::find(kExtensions, lowerCase(file.extension().string())) != kExtensions.end();
 }
 

@@ -231,6 +231,7 @@ void MainWindow::buildCommands() {
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
                   {Qt::Key_F1, Qt::Key_Question}});
+  commands_->add({"guide", [] { return tr("Guide"); }, [this] { openGuide(); }});
   commands_->add({"about", [] { return tr("About Asperity"); }, [this] { showAbout(); }});
   commands_->add({"quit", [] { return tr("Quit"); }, [this] { close(); }, {QKeySequence::Quit}});
   const auto run = [this](std::function<void()> work, std::function<void()> done) {

@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   void fillLanguages(QMenu& menu);
   void buildToolBar(QMenu& scenes);
   void showShortcuts();
+  void openGuide();
   void showAbout();
 
   void followVisibility();

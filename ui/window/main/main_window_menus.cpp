@@ -2,6 +2,7 @@
 // menu.
 #include <QAction>
 #include <QActionGroup>
+#include <QCoreApplication>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -19,8 +20,10 @@
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
+#include "ui/window/main/guide.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/menu_keys.h"
+#include "ui/window/main/message_bar.h"
 #include "ui/window/main/run_window.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/window_layout.h"
@@ -83,7 +86,7 @@ void MainWindow::buildMenus() {
   QMenu& help = *addMenu([] { return tr("&Help"); });
   add(help, {"tour", "tourStepBack", "tourStepNext"});
   help.addSeparator();
-  add(help, {"shortcuts"});
+  add(help, {"guide", "shortcuts"});
   help.addSeparator();
   add(help, {"about"});
 
@@ -196,6 +199,14 @@ void MainWindow::showShortcuts() {
   auto* sheet = new ShortcutSheet(*this, this);
   sheet->setAttribute(Qt::WA_DeleteOnClose);
   sheet->open();
+}
+
+void MainWindow::openGuide() {
+  const QString reason = openGuideOf(QCoreApplication::applicationDirPath());
+  if (reason.isEmpty())
+    messages_->end(MessageBar::Failure::Files);
+  else
+    messages_->showFailure(MessageBar::Failure::Files, reason);
 }
 
 void MainWindow::showAbout() {

@@ -1,0 +1,158 @@
+#include "ui/draw/font_choice.h"
+
+#include <fontconfig/fontconfig.h>
+#include <hb.h>
+#include <QFile>
+#include <QString>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+#include "ui/draw/fonts.h"
+
+namespace asperity {
+namespace {
+
+constexpr const char* kOption = "--font";
+
+template <auto destroy>
+struct Destroyer {
+  template <typename T>
+  void operator()(T* object) const {
+    destroy(object);
+  }
+};
+using Pattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
+using Objects = std::unique_ptr<FcObjectSet, Destroyer<FcObjectSetDestroy>>;
+using Fonts = std::unique_ptr<FcFontSet, Destroyer<FcFontSetDestroy>>;
+using Blob = std::unique_ptr<hb_blob_t, Destroyer<hb_blob_destroy>>;
+using Face = std::unique_ptr<hb_face_t, Destroyer<hb_face_destroy>>;
+using Font = std::unique_ptr<hb_font_t, Destroyer<hb_font_destroy>>;
+
+FontChoice& present() {
+  static FontChoice choice;
+  return choice;
+}
+
+std::string textOf(const FcPattern* pattern, const char* object) {
+  FcChar8* text = nullptr;
+  if (FcPatternGetString(pattern, object, 0, &text) != FcResultMatch) return {};
+  return reinterpret_cast<const char*>(text);
+}
+
+int numberOf(const FcPattern* pattern, const char* object) {
+  int number = 0;
+  FcPatternGetInteger(pattern, object, 0, &number);
+  return number;
+}
+
+/// Returns the installed outline fonts whose tables a vector file can contain.
+Fonts installedFonts() {
+  const Pattern all(FcPatternCreate());
+  FcPatternAddBool(all.get(), FC_OUTLINE, FcTrue);
+  const Objects objects(FcObjectSetBuild(FC_FAMILY, FC_FILE, FC_INDEX, FC_WEIGHT, FC_SLANT,
+                                         FC_WIDTH, FC_FONTFORMAT, static_cast<char*>(nullptr)));
+  return Fonts(FcFontList(nullptr, all.get(), objects.get()));
+}
+
+/// Returns how far a font is from the upright one of usual width that is wanted.
+int distance(const FcPattern* font, bool bold) {
+  const int weight = bold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR;
+  return std::abs(numberOf(font, FC_WEIGHT) - weight) + 10 * numberOf(font, FC_SLANT) +
+         10 * std::abs(numberOf(font, FC_WIDTH) - FC_WIDTH_NORMAL);
+}
+
+bool isSame(const std::string& one, const std::string& other) {
+  return QString::fromStdString(one).compare(QString::fromStdString(other), Qt::CaseInsensitive) ==
+         0;
+}
+
+/// Reads a font and measures every character that it has.
+FontChoice::Face faceOf(const FcPattern* font, const std::string& family) {
+  FontChoice::Face face;
+  QFile file(QString::fromStdString(textOf(font, FC_FILE)));
+  if (!file.open(QIODevice::ReadOnly))
+    throw InputError("", kOption,
+                     message("{}: its file {} cannot be read", family, textOf(font, FC_FILE)));
+  const QByteArray bytes = file.readAll();
+  const Blob blob(hb_blob_create(bytes.constData(), static_cast<unsigned>(bytes.size()),
+                                 HB_MEMORY_MODE_READONLY, nullptr, nullptr));
+  const Face whole(
+      hb_face_create(blob.get(), static_cast<unsigned>(numberOf(font, FC_INDEX) & 0xFFFF)));
+  const unsigned unitsPerSize = hb_face_get_upem(whole.get());
+  hb_set_t* const characters = hb_set_create();
+  hb_face_collect_unicodes(whole.get(), characters);
+  const Font measured(hb_font_create(whole.get()));
+  for (hb_codepoint_t character = HB_SET_VALUE_INVALID; hb_set_next(characters, &character);) {
+    hb_codepoint_t glyph = 0;
+    if (!hb_font_get_nominal_glyph(measured.get(), character, &glyph)) continue;
+    const double advance = hb_font_get_glyph_h_advance(measured.get(), glyph);
+    const double units = advance * static_cast<double>(kAdvancesPerSize) / unitsPerSize;
+    face.advances[character] = static_cast<std::int16_t>(std::clamp(units, 0.0, 32767.0) + 0.5);
+  }
+  hb_set_destroy(characters);
+  if (face.advances.empty())
+    throw InputError("", kOption, message("{} has no characters that can be measured", family));
+  // One font of a collection is written as a file of its own.
+  const Blob one(hb_face_reference_blob(whole.get()));
+  unsigned size = 0;
+  const bool isCollection = bytes.startsWith("ttcf");
+  if (isCollection)
+    throw InputError("", kOption,
+                     message("{} is in a collection of fonts (.ttc), of which a picture cannot "
+                             "contain a part",
+                             family));
+  const char* const data = hb_blob_get_data(one.get(), &size);
+  face.file = QByteArray(data, static_cast<qsizetype>(size));
+  return face;
+}
+
+}  // namespace
+
+const FontChoice& fontChoice() {
+  return present();
+}
+
+void useFontFamily(const std::string& family) {
+  if (family == present().family) return;
+  if (family.empty() || isSame(family, "DejaVu Sans")) {
+    present() = {};
+    return;
+  }
+  const Fonts fonts = installedFonts();
+  std::vector<const FcPattern*> members;
+  std::vector<std::string> names;
+  for (int i = 0; fonts && i < fonts->nfont; ++i) {
+    const FcPattern* font = fonts->fonts[i];
+    const std::string format = textOf(font, FC_FONTFORMAT);
+    if (format != "TrueType" && format != "CFF") continue;
+    names.push_back(textOf(font, FC_FAMILY));
+    if (isSame(names.back(), family)) members.push_back(font);
+  }
+  if (members.empty()) {
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string nearest(nearestOf(family, known));
+    throw InputError(
+        "", kOption,
+        nearest.empty() ? message("no font family '{}' is installed; 'fc-list : family' lists them",
+                                  shortened(family))
+                        : message("no font family '{}' is installed; did you mean '{}'?",
+                                  shortened(family), nearest));
+  }
+  FontChoice choice;
+  choice.family = textOf(members.front(), FC_FAMILY);
+  for (const bool bold : {false, true}) {
+    const FcPattern* font = *std::ranges::min_element(
+        members, {}, [bold](const FcPattern* one) { return distance(one, bold); });
+    choice.faces[bold ? 1 : 0] = faceOf(font, choice.family);
+  }
+  present() = std::move(choice);
+}
+
+}  // namespace asperity

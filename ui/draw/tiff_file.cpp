@@ -1,0 +1,142 @@
+#include "ui/draw/tiff_file.h"
+
+#include <stdexcept>
+
+#include "core/base/atomic_file.h"
+
+#ifdef ASPERITY_HAS_TIFF
+#include <tiffio.h>
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#endif
+
+namespace asperity {
+
+#ifdef ASPERITY_HAS_TIFF
+
+namespace {
+
+/// A file in memory, as libtiff reads and writes it.
+struct MemoryFile {
+  std::string bytes;
+  std::size_t place = 0;
+};
+
+MemoryFile& fileOf(thandle_t handle) {
+  return *static_cast<MemoryFile*>(handle);
+}
+
+tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) {
+  MemoryFile& file = fileOf(handle);
+  const std::size_t known = file.bytes.size() - std::min(file.place, file.bytes.size());
+  const std::size_t taken = std::min(static_cast<std::size_t>(count), known);
+  std::memcpy(to, file.bytes.data() + file.place, taken);
+  file.place += taken;
+  return static_cast<tmsize_t>(taken);
+}
+
+tmsize_t writeBytes(thandle_t handle, void* from, tmsize_t count) {
+  MemoryFile& file = fileOf(handle);
+  const auto size = static_cast<std::size_t>(count);
+  if (file.bytes.size() < file.place + size) file.bytes.resize(file.place + size);
+  std::memcpy(file.bytes.data() + file.place, from, size);
+  file.place += size;
+  return count;
+}
+
+toff_t moveTo(thandle_t handle, toff_t offset, int whence) {
+  MemoryFile& file = fileOf(handle);
+  const std::size_t start = whence == SEEK_SET   ? 0
+                            : whence == SEEK_CUR ? file.place
+                                                 : file.bytes.size();
+  file.place = start + static_cast<std::size_t>(offset);
+  return file.place;
+}
+
+int closeFile(thandle_t) {
+  return 0;
+}
+
+toff_t sizeOf(thandle_t handle) {
+  return fileOf(handle).bytes.size();
+}
+
+struct Closer {
+  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+};
+
+}  // namespace
+
+bool canWriteTiff() {
+  return true;
+}
+
+std::string tiffOf(const QImage& given, const PngOptions& options) {
+  if (given.isNull()) throw std::runtime_error("An empty picture cannot be a TIFF file.");
+  const QImage rgba = given.convertToFormat(QImage::Format_RGBA8888);
+  bool isOpaque = true;
+  for (int row = 0; row < rgba.height() && isOpaque; ++row) {
+    const uchar* line = rgba.constScanLine(row);
+    for (int i = 0; i < rgba.width(); ++i) isOpaque = isOpaque && line[4 * i + 3] == 255;
+  }
+  const QImage image = isOpaque ? rgba.convertToFormat(QImage::Format_RGB888) : rgba;
+  MemoryFile file;
+  {
+    const std::unique_ptr<TIFF, Closer> tiff(
+        TIFFClientOpen("picture", "wl", static_cast<thandle_t>(&file), readBytes, writeBytes,
+                       moveTo, closeFile, sizeOf, nullptr, nullptr));
+    if (!tiff) throw std::runtime_error("A TIFF file cannot be begun.");
+    const auto set = [&](std::uint32_t tag, auto value) { TIFFSetField(tiff.get(), tag, value); };
+    set(TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(image.width()));
+    set(TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(image.height()));
+    set(TIFFTAG_BITSPERSAMPLE, 8);
+    set(TIFFTAG_SAMPLESPERPIXEL, isOpaque ? 3 : 4);
+    set(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+    set(TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+    set(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
+    set(TIFFTAG_COMPRESSION, COMPRESSION_LZW);
+    set(TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
+    set(TIFFTAG_SOFTWARE, "Asperity");
+    if (!isOpaque) {
+      const std::uint16_t alpha = EXTRASAMPLE_UNASSALPHA;
+      TIFFSetField(tiff.get(), TIFFTAG_EXTRASAMPLES, 1, &alpha);
+    }
+    if (options.dotsPerInch > 0) {
+      set(TIFFTAG_XRESOLUTION, options.dotsPerInch);
+      set(TIFFTAG_YRESOLUTION, options.dotsPerInch);
+      set(TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
+    }
+    if (!options.title.empty()) set(TIFFTAG_DOCUMENTNAME, options.title.c_str());
+    const std::string description = "asperity: " + options.metadata;
+    if (!options.metadata.empty()) set(TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+    set(TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff.get(), 0));
+    // libtiff changes the row that it is given.
+    std::string row;
+    const auto size = static_cast<std::size_t>(image.width()) * (isOpaque ? 3 : 4);
+    for (int i = 0; i < image.height(); ++i) {
+      row.assign(reinterpret_cast<const char*>(image.constScanLine(i)), size);
+      if (TIFFWriteScanline(tiff.get(), row.data(), static_cast<std::uint32_t>(i)) < 0)
+        throw std::runtime_error("A TIFF file cannot be written.");
+    }
+  }
+  return std::move(file.bytes);
+}
+
+#else
+
+bool canWriteTiff() {
+  return false;
+}
+
+std::string tiffOf(const QImage&, const PngOptions&) {
+  throw std::runtime_error("This program was built without libtiff and writes no TIFF.");
+}
+
+#endif
+
+void writeTiff(const std::filesystem::path& path, const QImage& image, const PngOptions& options) {
+  writeFileAtomically(path, tiffOf(image, options));
+}
+
+}  // namespace asperity
