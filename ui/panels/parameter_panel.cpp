@@ -136,8 +136,9 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       emit viewChanged();
     });
     connect(&bar_->filter(), &FilterLine::left, this, [this] {
-      scroll_->widget()->setFocus();
-      focusNextChild();
+      for (const Section& section : sections_)
+        for (ParameterRow* row : section.rows)
+          if (row->isVisibleTo(this)) return row->takeFocus();
     });
   }
   layout->addWidget(scroll_, 1);
@@ -341,12 +342,7 @@ void ParameterPanel::reveal(const QString& key) {
   arrange();
   scroll_->widget()->layout()->activate();
   scroll_->ensureWidgetVisible(row);
-  const auto controls = row->findChildren<QWidget*>();
-  for (QWidget* control : controls)
-    if (control->focusPolicy() & Qt::TabFocus && control->isVisibleTo(row)) {
-      control->setFocus(Qt::ShortcutFocusReason);
-      break;
-    }
+  row->takeFocus();
 }
 
 void ParameterPanel::focusFilter() {

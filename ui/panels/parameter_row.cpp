@@ -271,6 +271,13 @@ void ParameterRow::showEnabled() {
   setEnabled(!isLocked_ && !isFixed_);
 }
 
+void ParameterRow::takeFocus() {
+  for (QWidget* control : std::initializer_list<QWidget*>{slider_, choice_, material_, entry_,
+                                                          text_, arms_ ? &arms_->fold() : nullptr,
+                                                          shifts_ ? &shifts_->fold() : nullptr})
+    if (control && control->isVisibleTo(this)) return control->setFocus(Qt::ShortcutFocusReason);
+}
+
 bool ParameterRow::matches(const QStringList& words) const {
   const QString text =
       labelOf(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);

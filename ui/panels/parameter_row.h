@@ -63,6 +63,9 @@ class ParameterRow : public QWidget {
   /// A locked row shows its value and cannot be changed.
   void setLocked(bool locked);
 
+  /// Gives its first control the focus.
+  void takeFocus();
+
   /// Returns whether all words are found in the row's label, its key, its symbol or its unit.
   bool matches(const QStringList& words) const;
 

@@ -103,6 +103,17 @@ TEST_F(PanelViewTest, TheFilterFindsLabelsKeysSymbolsAndUnits) {
   EXPECT_TRUE(hasRow("accuracy.scheme"));
 }
 
+TEST_F(PanelViewTest, TheArrowDownLeavesTheFilterForTheFirstRowThatIsFound) {
+  panel_.focusFilter();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return filter().hasFocus(); }));
+  filterBy("normal force");
+  QTest::keyClick(&filter(), Qt::Key_Down);
+  EXPECT_TRUE(slider("load.normal_force").hasFocus());
+  filterBy("scheme");
+  QTest::keyClick(&filter(), Qt::Key_Return);
+  EXPECT_TRUE(control<QWidget>("choice:accuracy.scheme")->hasFocus());
+}
+
 TEST_F(PanelViewTest, AFilterThatFindsNothingSaysSoAndEscapeClearsIt) {
   filterBy("xyz");
   EXPECT_EQ(rowsShown(), 0);
