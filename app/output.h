@@ -13,8 +13,8 @@ namespace asperity {
 std::string extensionOf(const std::string& file);
 
 /// Extensions of pictures, and of the tables and pictures that most commands write.
-inline const std::initializer_list<std::string_view> kPictureExtensions = {
-    ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
+inline const std::initializer_list<std::string_view> kPictureExtensions = {".png", ".svg", ".pdf",
+                                                                           ".eps", ".tif", ".tiff"};
 inline const std::initializer_list<std::string_view> kOutputExtensions = {
     ".csv", ".json", ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
 

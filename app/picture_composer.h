@@ -60,7 +60,7 @@ class PictureComposer {
   PictureContent content_;
   std::optional<ContactView> view_;
   ContactPictureOptions contact_;  // options of the last frame
-  std::optional<int> above_;  // height of the contact on paper, where its chart has grown
+  std::optional<int> above_;       // height of the contact on paper, where its chart has grown
   std::optional<DrawList> below_;  // the curve, which does not change in steady sliding
 };
 
