@@ -40,7 +40,9 @@ namespace {
 
 constexpr int kContactWidth = 1500, kContactHeight = 520, kChartWidth = 1300, kChartHeight = 820;
 constexpr float kPictureScale = 2;
-constexpr int kShownWidth = 620;  // pixels at 96 per inch, of the text's column
+// Pixels at 96 per inch: within the column of A4, whose margins are 8 mm of the writer and 20 mm
+// of QTextDocument::print().
+constexpr int kShownWidth = 560;
 
 QString utf(const std::string& text) {
   return QString::fromStdString(text);
@@ -298,7 +300,7 @@ QByteArray handoutPdf(const Lesson& lesson, const HandoutOptions& options) {
     QPdfWriter writer(&buffer);
     writer.setResolution(300);
     writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins({18, 16, 18, 16}, QPageLayout::Millimeter);
+    writer.setPageMargins({8, 8, 8, 8}, QPageLayout::Millimeter);
     writer.setTitle(plainText(lesson.title));
     writer.setCreator(QStringLiteral("Asperity " ASPERITY_VERSION));
     document.print(&writer);
