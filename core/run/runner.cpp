@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <thread>
+#include <utility>
 
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
@@ -105,10 +106,11 @@ struct Runner::Body {
     if (orders.seek) wantedMoment = orders.seek;
     if (wantedMoment) {
       next = Clock::now() + std::chrono::duration_cast<Clock::duration>(interval);
+      const double moment = *std::exchange(wantedMoment, {});  // a failure ends the way
       bool isThere = false;
       while (!isThere && Clock::now() < next)
-        isThere = simulation->seek(*wantedMoment, orders.part, interval.count());
-      if (isThere) wantedMoment.reset();
+        isThere = simulation->seek(moment, orders.part, interval.count());
+      if (!isThere) wantedMoment = moment;
       publish(simulation->frame());
       return;
     }

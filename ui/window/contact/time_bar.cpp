@@ -4,9 +4,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
@@ -85,9 +87,25 @@ TimeBar::TimeBar(QWidget* parent)
   connect(moment_, &QSlider::valueChanged, this, [this](int position) {
     if (duration_ > 0) emit momentWanted(duration_ * position / kMoments);
   });
-  connect(moment_, &QSlider::sliderPressed, this, [this] { emit scrubbing(true); });
+  moment_->installEventFilter(this);
+  connect(moment_, &QSlider::sliderPressed, this, [this] {
+    emit scrubbing(true);
+    emit momentWanted(duration_ * moment_->value() / kMoments);
+  });
   connect(moment_, &QSlider::sliderReleased, this, [this] { emit scrubbing(false); });
   keepTranslated(*this, [this] { showTexts(); });
+}
+
+bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == moment_ && event->type() == QEvent::MouseButtonPress) {
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    const int handle = moment_->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, moment_);
+    const QSignalBlocker quiet(moment_);  // the press itself asks for the moment
+    if (mouse->button() == Qt::LeftButton)
+      moment_->setValue(QStyle::sliderValueFromPosition(
+          0, kMoments, qRound(mouse->position().x()) - handle / 2, moment_->width() - handle));
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void TimeBar::showTexts() {

@@ -43,6 +43,10 @@ class TimeBar : public QWidget {
   /// Emitted at the beginning and the end of a drag of the moment.
   void scrubbing(bool isOn);
 
+ protected:
+  /// A press anywhere on the slider of the moment grips it there.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void showTexts();
   void setPace(double pace);
