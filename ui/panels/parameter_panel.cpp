@@ -300,9 +300,8 @@ void ParameterPanel::arrange() {
       if (isPossible && isWanted) ++here;
       if (isPossible && isWanted && row->isChanged()) ++changed;
       if (!isFiltered)
-        isWanted = isWhole
-                       ? isOpen
-                       : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
+        isWanted = isWhole ? isOpen
+                           : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
       const bool isNeeded = row->hasRemark() || fromUtf8(key) == revealed_;
       const bool isSeen = isPossible && (isWanted || isNeeded);
       row->setVisible(isSeen);

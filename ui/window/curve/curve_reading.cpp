@@ -73,8 +73,7 @@ NoteSet notesAt(const CurveUpdate& curve, double place) {
 
 QString regionAt(const CurveUpdate& curve, double velocity) {
   for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
-    if (velocity >= region.from && velocity <= region.to)
-      return regionText(region.name);
+    if (velocity >= region.from && velocity <= region.to) return regionText(region.name);
   return {};
 }
 

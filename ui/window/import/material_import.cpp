@@ -60,7 +60,8 @@ double kelvins(const QString& text, const char* option) {
 /// A modulus in Pa, or with a unit.
 double pascals(const QString& text, const char* option) {
   bool isNumber = false;
-  const double value = plainNumberOf(withPoint(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
+  const double value =
+      plainNumberOf(withPoint(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
   if (!isNumber || !(value > 0) || !std::isfinite(value))
     throw InputError("", option,
                      message("'{}' is not a modulus such as 2.3MPa", text.toStdString()));

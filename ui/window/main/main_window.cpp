@@ -252,8 +252,8 @@ void MainWindow::buildCommands() {
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
   connect(tour_, &Tour::controlWanted, panel_, &ParameterPanel::reveal);
-  lessons_ = new Lessons({*this, *document_, *session_, *panel_, *dock_, *tabs_,
-                          *messages_, *appearance_});
+  lessons_ = new Lessons(
+      {*this, *document_, *session_, *panel_, *dock_, *tabs_, *messages_, *appearance_});
   lessons_->addTo(*commands_);
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
