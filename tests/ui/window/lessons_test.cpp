@@ -119,6 +119,14 @@ TEST_F(LessonsTest, TheUsersOwnSceneComesBackWithItsChanges) {
   EXPECT_TRUE(control<QWidget>("row:surface.hurst").isEnabled());
 }
 
+TEST_F(LessonsTest, ALessonIsSeenThoughTheGalleryWasOpen) {
+  window_.openGallery();
+  QWidget& contact = control<QWidget>("contactPage");
+  ASSERT_FALSE(contact.isVisible());
+  lessons().start(lessonOf(sampleLesson()));
+  EXPECT_TRUE(contact.isVisible());
+}
+
 TEST_F(LessonsTest, AnotherSceneEndsTheLessonAndUndoBringsTheOwnOneBack) {
   type("load.normal_force", "5 mN");
   const Scene own = session().scene();

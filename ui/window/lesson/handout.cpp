@@ -17,6 +17,7 @@
 #include "core/base/input_error.h"
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_set.h"
+#include "core/chart/curve_words.h"
 #include "core/friction/curve_quantity.h"
 #include "core/friction/study.h"
 #include "core/lesson/lesson_answers.h"
@@ -143,11 +144,8 @@ class HandoutMaker {
     set.y = *quantityNamed(step.show.quantity);
     for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
       const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
-      std::string names;
-      for (const std::string& text : step.show.beside[i])
-        names += (names.empty() ? "" : ", ") + text;
-      set.pinned.push_back({Message::name(names), other, curveOf(other), static_cast<int>(i),
-                            static_cast<int>(i) + 1});
+      set.pinned.push_back({differencesInWords(other, untitled(step.scene)), other,
+                            curveOf(other), static_cast<int>(i), static_cast<int>(i) + 1});
     }
     DiagramSheet sheet = curveSheet(set);
     sheet.title = sheet.subtitle = sheet.note = {};

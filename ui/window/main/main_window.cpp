@@ -293,6 +293,8 @@ void MainWindow::connectScene() {
             const bool isOpened = change == SceneChange::Opened;
             if (isOpened) described_.reset();
             if (isOpened) panel_->showNotes({});
+            // Whoever opens a scene wants to see it, and no further choice.
+            if (isOpened && figures_->isShowingScenes()) figures_->closeFigures();
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene, isOpened ? Session::Begin::Opened : Session::Begin::GoesOn);
