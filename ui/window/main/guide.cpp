@@ -17,13 +17,15 @@ QString guideFile(const QString& programFolder) {
   return {};
 }
 
-QString openGuideOf(const QString& programFolder) {
+QString openGuideOf(const QString& programFolder, const QString& anchor) {
   const QString file = guideFile(programFolder);
   if (file.isEmpty())
     return MessageBar::tr(
         "The guide is not here: it is built with the program where pandoc is installed. Its pages "
         "can be read in the folder resources/guide of the sources.");
-  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
+  QUrl page = QUrl::fromLocalFile(file);
+  if (!anchor.isEmpty()) page.setFragment(anchor);
+  if (!QDesktopServices::openUrl(page))
     return MessageBar::tr("No browser opens the guide; it is the file %1.")
         .arg(QDir::toNativeSeparators(file));
   return {};

@@ -247,6 +247,7 @@ void MainWindow::buildCommands() {
 void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
+  connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
@@ -411,6 +412,7 @@ void MainWindow::connectCurve() {
   connect(curveCommands_, &CurveCommands::axisChosen, this, [this](const Scene& scene) {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
+  connect(curveCommands_, &CurveCommands::guideWanted, this, &MainWindow::openGuide);
   connect(curveCommands_, &CurveCommands::failed, this, [this](const QString& reason) {
     messages_->showFailure(MessageBar::Failure::Comparison, reason);
   });

@@ -90,7 +90,7 @@ class MainWindow : public QMainWindow {
   void fillLanguages(QMenu& menu);
   void buildToolBar(QMenu& scenes);
   void showShortcuts();
-  void openGuide();
+  void openGuide(const QString& anchor = {});
   void showAbout();
 
   void followVisibility();

@@ -201,8 +201,8 @@ void MainWindow::showShortcuts() {
   sheet->open();
 }
 
-void MainWindow::openGuide() {
-  const QString reason = openGuideOf(QCoreApplication::applicationDirPath());
+void MainWindow::openGuide(const QString& anchor) {
+  const QString reason = openGuideOf(QCoreApplication::applicationDirPath(), anchor);
   if (reason.isEmpty())
     messages_->end(MessageBar::Failure::Files);
   else
