@@ -3335,6 +3335,18 @@
         <translation>%1 hat keine Linie: die Theorie sagt nichts über diese Größe in dieser Szene.</translation>
     </message>
     <message>
+        <source>%1 tables are more than %2</source>
+        <translation>%1 Tabellen sind mehr als %2</translation>
+    </message>
+    <message>
+        <source>%1 is given more than once</source>
+        <translation>%1 ist mehr als einmal angegeben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY or KEY=LOW:HIGH</source>
+        <translation>„%1“ ist weder SCHLÜSSEL noch SCHLÜSSEL=VON:BIS</translation>
+    </message>
+    <message>
         <source>the value of %1 is missing</source>
         <translation>der Wert von %1 fehlt</translation>
     </message>

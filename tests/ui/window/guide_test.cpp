@@ -54,6 +54,8 @@ TEST(Guide, OpensInTheBrowser) {
   EXPECT_EQ(openGuideOf(root.filePath("bin")), QString());
   ASSERT_EQ(browser.shown.size(), 1);
   EXPECT_EQ(browser.shown.front().toLocalFile(), root.filePath("share/asperity/guide.html"));
+  EXPECT_EQ(openGuideOf(root.filePath("bin"), "eq-11"), QString());
+  EXPECT_EQ(browser.shown.back().fragment(), "eq-11");
 }
 
 TEST_F(MainWindowTest, SaysWhereThereIsNoGuide) {

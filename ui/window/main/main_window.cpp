@@ -268,8 +268,6 @@ void MainWindow::buildCommands() {
   curveCommands_ = new CurveCommands(*session_, tabs_->plot(), run, this);
   exports_->setCurves(*curveCommands_);
   new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
-  connect(curveCommands_, &CurveCommands::guideWanted, this, &MainWindow::openGuide);
-  connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
 }
 
 // ---- Connections: whatever changes the scene changes the document, which informs all parts
@@ -277,6 +275,7 @@ void MainWindow::buildCommands() {
 void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
+  connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
@@ -479,6 +478,7 @@ void MainWindow::connectCurve() {
   connect(curveCommands_, &CurveCommands::axisChosen, this, [this](const Scene& scene) {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
+  connect(curveCommands_, &CurveCommands::guideWanted, this, &MainWindow::openGuide);
   connect(curveCommands_, &CurveCommands::failed, this, [this](const QString& reason) {
     messages_->showFailure(MessageBar::Failure::Comparison, reason);
   });
