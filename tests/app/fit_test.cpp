@@ -76,7 +76,7 @@ TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   expectRefused(fit + "surface.hurts", 2, "the nearest known one is surface.hurst");
   expectRefused(fit + "surface.hurst=0.9:0.2", 2, "0.9:0.2 is no range");
   expectRefused(fit + "surface.hurst=0.5", 2, "is not KEY or KEY=LOW:HIGH");
-  expectRefused(fit + "surface.hurst=a:b", 2, "surface.hurst: a is not a number");
+  expectRefused(fit + "surface.hurst=a:b", 2, "surface.hurst: 'a' is not a number");
   expectRefused(fit + "surface.hurst --vary surface.hurst", 2, "more than once");
   expectRefused(fit + "surface.rms_height=0.1Pa:1mm", 2, "is a modulus or pressure");
   expectRefused(fit + "surface.slope", 2, "has no meaning in this scene");

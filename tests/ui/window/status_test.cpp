@@ -212,7 +212,7 @@ TEST(StatusLine, ADimensionlessVelocityThatIsMissingHasItsReason) {
   line.showFrame(movingFrame(1), {});
   EXPECT_FALSE(velocity.toolTip().contains("None here"));
   line.showDrawing(60, "software");
-  for (const int width : {1280, 300, 1280}) {
+  for (const int width : {1440, 300, 1440}) {
     line.setFixedWidth(width);
     line.show();
     for (int i = 0; i < 4; ++i) {

@@ -58,7 +58,7 @@ SceneGallery::SceneGallery(QWidget* parent)
   connect(thumbnails_, &SceneThumbnails::changed, cards_, &CardList::showPicture);
   connect(cards_, &CardList::wanted, this, &SceneGallery::chosen);
   connect(cards_, &CardList::typed, this, [this](const QString& text) {
-    filter_->setFocus();
+    focusFilter();
     if (text != QStringLiteral("/")) filter_->insert(text);
   });
   connect(filter_, &QLineEdit::textChanged, this, &SceneGallery::showCards);
@@ -121,6 +121,10 @@ void SceneGallery::showCards() {
 
 void SceneGallery::choose(const QString& scene) {
   cards_->choose(scene);
+}
+
+void SceneGallery::focusFilter() {
+  filter_->setFocus();
 }
 
 void SceneGallery::setTheme(const Theme& theme) {

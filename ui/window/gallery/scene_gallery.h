@@ -24,6 +24,7 @@ class SceneGallery : public QWidget {
   /// Makes the card of this scene the current one; an unknown name leaves it.
   void choose(const QString& scene);
   void setTheme(const Theme& theme);
+  void focusFilter();
 
   CardList& cards() { return *cards_; }
   SceneThumbnails& thumbnails() { return *thumbnails_; }

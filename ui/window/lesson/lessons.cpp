@@ -163,13 +163,13 @@ void Lessons::addTo(Commands& commands) {
                 [this] {
                   if (isRunning() && step_ > 0) show(step_ - 1);
                 },
-                {Qt::ALT | Qt::Key_Left, Qt::Key_PageUp}});
+                {Qt::CTRL | Qt::ALT | Qt::Key_Left}});
   commands.add({"lessonNextStep",
                 [] { return tr("Lesson: next"); },
                 [this] {
                   if (isRunning() && isRevealed()) next();
                 },
-                {Qt::ALT | Qt::Key_Right, Qt::Key_PageDown}});
+                {Qt::CTRL | Qt::ALT | Qt::Key_Right}});
   commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { end(); }});
   commands.add(
       {"lessonEditor", [] { return tr("Lesson editor…"); },

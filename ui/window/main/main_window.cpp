@@ -66,7 +66,7 @@ constexpr int kUnseenPoll = 250;   // ms, while nobody sees the frames
 
 /// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
 /// language.
-void sayAgain(const QDockWidget& dock) {
+void translateButtons(const QDockWidget& dock) {
   static constexpr struct {
     const char *object, *name, *description;
   } kButtons[] = {{"qt_dockwidget_floatbutton", "Float", "Undocks and re-attaches the dock widget"},
@@ -100,7 +100,6 @@ QWidget* dockTitle(QDockWidget& dock) {
     dock.setWindowTitle(MainWindow::tr("Parameters"));
     label->setText(dock.windowTitle());
     close->setAccessibleName(MainWindow::tr("close"));
-    sayAgain(dock);
   });
   return title;
 }
@@ -303,6 +302,7 @@ void MainWindow::connectScene() {
   connect(tour_, &Tour::starting, figures_, &FigurePages::closeFigures);
   connect(tour_, &Tour::stepShown, description_, &QWidget::hide);
   keepTranslated(*this, [this] {
+    for (const QDockWidget* dock : findChildren<QDockWidget*>()) translateButtons(*dock);
     showTitle();
     const bool isDescribed = !description_->isHidden();
     description_->showMessage(sceneText(document_->scene().description));

@@ -348,7 +348,7 @@ void StatusLine::fitFacts() {
   notes_->setVisible(!present_.empty());
   if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
-  for (QLabel* fact : {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
+  for (QLabel* fact : {mu_, regime_, force_, velocity_, settling_, simulations_, rate_, backend_}) {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
     // Those that come with the work have their room while they say nothing.

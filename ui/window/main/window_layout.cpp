@@ -17,6 +17,7 @@
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/figures/figure_pages.h"
+#include "ui/window/gallery/scene_gallery.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/scene_tabs.h"
@@ -89,8 +90,10 @@ void WindowLayout::fillMenu(QMenu& menu) {
   menu.addAction(commands_->get("restoreLayout"));
 }
 
+/// The gallery of scenes has a filter of its own, which the key then means.
 void WindowLayout::filterParameters() {
   if (parts_.figures.isShowingFigures()) return;
+  if (parts_.figures.isShowingScenes()) return parts_.figures.scenes().focusFilter();
   parts_.dock.show();
   parts_.dock.raise();
   parts_.panel.focusFilter();
