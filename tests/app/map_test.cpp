@@ -62,7 +62,7 @@ TEST_F(MapCommandTest, WritesPicturesThatBringTheirSceneBack) {
   ASSERT_EQ(said.status, 0) << said.err;
   for (const char* name : {"a.png", "a.svg", "a.pdf", "a.csv", "a.json"})
     EXPECT_EQ(readProvenance(program.folder / name).load.normalForce, 0.05) << name;
-  EXPECT_THAT(read("a.csv"), HasSubstr("\"options\":{\"show\":\"contact_fraction\"}"));
+  EXPECT_THAT(read("a.csv"), HasSubstr("\"show\":\"contact_fraction\"}"));
   EXPECT_THAT(read("a.csv"), HasSubstr("\"key\":\"load.normal_force\""));
   const std::string svg = read("a.svg");
   // One image for the colours and one for the bar, not a rectangle for each cell.
