@@ -151,7 +151,16 @@ void PictureComposer::checkRoom(const Scene& scene) {
   if (layout == PictureLayout::Both) sheet.title = {};
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
-  if (settings_.isOnPaper) growFor(sheet);
+  if (!settings_.isOnPaper) return;
+  // The marker comes with the frame; its entry in the legend and its label need their room now.
+  if (const auto& points = content_.curves.present.points; !points.empty()) {
+    const CurvePoint& middle = points[points.size() / 2];
+    DiagramMarker marker{"this motion, now", message("v = {} m/s", middle.velocity)};
+    marker.x = middle.velocity;
+    marker.y = middle.mu;
+    sheet.diagrams.front().marker = std::move(marker);
+  }
+  growFor(sheet);
 }
 
 void PictureComposer::growFor(const DiagramSheet& sheet) {
