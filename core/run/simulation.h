@@ -22,7 +22,7 @@ class Simulation {
   Simulation(std::shared_ptr<const Scene> scene, std::uint64_t number,
              double stepsPerFrame = kStepsPerFrame);
 
-  static constexpr double kStepsPerFrame = 4e5;
+  static constexpr double kStepsPerFrame = 6e5;
 
   /// The initial shape under a new scene.
   enum class Shape { Present, Steady };
