@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/scene/range.h"
+#include "core/scene/sweep.h"
 
 namespace asperity {
 namespace {
@@ -104,7 +105,7 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
     // What was measured of a rubber says where its moduli are known, not what they are.
     const bool isOfTheMeasurement = row.key.starts_with("elastomer.measured.");
     if (!isOfTheState || isOfTheMeasurement || !std::holds_alternative<RealField>(row.field) ||
-        !isApplicable(row, scene) || std::get<double>(valueOf(row, scene)) == 0)
+        !whyNotSwept(row, scene).empty() || std::get<double>(valueOf(row, scene)) == 0)
       continue;
     active.emplace_back(row.key, scene);
   }
