@@ -155,6 +155,7 @@ std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Te
 constexpr const char* kShown = "mu";  // as the program where it is not asked for another quantity
 
 std::string mapText(const ParameterMap& map) {
+  const ProvenanceOptions none(Json::object());
   return "# asperity: " + provenanceLine(mapProvenance(map, kShown)) + "\n" + mapCsv(map, kShown);
 }
 
@@ -288,7 +289,10 @@ void addFriction(py::module_& module) {
       .def("computed", [](const ParameterMap& map) { return map.computed; })
       .def("scene", [](const ParameterMap& map) { return map.scene; })
       .def("csv", &mapText)
-      .def("json", [](const ParameterMap& map) { return mapJson(map, kShown); });
+      .def("json", [](const ParameterMap& map) {
+        const ProvenanceOptions none(Json::object());
+        return mapJson(map, kShown);
+      });
   module.def("curve", &curveOf);
   module.def("friction", &friction);
   module.def("sensitivity", &sensitivityOf);

@@ -238,13 +238,13 @@ TEST_F(LessonsTest, EveryShippedLessonIsWalkedThrough) {
 TEST_F(LessonsTest, GoesForwardAndBackByKeys) {
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
   lessons().start(lessonOf(sampleLesson()));
-  QTest::keyClick(&window_, Qt::Key_Right, Qt::AltModifier);
+  QTest::keyClick(&window_, Qt::Key_Right, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(lessons().step(), 0);  // first the guess
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
-  QTest::keyClick(&window_, Qt::Key_Right, Qt::AltModifier);
+  QTest::keyClick(&window_, Qt::Key_Right, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(lessons().step(), 1);
-  QTest::keyClick(&window_, Qt::Key_Left, Qt::AltModifier);
+  QTest::keyClick(&window_, Qt::Key_Left, Qt::ControlModifier | Qt::AltModifier);
   EXPECT_EQ(lessons().step(), 0);
   EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
 }
