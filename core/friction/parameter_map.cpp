@@ -283,12 +283,15 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
     }
   root["oversampling_used"] = used;
   root["keys"] = {axisJson(map.x), axisJson(map.y)};
-  // The map is made again from the options alone, whatever else was given with them.
-  Json& options = root["options"];
-  if (!options.is_object()) options = Json::object();
+  // What makes the map again stands first, in one order, whatever of it was given.
+  Json options = Json::object();
   for (const auto& [word, axis] : {std::pair{"x", &map.x}, {"y", &map.y}})
     options[word] = fmt::format("{}={}", axis->range.key(), textOf(axis->range));
   options["show"] = quantity;
+  if (Json& given = root["options"]; given.is_object())
+    for (const auto& [word, value] : given.items())
+      if (!options.contains(word)) options[word] = value;
+  root["options"] = std::move(options);
   return root;
 }
 

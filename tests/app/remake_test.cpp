@@ -40,6 +40,9 @@ TEST_F(RemakeTest, EveryKindOfFileIsTheSameAgain) {
        "map s.json --x load.normal_force=1mN:1N:3 --y surface.hurst=0.9:0.3:2:linear -o l.csv -o "
        "l.png --show contact_fraction --size 500x400"},
       {"l.png", ""},
+      {"n.pdf",
+       "map s.json --size 86mmx60mm --y load.normal_force=1mN:1N:3 --x surface.hurst=0.3:0.9:2 "
+       "-o n.pdf"},
       {"j.csv", "curve s.json --realizations-table j.csv"},
       {"k.gif", "render s.json -o k.gif --frames 3 --size 160x160"},
       {"figure_2.csv", "figure 2 -o . --realizations 2 --set sweep.points=3 --font-size 9"},
