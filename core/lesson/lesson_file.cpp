@@ -47,10 +47,6 @@ constexpr NamedChoices<LessonValue::Kind, 3> kValueKinds{
      {"peak", LessonValue::Kind::Peak},
      {"exponent", LessonValue::Kind::Exponent}}};
 
-[[noreturn]] void refuse(const std::string& place, const Message& why) {
-  refuseMember(place, why);
-}
-
 /// Runs `read`; an error about a key is reported as one about the key at this place.
 template <class Read>
 auto at(const std::string& place, const Read& read) {
@@ -70,10 +66,10 @@ auto at(const std::string& place, const Read& read) {
 /// A text: one of English, {"en", "de"}, or lists of paragraphs in place of a text.
 std::string paragraphsFrom(const Json& json, const std::string& place) {
   if (json.is_string()) return json.get<std::string>();
-  if (!json.is_array()) refuse(place, "needs a text, or a list of paragraphs");
+  if (!json.is_array()) refuseMember(place, "needs a text, or a list of paragraphs");
   std::string text;
   for (const Json& paragraph : json) {
-    if (!paragraph.is_string()) refuse(place, "needs a text, or a list of paragraphs");
+    if (!paragraph.is_string()) refuseMember(place, "needs a text, or a list of paragraphs");
     text += (text.empty() ? "" : "\n\n") + paragraph.get<std::string>();
   }
   return text;
@@ -84,7 +80,7 @@ LessonText textFrom(const Json& object, const char* member, const std::string& w
   const std::string place = where.empty() ? member : where + "." + member;
   const auto found = object.find(member);
   if (found == object.end()) {
-    if (isRequired) refuse(place, "is missing; it needs a text");
+    if (isRequired) refuseMember(place, "is missing; it needs a text");
     return {};
   }
   LessonText text;
@@ -96,19 +92,19 @@ LessonText textFrom(const Json& object, const char* member, const std::string& w
   } else {
     text.english = paragraphsFrom(*found, place);
   }
-  if (isRequired && text.empty()) refuse(place, "is empty");
+  if (isRequired && text.empty()) refuseMember(place, "is empty");
   return text;
 }
 
 /// An object of keys and values as assignments. Values in JSON are in SI units; texts may have one.
 std::vector<std::string> assignmentsIn(const Json& keys, const std::string& place) {
-  if (!keys.is_object()) refuse(place, "needs an object of keys");
+  if (!keys.is_object()) refuseMember(place, "needs an object of keys");
   std::vector<std::string> assignments;
   for (const auto& [key, value] : keys.items()) {
     at(place, [&, &key = key] { knownParameter(key); });
     if (value.is_object() || value.is_null() || value.is_boolean())
-      refuse(place + "." + key,
-             message("needs a value; allowed is {}", allowedText(knownParameter(key))));
+      refuseMember(place + "." + key,
+                   message("needs a value; allowed is {}", allowedText(knownParameter(key))));
     assignments.push_back(key + "=" +
                           (value.is_string() ? value.get<std::string>() : value.dump()));
   }
@@ -134,10 +130,10 @@ std::string columnFrom(const std::string& name, const std::string& place) {
   });
   if (std::ranges::find(known, name) != known.end()) return name;
   const std::string_view nearest = nearestOf(name, known);
-  refuse(place, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
-                                          fmt::format("{}", fmt::join(known, ", ")))
-                                : message("'{}' is unknown; the nearest known one is {}",
-                                          shortened(name), nearest));
+  refuseMember(place, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
+                                                fmt::format("{}", fmt::join(known, ", ")))
+                                      : message("'{}' is unknown; the nearest known one is {}",
+                                                shortened(name), nearest));
 }
 
 LessonValue valueFrom(const Json& json, const std::string& place, const Scene& scene,
@@ -151,30 +147,31 @@ LessonValue valueFrom(const Json& json, const std::string& place, const Scene& s
     ++kinds;
     value.kind = kind;
     const std::string where = place + "." + std::string(member);
-    if (!found->is_string()) refuse(where, "needs the name of a column");
+    if (!found->is_string()) refuseMember(where, "needs the name of a column");
     value.column = columnFrom(found->get<std::string>(), where);
   }
-  if (kinds != 1) refuse(place, "needs one of quantity, peak, exponent");
+  if (kinds != 1) refuseMember(place, "needs one of quantity, peak, exponent");
   value.set = assignmentsIn(json, "set", place);
   const Scene changed = withKeysAt(scene, value.set, place + ".set");
   at(place, [&] { checkEffects(changed); });
   const bool isExponent = value.kind == LessonValue::Kind::Exponent;
   for (const char* member : {"key", "from", "to"})
     if (json.contains(member) != isExponent)
-      refuse(place + "." + member, isExponent ? "is missing; an exponent needs key, from and to"
-                                              : "has no meaning here; it belongs to an exponent");
+      refuseMember(place + "." + member, isExponent
+                                             ? "is missing; an exponent needs key, from and to"
+                                             : "has no meaning here; it belongs to an exponent");
   if (isExponent) {
     value.key = textIn(json, "key", "", place);
     value.from = numberIn(json, place, "from");
     value.to = numberIn(json, place, "to");
     at(place + ".key", [&] { numberRow(value.key); });
     if (!(value.from > 0 && value.to > 0) || value.from == value.to)
-      refuse(place, "needs two different values above 0 in from and to");
+      refuseMember(place, "needs two different values above 0 in from and to");
     for (const double end : {value.from, value.to})
       withKeysAt(changed, {value.key + "=" + plainNumber(end)}, place);
   }
   if (const auto over = json.find("over"); over != json.end()) {
-    if (!mayHaveOver) refuse(place + ".over", "stands only in the outer value");
+    if (!mayHaveOver) refuseMember(place + ".over", "stands only in the outer value");
     value.over.push_back(valueFrom(*over, place + ".over", scene, false));
   }
   return value;
@@ -195,8 +192,8 @@ void checkPlaces(const LessonText& text, const std::set<std::string>& known,
       if (close == one->npos) return;
       const std::string name = one->substr(open + 1, close - open - 1);
       if (!isPlaceName(name) || known.contains(name)) continue;
-      refuse(place, message("speaks of a value {} that the step does not have; known are {}",
-                            shortened(name), fmt::format("{}", fmt::join(known, ", "))));
+      refuseMember(place, message("speaks of a value {} that the step does not have; known are {}",
+                                  shortened(name), fmt::format("{}", fmt::join(known, ", "))));
     }
 }
 
@@ -225,7 +222,7 @@ class StepReader {
     if (!step_.prediction)
       for (const char* member : {"after", "reveal", "values"})
         if (json_.contains(member))
-          refuse(place_ + "." + member, "has no meaning without a prediction");
+          refuseMember(place_ + "." + member, "has no meaning without a prediction");
     checkTexts();
     return std::move(step_);
   }
@@ -234,7 +231,7 @@ class StepReader {
   void readScenes() {
     const auto scene = json_.find("scene");
     if (scene == json_.end()) {
-      if (!before_) refuse(place_ + ".scene", "is missing; the first step needs a scene");
+      if (!before_) refuseMember(place_ + ".scene", "is missing; the first step needs a scene");
       step_.scene = *before_;
     } else if (scene->is_string()) {
       step_.sceneName = scene->get<std::string>();
@@ -246,7 +243,7 @@ class StepReader {
       step_.scene = at(place_ + ".scene", [&] { return readScene(scene->dump(), "", folder_); });
       step_.sceneJson = scene->dump();
     } else {
-      refuse(place_ + ".scene", "needs the name of a scene, or a scene");
+      refuseMember(place_ + ".scene", "needs the name of a scene, or a scene");
     }
     step_.set = assignmentsIn(json_, "set", place_);
     step_.scene = withKeysAt(step_.scene, step_.set, place_ + ".set");
@@ -264,10 +261,10 @@ class StepReader {
     LessonView& view = step_.show;
     view.tab = textIn(*show, "tab", view.tab, place);
     if (std::ranges::find(kLessonTabs, view.tab) == std::end(kLessonTabs))
-      refuse(place + ".tab", notOneOf(view.tab, kLessonTabs));
+      refuseMember(place + ".tab", notOneOf(view.tab, kLessonTabs));
     view.quantity = textIn(*show, "quantity", view.quantity, place);
     if (!quantityNamed(view.quantity))
-      refuse(place + ".quantity", notOneOf(view.quantity, quantityWords()));
+      refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
     view.hidesCurve = chosen(kCurves, textIn(*show, "curve", "shown", place), place + ".curve");
     if (const auto range = show->find("hidden_range"); range != show->end()) {
       const std::string where = place + ".hidden_range";
@@ -275,18 +272,18 @@ class StepReader {
       view.hiddenFrom = numberIn(*range, where, "from");
       view.hiddenTo = numberIn(*range, where, "to");
       if (!(view.hiddenFrom > 0 && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
-        refuse(where, "needs two values above 0, of which to is the larger one");
+        refuseMember(where, "needs two values above 0, of which to is the larger one");
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {
       if (!beside->is_array() || beside->size() > kMostBeside)
-        refuse(place + ".beside",
-               message("needs a list of at most {} objects of keys", kMostBeside));
+        refuseMember(place + ".beside",
+                     message("needs a list of at most {} objects of keys", kMostBeside));
       for (std::size_t i = 0; i < beside->size(); ++i) {
         const std::string where = fmt::format("{}.beside[{}]", place, i);
         view.beside.push_back(assignmentsIn((*beside)[i], where));
         const Scene other = withKeysAt(step_.scene, view.beside.back(), where);
         if (other.sweep.key != step_.scene.sweep.key)
-          refuse(where, "has another axis than the curve beside which it stands");
+          refuseMember(where, "has another axis than the curve beside which it stands");
       }
     }
   }
@@ -302,13 +299,13 @@ class StepReader {
       const auto found = controls->find(member);
       if (found == controls->end()) return;
       const std::string where = place + "." + member;
-      if (!found->is_array()) refuse(where, "needs a list of keys");
+      if (!found->is_array()) refuseMember(where, "needs a list of keys");
       for (const Json& key : *found) {
-        if (!key.is_string()) refuse(where, "needs a list of keys");
+        if (!key.is_string()) refuseMember(where, "needs a list of keys");
         keys.push_back(key.get<std::string>());
         at(where, [&] { knownParameter(keys.back()); });
         if (!named.insert(keys.back()).second)
-          refuse(where, message("{} is named twice", keys.back()));
+          refuseMember(where, message("{} is named twice", keys.back()));
       }
     };
     list("free", read.free);
@@ -316,7 +313,7 @@ class StepReader {
     list("hidden", read.hidden);
     for (const std::string& key : read.free)
       if (!isApplicable(*findParameter(key), step_.revealedScene))
-        refuse(place + ".free", message("{} has no meaning in this scene", key));
+        refuseMember(place + ".free", message("{} has no meaning in this scene", key));
     read.others = chosen(kStates, textIn(*controls, "others", "hidden", place), place + ".others");
   }
 
@@ -325,11 +322,11 @@ class StepReader {
     if (values == json_.end()) return;
     const std::string place = place_ + ".values";
     if (!values->is_object() || values->size() > kMostValues)
-      refuse(place, message("needs an object of at most {} values", kMostValues));
+      refuseMember(place, message("needs an object of at most {} values", kMostValues));
     for (const auto& [name, value] : values->items()) {
       if (!isPlaceName(name) || name == "answer" || name == "given")
-        refuse(place + "." + shortened(name),
-               "needs a name of small letters, digits and _, which is not answer or given");
+        refuseMember(place + "." + shortened(name),
+                     "needs a name of small letters, digits and _, which is not answer or given");
       step_.values.push_back({name, valueFrom(value, place + "." + name, step_.scene)});
     }
   }
@@ -348,7 +345,8 @@ class StepReader {
     const bool isPoint = prediction.kind == PredictionKind::Point;
     const auto belongs = [&](const char* member, bool holds, const char* to) {
       if (json.contains(member) && !holds)
-        refuse(place + "." + member, message("has no meaning here; it belongs to {}", Message(to)));
+        refuseMember(place + "." + member,
+                     message("has no meaning here; it belongs to {}", Message(to)));
     };
     belongs("choices", isChoice, "a choice");
     belongs("answer", !isPoint, "a number or a choice");
@@ -358,7 +356,7 @@ class StepReader {
     if (json.contains("answer"))
       prediction.answer = valueFrom(json["answer"], place + ".answer", step_.scene);
     if (isNumber && !prediction.answer)
-      refuse(place + ".answer", "is missing; a number is computed");
+      refuseMember(place + ".answer", "is missing; a number is computed");
     prediction.tolerance = tolerance(json, place, "tolerance", prediction.tolerance);
     prediction.placeTolerance = tolerance(json, place, "place_tolerance", 1);
     if (isChoice) readChoices(json, place, prediction);
@@ -370,8 +368,9 @@ class StepReader {
     if (!json.contains(member)) return otherwise;
     const double value = numberIn(json, place, member);
     if (!(value > 0 && value <= kLargestTolerance))
-      refuse(place + "." + member, message("{} is outside {}", plain(value),
-                                           message("above 0 to {}", plain(kLargestTolerance))));
+      refuseMember(place + "." + member,
+                   message("{} is outside {}", plain(value),
+                           message("above 0 to {}", plain(kLargestTolerance))));
     return value;
   }
 
@@ -380,7 +379,7 @@ class StepReader {
     const std::string all = place + ".choices";
     if (choices == json.end() || !choices->is_array() || choices->size() < kFewestChoices ||
         choices->size() > kMostChoices)
-      refuse(all, message("needs a list of {} to {} choices", kFewestChoices, kMostChoices));
+      refuseMember(all, message("needs a list of {} to {} choices", kFewestChoices, kMostChoices));
     for (std::size_t i = 0; i < choices->size(); ++i) {
       const Json& one = (*choices)[i];
       const std::string where = fmt::format("{}[{}]", all, i);
@@ -388,38 +387,39 @@ class StepReader {
       LessonChoice choice;
       choice.text = textFrom(one, "text", where, true);
       if (one.contains("right")) {
-        if (!one["right"].is_boolean()) refuse(where + ".right", "needs true or false");
+        if (!one["right"].is_boolean()) refuseMember(where + ".right", "needs true or false");
         choice.isRight = one["right"].get<bool>();
       }
       choice.above = optionalNumber(one, where, "above").value_or(-kInfinity);
       choice.below = optionalNumber(one, where, "below").value_or(kInfinity);
       if (choice.isRange() && !prediction.answer)
-        refuse(where, "has above or below, which need a computed answer");
+        refuseMember(where, "has above or below, which need a computed answer");
       if (one.contains("right") && prediction.answer)
-        refuse(where + ".right", "follows from the computed answer; give above or below");
+        refuseMember(where + ".right", "follows from the computed answer; give above or below");
       if (!choice.isRange() && prediction.answer)
-        refuse(where, "needs above or below, where the answer is computed");
-      if (!(choice.above < choice.below)) refuse(where, "needs above to be less than below");
+        refuseMember(where, "needs above or below, where the answer is computed");
+      if (!(choice.above < choice.below)) refuseMember(where, "needs above to be less than below");
       for (std::size_t j = 0; j < i && prediction.answer; ++j)
         if (choice.above < prediction.choices[j].below &&
             prediction.choices[j].above < choice.below)
-          refuse(where, message("overlaps choice {}; one answer would make both right", j));
+          refuseMember(where, message("overlaps choice {}; one answer would make both right", j));
       prediction.choices.push_back(std::move(choice));
     }
     const auto right = std::ranges::count_if(prediction.choices, &LessonChoice::isRight);
     if (!prediction.answer && right != 1)
-      refuse(all, message("has {} right choices; it needs one, or a computed answer", right));
+      refuseMember(all, message("has {} right choices; it needs one, or a computed answer", right));
   }
 
   void readPoint(const Json& json, const std::string& place, LessonPrediction& prediction) {
-    if (step_.show.tab != "curve") refuse(place, "needs show.tab curve, on which the point stands");
+    if (step_.show.tab != "curve")
+      refuseMember(place, "needs show.tab curve, on which the point stands");
     step_.show.hidesCurve = true;
     prediction.x = optionalNumber(json, place, "x");
     const ParameterRange axis = at(place, [&] { return sweepRange(step_.scene); });
     const auto [low, high] = std::minmax(axis.from, axis.to);
     if (prediction.x && !(*prediction.x >= low && *prediction.x <= high))
-      refuse(place + ".x", message("{} is outside {}, the axis of the curve", plain(*prediction.x),
-                                   rangeText(low, high)));
+      refuseMember(place + ".x", message("{} is outside {}, the axis of the curve",
+                                         plain(*prediction.x), rangeText(low, high)));
   }
 
   void checkTexts() const {
@@ -446,9 +446,9 @@ class StepReader {
 
 Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
                   const LessonSceneReader& readNamed) {
-  if (!root.is_object()) refuse("", "a lesson is one JSON object");
+  if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
   if (textIn(root, "schema") != kLessonSchema)
-    refuse("schema", message("is not {}", kLessonSchema));
+    refuseMember("schema", message("is not {}", kLessonSchema));
   checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   Lesson lesson;
   lesson.title = textFrom(root, "title", "", true);
@@ -458,7 +458,7 @@ Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
   const auto steps = root.find("steps");
   if (steps == root.end() || !steps->is_array() || steps->empty() ||
       steps->size() > kMostLessonSteps)
-    refuse("steps", message("needs a list of 1 to {} steps", kMostLessonSteps));
+    refuseMember("steps", message("needs a list of 1 to {} steps", kMostLessonSteps));
   for (std::size_t i = 0; i < steps->size(); ++i) {
     const Scene* before = lesson.steps.empty() ? nullptr : &lesson.steps.back().revealedScene;
     lesson.steps.push_back(
@@ -599,8 +599,8 @@ Lesson readLesson(std::string_view text, const std::string& file,
                   const std::filesystem::path& folder, const LessonSceneReader& readNamed) {
   try {
     if (text.size() > kLargestLesson)
-      refuse("",
-             message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
+      refuseMember(
+          "", message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
     const Json root = parseJson(text, kDeepest, "a lesson is JSON in UTF-8");
     Lesson lesson = lessonFrom(root, folder, readNamed);
     lesson.name = std::filesystem::path(file).stem().string();

@@ -5,8 +5,7 @@
 // What the numbers are: per wave number q where the table has that column, so that <h^2> = 2
 // integral C1 dq, integral C1 dq or 2 pi integral C2 q dq by the kind; per spatial frequency f
 // where it has spatial frequencies or wavelengths 1/f, so that the same holds with f for q. Pure;
-// any thread. Failure: InputError with file, column or line, and what is
-// allowed.
+// any thread. Failure: InputError with file, column or line, and what is allowed.
 #pragma once
 
 #include <filesystem>

@@ -132,16 +132,14 @@ void paintList(QPainter& painter, const DrawList& list) {
   paintTexts(painter, list);
 }
 
-/// Writes blanks over the date of creation, so that offsets stay valid; the date is the only
-/// content that does not depend on the picture.
-void blankDate(QByteArray& bytes) {
-  const QByteArray key("/CreationDate (");
-  const qsizetype from = bytes.indexOf(key);
-  const qsizetype to = from < 0 ? -1 : bytes.indexOf(')', from);
-  for (qsizetype i = from; i >= 0 && i <= to; ++i) bytes[i] = ' ';
-}
-
 }  // namespace
+
+void blankDate(QByteArray& pdf) {
+  const QByteArray key("/CreationDate (");
+  const qsizetype from = pdf.indexOf(key);
+  const qsizetype to = from < 0 ? -1 : pdf.indexOf(')', from);
+  for (qsizetype i = from; i >= 0 && i <= to; ++i) pdf[i] = ' ';
+}
 
 std::string pdfOf(const DrawList& list, const PdfOptions& options) {
   // Qt lists the fonts in the order of a hash, which would differ in every process.

@@ -8,6 +8,8 @@
 
 #include "ui/draw/draw_list.h"
 
+class QByteArray;
+
 namespace asperity {
 
 struct PdfOptions {
@@ -18,6 +20,10 @@ struct PdfOptions {
 
 /// Throws std::runtime_error where Qt cannot write a PDF.
 std::string pdfOf(const DrawList& list, const PdfOptions& options = {});
+
+/// Writes blanks over the date of creation in a PDF that Qt made, so that offsets stay valid; the
+/// date is the only content that does not depend on what is drawn.
+void blankDate(QByteArray& pdf);
 
 /// Writes the file as writeFileAtomically.
 void writePdf(const std::filesystem::path& path, const DrawList& list,

@@ -144,8 +144,8 @@ class HandoutMaker {
     set.y = *quantityNamed(step.show.quantity);
     for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
       const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
-      set.pinned.push_back({differencesInWords(other, untitled(step.scene)), other,
-                            curveOf(other), static_cast<int>(i), static_cast<int>(i) + 1});
+      set.pinned.push_back({differencesInWords(other, untitled(step.scene)), other, curveOf(other),
+                            static_cast<int>(i), static_cast<int>(i) + 1});
     }
     DiagramSheet sheet = curveSheet(set);
     sheet.title = sheet.subtitle = sheet.note = {};
@@ -244,13 +244,6 @@ constexpr const char* kStyle =
 QByteArray pngBytes(const QImage& image) {
   const std::string bytes = pngOf(image);
   return {bytes.data(), static_cast<qsizetype>(bytes.size())};
-}
-
-void blankDate(QByteArray& bytes) {
-  const QByteArray key("/CreationDate (");
-  const qsizetype from = bytes.indexOf(key);
-  const qsizetype to = from < 0 ? -1 : bytes.indexOf(')', from);
-  for (qsizetype i = from; i >= 0 && i <= to; ++i) bytes[i] = ' ';
 }
 
 }  // namespace
