@@ -2,8 +2,8 @@
 #include "app/commands/sheet_command.h"
 #include "app/progress_bar.h"
 #include "core/chart/cutoff_sheet.h"
-#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 #include "ui/language/words.h"
 
 namespace asperity {

@@ -3,8 +3,8 @@
 #include "app/progress_bar.h"
 #include "core/base/input_error.h"
 #include "core/chart/sensitivity_sheet.h"
-#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 #include "ui/language/words.h"
 
 namespace asperity {

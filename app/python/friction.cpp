@@ -20,7 +20,6 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/parameter_map.h"
 #include "core/friction/steady_states.h"
-#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
 #include "core/scene/range.h"
 #include "core/scene/scene_check.h"

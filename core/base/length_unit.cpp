@@ -101,11 +101,9 @@ std::optional<double> factorIn(std::string_view text) {
   std::string exponent(text.substr(2));
   for (const auto& [raised, plain] :
        {std::pair{"\u207B"sv, "-"sv}, {"^"sv, ""sv}, {"\u2212"sv, "-"sv}})
-    if (const std::size_t at = exponent.find(raised); at != std::string::npos)
-      exponent.replace(at, raised.size(), plain);
+    replaceAll(exponent, raised, plain);
   for (std::size_t digit = 0; digit < kRaised.size(); ++digit)
-    for (std::size_t at = 0; (at = exponent.find(kRaised[digit])) != std::string::npos;)
-      exponent.replace(at, kRaised[digit].size(), 1, static_cast<char>('0' + digit));
+    replaceAll(exponent, kRaised[digit], std::to_string(digit));
   constexpr double kLargest = 30;
   if (!readTextNumber(exponent, '.', number) || std::abs(number) > kLargest) return {};
   return std::pow(10.0, number);

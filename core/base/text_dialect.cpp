@@ -83,10 +83,6 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
   return fit;
 }
 
-bool isDigit(char letter) {
-  return letter >= '0' && letter <= '9';
-}
-
 /// Whether each number is larger than the one before, or each one smaller.
 bool isMonotone(const std::vector<double>& numbers) {
   const auto none = numbers.end();

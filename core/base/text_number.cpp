@@ -74,6 +74,11 @@ std::string lowerCase(std::string_view text) {
   return lower;
 }
 
+void replaceAll(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+}
+
 std::string_view trimmedBlanks(std::string_view text) {
   while (true) {
     const std::size_t before = text.size();

@@ -37,6 +37,14 @@ std::string_view trimmedBlanks(std::string_view text);
 /// In lower case, of ASCII alone.
 std::string lowerCase(std::string_view text);
 
+/// Whether the byte is a digit of ASCII.
+constexpr bool isDigit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+/// Replaces each `from`, which is not empty, by `to`.
+void replaceAll(std::string& text, std::string_view from, std::string_view to);
+
 struct TextQuantity {
   double number = 0;
   std::string unit{};  // what stands behind the number; may be empty

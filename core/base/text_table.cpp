@@ -23,10 +23,6 @@ bool isBlank(char letter) {
   return letter == ' ' || letter == '\t';
 }
 
-bool isDigit(char letter) {
-  return letter >= '0' && letter <= '9';
-}
-
 char markOf(TextDialect::Separator separator) {
   switch (separator) {
     case TextDialect::Separator::Tab:

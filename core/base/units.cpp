@@ -125,11 +125,6 @@ constexpr std::array kOthers{
     OtherUnit{"radians"sv, {"rad"}},
 };
 
-void replaceAll(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
-
 /// One spelling of products and powers: "Pa\u00B7s" and "Pa*s" as "Pa s", "m s-1" as "m/s",
 /// "N/mm\u00B2" and "N/mm^2" as "N/mm2".
 std::string usualSpelling(std::string_view name) {
@@ -172,10 +167,6 @@ struct Parts {
   bool isTooLarge = false;
   std::string unit;
 };
-
-bool isDigit(char letter) {
-  return letter >= '0' && letter <= '9';
-}
 
 std::optional<Parts> partsOf(std::string_view text) {
   text = trimmedBlanks(text);

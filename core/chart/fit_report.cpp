@@ -12,9 +12,9 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/columns.h"
-#include "core/scene/effects.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 
 namespace asperity {

@@ -4,8 +4,8 @@
 #include "core/contact/arms/arm_guess.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/sweep.h"
-#include "core/scene/effects.h"
 #include "core/scene/plan.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 

@@ -11,11 +11,6 @@
 namespace asperity {
 namespace {
 
-void replaceAll(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
-
 /// In small letters, with plain primes, Greek letters as words, and without blanks, "_", "-" and
 /// ".".
 std::string compact(std::string_view given) {
@@ -95,10 +90,6 @@ DmaQuantity quantityOf(std::string_view word) {
     return Magnitude;
   if (containsAny(word, {"strain", "gamma", "dehnung", "deformation"})) return Strain;
   return None;
-}
-
-bool isDigit(char letter) {
-  return letter >= '0' && letter <= '9';
 }
 
 /// A temperature with its unit that begins at this place.

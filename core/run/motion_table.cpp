@@ -19,8 +19,8 @@
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
 #include "core/scene/columns.h"
-#include "core/scene/effects.h"
 #include "core/scene/provenance.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

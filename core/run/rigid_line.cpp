@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/scene/effects.h"
 #include "core/scene/plan.h"
+#include "core/scene/scene_check.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {

@@ -9,8 +9,8 @@
 #include "core/run/contact_age.h"
 #include "core/run/rigid_line.h"
 #include "core/run/steady_frames.h"
-#include "core/scene/effects.h"
 #include "core/scene/plan.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/contact/steady_sliding.h"
 #include "core/run/contact_age.h"
-#include "core/scene/effects.h"
 #include "core/scene/plan.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

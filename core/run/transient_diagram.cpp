@@ -8,8 +8,8 @@
 #include "core/chart/curve_words.h"
 #include "core/friction/law.h"
 #include "core/material/element_law.h"
-#include "core/scene/effects.h"
 #include "core/scene/motion.h"
+#include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"
 
 namespace asperity {

@@ -3,7 +3,7 @@
 #include <atomic>
 
 #include "core/material/element_law.h"
-#include "core/scene/effects.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

@@ -2,7 +2,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/scene/effects.h"
+#include "core/material/element_law.h"
+#include "core/scene/parameters.h"
 
 namespace asperity {
 
@@ -23,6 +24,34 @@ void checkScene(const Scene& scene) {
                      message("{} is not above surface.short_wave_cut, {}",
                              plain(processing.longWaveCut), plain(processing.shortWaveCut)));
   checkEffects(scene);
+}
+
+void checkEffects(const Scene& scene) {
+  const ElementLaw law = lawOf(scene.elastomer);
+  if (law.kind() == ElementKind::Arms && scene.accuracy.scheme == Scheme::Nodal)
+    throw InputError("", "accuracy.scheme",
+                     "nodal is the paper's rule for Kelvin elements: where its force jumps arms "
+                     "cannot close over a period; they need linear or cubic");
+  if (scene.interface.frictionCoefficient > 0 && scene.interface.shearStress > 0)
+    throw InputError(
+        "", "interface.shear_stress",
+        "stands beside interface.friction_coefficient; only one of them may be above 0");
+}
+
+void needSteadySliding(const Scene& scene, const Message& what) {
+  if (scene.sliding.kind != SlidingKind::Steady) {
+    const ParameterValue kind = valueOf(*findParameter("sliding.kind"), scene);
+    throw InputError("", "sliding.kind",
+                     message("{} needs steady sliding, not {}", what, std::get<std::string>(kind)));
+  }
+  needEquilibrium(scene);
+}
+
+void needEquilibrium(const Scene& scene) {
+  if (lawOf(scene.elastomer).equilibriumModulus == 0)
+    throw InputError("", "elastomer.equilibrium_modulus",
+                     "is 0: arms and dashpots carry nothing on average over a period, so sliding "
+                     "or not the elastomer sinks for ever; it needs more than 0");
 }
 
 }  // namespace asperity

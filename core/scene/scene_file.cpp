@@ -11,7 +11,6 @@
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/material/material_library.h"
-#include "core/scene/effects.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/sweep.h"

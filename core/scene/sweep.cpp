@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/material/element_law.h"
-#include "core/scene/effects.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 namespace {

@@ -8,6 +8,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text_number.h"
 #include "core/surface/profile_header.h"
 
 namespace asperity {
@@ -42,10 +43,6 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
 bool readField(std::string_view text, double& number) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   return readNumber(text, number);
-}
-
-bool isDigit(char letter) {
-  return letter >= '0' && letter <= '9';
 }
 
 /// Whether the comma between two fields may as well stand within one number: "0,05", whose second

@@ -12,10 +12,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-bool isDigit(char letter) {
-  return std::isdigit(static_cast<unsigned char>(letter)) != 0;
-}
-
 bool isLetter(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
   return byte >= 0x80 || std::isalpha(byte) != 0;

@@ -11,15 +11,12 @@
 // GUI thread.
 #pragma once
 
-#include <QColor>
-#include <QFont>
-#include <QImage>
 #include <QString>
 #include <vector>
 
 #include "core/chart/diagram.h"
 #include "ui/chart/chart_geometry.h"
-#include "ui/draw/theme.h"
+#include "ui/chart/chart_look.h"
 
 class QAreaSeries;
 class QCategoryAxis;
@@ -27,50 +24,13 @@ class QChart;
 class QGraphicsItem;
 class QGraphicsScene;
 class QLineSeries;
-class QPainter;
 class QScatterSeries;
 
 namespace asperity {
 
-/// The appearance of a chart: the colours of its theme and its font; marks and pens grow with the
-/// font.
-struct ChartLook {
-  Theme theme = lightTheme();
-  QFont font{};
-  bool showsFocus = false;
-
-  QColor background() const;
-  QColor text() const;
-  QColor faintText() const;
-  QColor axis() const;
-  QColor grid() const;      // at labels
-  QColor fineGrid() const;  // between them
-  QColor span() const;      // of every second region
-  QColor shade() const;     // a translucent tint
-  QColor marker() const;
-  QColor of(const DiagramSeries& series) const;
-  double scale() const;  // at least 1
-  double line() const;   // pixels, height of a line of text
-};
-
-/// Opacity of objects that belong to an earlier state.
-inline constexpr double kFadedOpacity = 0.3;
-
 /// Length in pixels, times the scale, by which a frame extends beyond the ends of its x-axis, so
 /// that marks there are complete.
 inline constexpr double kFrameEdge = 6;
-
-/// Returns the size of the font relative to the usual one, at least 1; marks and pens grow with it.
-double markScale(const QFont& font);
-
-/// Paints a mark as in pictures, filled with the painter's brush. `size`: its width.
-void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size);
-
-/// Paints an error bar from `top` to `bottom` with caps, with the painter's pen.
-void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap);
-
-/// Returns the pen of a curve.
-QPen strokeOf(const DiagramSeries& series, const ChartLook& look);
 
 class ChartPanel {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text_number.h"
 #include "ui/chart/diagram_axes.h"
 #include "ui/draw/fonts.h"
 
@@ -18,12 +19,6 @@ struct Paragraph {
   float size = 12;
   float height() const { return static_cast<float>(lines.size()) * kLineHeight * size; }
 };
-
-std::string replaced(std::string text, std::string_view what, std::string_view with) {
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
-    text.replace(at, what.size(), with);
-  return text;
-}
 
 /// Makes blanks non-breaking unless they follow a comma or semicolon: "G = 10 MPa" stays together.
 std::string heldTogether(const std::string& text) {
@@ -60,7 +55,7 @@ Paragraph paragraph(const std::string& text, float size, float least, bool bold,
     }
     if ((p.lines.size() <= most && !isCut(p.lines)) || p.size - 1 < least) break;
   }
-  for (std::string& line : p.lines) line = replaced(std::move(line), kHardBlank, " ");
+  for (std::string& line : p.lines) replaceAll(line, kHardBlank, " ");
   if (p.lines.size() > most) {
     p.lines.resize(most);
     p.lines.back() = cutOff(p.lines.back(), p.size, bold, width);

@@ -19,13 +19,6 @@ namespace {
 
 constexpr const char* kOption = "--font";
 
-template <auto destroy>
-struct Destroyer {
-  template <typename T>
-  void operator()(T* object) const {
-    destroy(object);
-  }
-};
 using Pattern = std::unique_ptr<FcPattern, Destroyer<FcPatternDestroy>>;
 using Objects = std::unique_ptr<FcObjectSet, Destroyer<FcObjectSetDestroy>>;
 using Fonts = std::unique_ptr<FcFontSet, Destroyer<FcFontSetDestroy>>;

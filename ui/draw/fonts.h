@@ -18,6 +18,15 @@ class QPainter;
 
 namespace asperity {
 
+/// Destroys an object of a C library by its function: the deleter of a std::unique_ptr.
+template <auto destroy>
+struct Destroyer {
+  template <typename T>
+  void operator()(T* object) const {
+    destroy(object);
+  }
+};
+
 inline constexpr float kAdvancesPerSize = 2048;
 
 /// Returns the advance in units of 1/kAdvancesPerSize of the font's size; a character outside the

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
-#include "core/scene/effects.h"
+#include "core/scene/scene_check.h"
 #include "tests/core/elastomers.h"
 
 namespace asperity {

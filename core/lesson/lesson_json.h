@@ -1,0 +1,36 @@
+// Lessons as JSON: reading and writing use one set of names. Private to core/lesson. Pure but for
+// reading the scenes that a lesson names.
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/json_members.h"
+#include "core/lesson/lesson_file.h"
+
+namespace asperity {
+
+using LessonJson = nlohmann::ordered_json;
+
+inline constexpr NamedChoices<PredictionKind, 3> kPredictionKinds{
+    {{"choice", PredictionKind::Choice},
+     {"number", PredictionKind::Number},
+     {"point", PredictionKind::Point}}};
+inline constexpr NamedChoices<ControlState, 3> kControlStates{{{"hidden", ControlState::Hidden},
+                                                               {"locked", ControlState::Locked},
+                                                               {"free", ControlState::Free}}};
+inline constexpr NamedChoices<bool, 2> kCurveStates{{{"shown", false}, {"hidden", true}}};
+
+/// The members of the three kinds of a value that name its column.
+inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
+    {{"quantity", LessonValue::Kind::State},
+     {"peak", LessonValue::Kind::Peak},
+     {"exponent", LessonValue::Kind::Exponent}}};
+
+/// Reads and checks a lesson. Throws InputError with the place ("steps[2].prediction.answer").
+Lesson lessonFrom(const LessonJson& root, const std::filesystem::path& folder,
+                  const LessonSceneReader& readNamed);
+
+/// Returns what lessonFrom() reads back as the same lesson.
+LessonJson jsonOf(const Lesson& lesson);
+
+}  // namespace asperity

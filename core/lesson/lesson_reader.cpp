@@ -1,0 +1,452 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text.h"
+#include "core/friction/curve_file.h"
+#include "core/friction/curve_quantity.h"
+#include "core/lesson/lesson_json.h"
+#include "core/scene/parameters.h"
+#include "core/scene/range.h"
+#include "core/scene/scene_check.h"
+#include "core/scene/scene_file.h"
+#include "core/scene/sweep.h"
+
+namespace asperity {
+namespace {
+
+using Json = LessonJson;
+
+constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMostValues = 30;
+constexpr double kLargestTolerance = 10;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Runs `read`; an error about a key is reported as one about the key at this place.
+template <class Read>
+auto at(const std::string& place, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    std::string where = place;
+    if (!error.key().empty()) where += "." + error.key();
+    throw InputError(
+        "", where,
+        error.file().empty() ? error.message() : message("{}: {}", error.file(), error.message()));
+  }
+}
+
+/// A text: one of English, {"en", "de"}, or lists of paragraphs in place of a text.
+std::string paragraphsFrom(const Json& json, const std::string& place) {
+  if (json.is_string()) return json.get<std::string>();
+  if (!json.is_array()) refuseMember(place, "needs a text, or a list of paragraphs");
+  std::string text;
+  for (const Json& paragraph : json) {
+    if (!paragraph.is_string()) refuseMember(place, "needs a text, or a list of paragraphs");
+    text += (text.empty() ? "" : "\n\n") + paragraph.get<std::string>();
+  }
+  return text;
+}
+
+LessonText textFrom(const Json& object, const char* member, const std::string& where,
+                    bool isRequired = false) {
+  const std::string place = where.empty() ? member : where + "." + member;
+  const auto found = object.find(member);
+  if (found == object.end()) {
+    if (isRequired) refuseMember(place, "is missing; it needs a text");
+    return {};
+  }
+  LessonText text;
+  if (found->is_object()) {
+    checkMembers(*found, place, {"en", "de"});
+    for (const auto& [language, value] : found->items())
+      (language == "de" ? text.german : text.english) =
+          paragraphsFrom(value, place + "." + language);
+  } else {
+    text.english = paragraphsFrom(*found, place);
+  }
+  if (isRequired && text.empty()) refuseMember(place, "is empty");
+  return text;
+}
+
+/// An object of keys and values as assignments. Values in JSON are in SI units; texts may have one.
+std::vector<std::string> assignmentsIn(const Json& keys, const std::string& place) {
+  if (!keys.is_object()) refuseMember(place, "needs an object of keys");
+  std::vector<std::string> assignments;
+  for (const auto& [key, value] : keys.items()) {
+    at(place, [&, &key = key] { knownParameter(key); });
+    if (value.is_object() || value.is_null() || value.is_boolean())
+      refuseMember(place + "." + key,
+                   message("needs a value; allowed is {}", allowedText(knownParameter(key))));
+    assignments.push_back(key + "=" +
+                          (value.is_string() ? value.get<std::string>() : value.dump()));
+  }
+  return assignments;
+}
+
+std::vector<std::string> assignmentsIn(const Json& object, const char* member,
+                                       const std::string& where) {
+  const auto found = object.find(member);
+  return found == object.end() ? std::vector<std::string>()
+                               : assignmentsIn(*found, where + "." + member);
+}
+
+Scene withKeysAt(const Scene& scene, const std::vector<std::string>& assignments,
+                 const std::string& place) {
+  return at(place, [&] { return withKeys(scene, assignments); });
+}
+
+std::string columnFrom(const std::string& name, const std::string& place) {
+  std::vector<std::string_view> known = curveColumns();
+  std::erase_if(known, [](std::string_view column) {
+    return column == "mu_low" || column == "mu_high" || column == "realizations";
+  });
+  if (std::ranges::find(known, name) != known.end()) return name;
+  const std::string_view nearest = nearestOf(name, known);
+  refuseMember(place, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
+                                                fmt::format("{}", fmt::join(known, ", ")))
+                                      : message("'{}' is unknown; the nearest known one is {}",
+                                                shortened(name), nearest));
+}
+
+LessonValue valueFrom(const Json& json, const std::string& place, const Scene& scene,
+                      bool mayHaveOver = true) {
+  checkMembers(json, place, {"quantity", "peak", "exponent", "key", "from", "to", "set", "over"});
+  LessonValue value;
+  int kinds = 0;
+  for (const auto& [member, kind] : kLessonValueKinds) {
+    const auto found = json.find(std::string(member));
+    if (found == json.end()) continue;
+    ++kinds;
+    value.kind = kind;
+    const std::string where = place + "." + std::string(member);
+    if (!found->is_string()) refuseMember(where, "needs the name of a column");
+    value.column = columnFrom(found->get<std::string>(), where);
+  }
+  if (kinds != 1) refuseMember(place, "needs one of quantity, peak, exponent");
+  value.set = assignmentsIn(json, "set", place);
+  const Scene changed = withKeysAt(scene, value.set, place + ".set");
+  at(place, [&] { checkEffects(changed); });
+  const bool isExponent = value.kind == LessonValue::Kind::Exponent;
+  for (const char* member : {"key", "from", "to"})
+    if (json.contains(member) != isExponent)
+      refuseMember(place + "." + member, isExponent
+                                             ? "is missing; an exponent needs key, from and to"
+                                             : "has no meaning here; it belongs to an exponent");
+  if (isExponent) {
+    value.key = textIn(json, "key", "", place);
+    value.from = numberIn(json, place, "from");
+    value.to = numberIn(json, place, "to");
+    at(place + ".key", [&] { numberRow(value.key); });
+    if (!(value.from > 0 && value.to > 0) || value.from == value.to)
+      refuseMember(place, "needs two different values above 0 in from and to");
+    for (const double end : {value.from, value.to})
+      withKeysAt(changed, {value.key + "=" + plainNumber(end)}, place);
+  }
+  if (const auto over = json.find("over"); over != json.end()) {
+    if (!mayHaveOver) refuseMember(place + ".over", "stands only in the outer value");
+    value.over.push_back(valueFrom(*over, place + ".over", scene, false));
+  }
+  return value;
+}
+
+bool isPlaceName(std::string_view name) {
+  return !name.empty() && std::ranges::all_of(name, [](unsigned char letter) {
+    return std::islower(letter) || std::isdigit(letter) || letter == '_';
+  });
+}
+
+/// Throws where a text speaks of a value that the step does not have.
+void checkPlaces(const LessonText& text, const std::set<std::string>& known,
+                 const std::string& place) {
+  for (const std::string* one : {&text.english, &text.german})
+    for (std::size_t open = one->find('{'); open != one->npos; open = one->find('{', open + 1)) {
+      const std::size_t close = one->find('}', open);
+      if (close == one->npos) return;
+      const std::string name = one->substr(open + 1, close - open - 1);
+      if (!isPlaceName(name) || known.contains(name)) continue;
+      refuseMember(place, message("speaks of a value {} that the step does not have; known are {}",
+                                  shortened(name), fmt::format("{}", fmt::join(known, ", "))));
+    }
+}
+
+class StepReader {
+ public:
+  StepReader(const Json& json, std::string place, const Scene* before,
+             const std::filesystem::path& folder, const LessonSceneReader& readNamed)
+      : json_(json),
+        place_(std::move(place)),
+        before_(before),
+        folder_(folder),
+        readNamed_(readNamed) {}
+
+  LessonStep read() {
+    checkMembers(json_, place_,
+                 {"title", "text", "scene", "set", "after", "show", "controls", "prediction",
+                  "reveal", "values"});
+    step_.title = textFrom(json_, "title", place_);
+    step_.text = textFrom(json_, "text", place_, true);
+    step_.reveal = textFrom(json_, "reveal", place_);
+    readScenes();
+    readView();
+    readControls();
+    readValues();
+    if (json_.contains("prediction")) readPrediction(json_["prediction"], place_ + ".prediction");
+    if (!step_.prediction)
+      for (const char* member : {"after", "reveal", "values"})
+        if (json_.contains(member))
+          refuseMember(place_ + "." + member, "has no meaning without a prediction");
+    checkTexts();
+    return std::move(step_);
+  }
+
+ private:
+  void readScenes() {
+    const auto scene = json_.find("scene");
+    if (scene == json_.end()) {
+      if (!before_) refuseMember(place_ + ".scene", "is missing; the first step needs a scene");
+      step_.scene = *before_;
+    } else if (scene->is_string()) {
+      step_.sceneName = scene->get<std::string>();
+      step_.scene = at(place_ + ".scene", [&] {
+        return readNamed_ ? readNamed_(step_.sceneName, folder_, {})
+                          : readSceneFile(folder_ / step_.sceneName);
+      });
+    } else if (scene->is_object()) {
+      step_.scene = at(place_ + ".scene", [&] { return readScene(scene->dump(), "", folder_); });
+      step_.sceneJson = scene->dump();
+    } else {
+      refuseMember(place_ + ".scene", "needs the name of a scene, or a scene");
+    }
+    step_.set = assignmentsIn(json_, "set", place_);
+    step_.scene = withKeysAt(step_.scene, step_.set, place_ + ".set");
+    step_.after = assignmentsIn(json_, "after", place_);
+    step_.revealedScene = withKeysAt(step_.scene, step_.after, place_ + ".after");
+    for (const Scene* one : {&step_.scene, &step_.revealedScene})
+      at(place_, [&] { checkEffects(*one); });
+  }
+
+  void readView() {
+    const auto show = json_.find("show");
+    if (show == json_.end()) return;
+    const std::string place = place_ + ".show";
+    checkMembers(*show, place, {"tab", "quantity", "curve", "hidden_range", "beside"});
+    LessonView& view = step_.show;
+    view.tab = textIn(*show, "tab", view.tab, place);
+    if (std::ranges::find(kLessonTabs, view.tab) == std::end(kLessonTabs))
+      refuseMember(place + ".tab", notOneOf(view.tab, kLessonTabs));
+    view.quantity = textIn(*show, "quantity", view.quantity, place);
+    if (!quantityNamed(view.quantity))
+      refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
+    view.hidesCurve =
+        chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
+    if (const auto range = show->find("hidden_range"); range != show->end()) {
+      const std::string where = place + ".hidden_range";
+      checkMembers(*range, where, {"from", "to"});
+      view.hiddenFrom = numberIn(*range, where, "from");
+      view.hiddenTo = numberIn(*range, where, "to");
+      if (!(view.hiddenFrom > 0 && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
+        refuseMember(where, "needs two values above 0, of which to is the larger one");
+    }
+    if (const auto beside = show->find("beside"); beside != show->end()) {
+      if (!beside->is_array() || beside->size() > kMostBeside)
+        refuseMember(place + ".beside",
+                     message("needs a list of at most {} objects of keys", kMostBeside));
+      for (std::size_t i = 0; i < beside->size(); ++i) {
+        const std::string where = fmt::format("{}.beside[{}]", place, i);
+        view.beside.push_back(assignmentsIn((*beside)[i], where));
+        const Scene other = withKeysAt(step_.scene, view.beside.back(), where);
+        if (other.sweep.key != step_.scene.sweep.key)
+          refuseMember(where, "has another axis than the curve beside which it stands");
+      }
+    }
+  }
+
+  void readControls() {
+    const auto controls = json_.find("controls");
+    if (controls == json_.end()) return;
+    const std::string place = place_ + ".controls";
+    checkMembers(*controls, place, {"free", "locked", "hidden", "others"});
+    LessonControls& read = step_.controls;
+    std::set<std::string> named;
+    const auto list = [&](const char* member, std::vector<std::string>& keys) {
+      const auto found = controls->find(member);
+      if (found == controls->end()) return;
+      const std::string where = place + "." + member;
+      if (!found->is_array()) refuseMember(where, "needs a list of keys");
+      for (const Json& key : *found) {
+        if (!key.is_string()) refuseMember(where, "needs a list of keys");
+        keys.push_back(key.get<std::string>());
+        at(where, [&] { knownParameter(keys.back()); });
+        if (!named.insert(keys.back()).second)
+          refuseMember(where, message("{} is named twice", keys.back()));
+      }
+    };
+    list("free", read.free);
+    list("locked", read.locked);
+    list("hidden", read.hidden);
+    for (const std::string& key : read.free)
+      if (!isApplicable(*findParameter(key), step_.revealedScene))
+        refuseMember(place + ".free", message("{} has no meaning in this scene", key));
+    read.others =
+        chosen(kControlStates, textIn(*controls, "others", "hidden", place), place + ".others");
+  }
+
+  void readValues() {
+    const auto values = json_.find("values");
+    if (values == json_.end()) return;
+    const std::string place = place_ + ".values";
+    if (!values->is_object() || values->size() > kMostValues)
+      refuseMember(place, message("needs an object of at most {} values", kMostValues));
+    for (const auto& [name, value] : values->items()) {
+      if (!isPlaceName(name) || name == "answer" || name == "given")
+        refuseMember(place + "." + shortened(name),
+                     "needs a name of small letters, digits and _, which is not answer or given");
+      step_.values.push_back({name, valueFrom(value, place + "." + name, step_.scene)});
+    }
+  }
+
+  void readPrediction(const Json& json, const std::string& place) {
+    checkMembers(json, place,
+                 {"kind", "question", "choices", "answer", "tolerance", "x", "place_tolerance",
+                  "right", "wrong"});
+    LessonPrediction& prediction = step_.prediction.emplace();
+    prediction.kind = chosen(kPredictionKinds, textIn(json, "kind", "", place), place + ".kind");
+    prediction.question = textFrom(json, "question", place, true);
+    prediction.right = textFrom(json, "right", place);
+    prediction.wrong = textFrom(json, "wrong", place);
+    const bool isChoice = prediction.kind == PredictionKind::Choice;
+    const bool isNumber = prediction.kind == PredictionKind::Number;
+    const bool isPoint = prediction.kind == PredictionKind::Point;
+    const auto belongs = [&](const char* member, bool holds, const char* to) {
+      if (json.contains(member) && !holds)
+        refuseMember(place + "." + member,
+                     message("has no meaning here; it belongs to {}", Message(to)));
+    };
+    belongs("choices", isChoice, "a choice");
+    belongs("answer", !isPoint, "a number or a choice");
+    belongs("tolerance", !isChoice, "a number or a point");
+    belongs("x", isPoint, "a point");
+    belongs("place_tolerance", isPoint && !json.contains("x"), "a point without x");
+    if (json.contains("answer"))
+      prediction.answer = valueFrom(json["answer"], place + ".answer", step_.scene);
+    if (isNumber && !prediction.answer)
+      refuseMember(place + ".answer", "is missing; a number is computed");
+    prediction.tolerance = tolerance(json, place, "tolerance", prediction.tolerance);
+    prediction.placeTolerance = tolerance(json, place, "place_tolerance", 1);
+    if (isChoice) readChoices(json, place, prediction);
+    if (isPoint) readPoint(json, place, prediction);
+  }
+
+  static double tolerance(const Json& json, const std::string& place, const char* member,
+                          double otherwise) {
+    if (!json.contains(member)) return otherwise;
+    const double value = numberIn(json, place, member);
+    if (!(value > 0 && value <= kLargestTolerance))
+      refuseMember(place + "." + member,
+                   message("{} is outside {}", plain(value),
+                           message("above 0 to {}", plain(kLargestTolerance))));
+    return value;
+  }
+
+  void readChoices(const Json& json, const std::string& place, LessonPrediction& prediction) {
+    const auto choices = json.find("choices");
+    const std::string all = place + ".choices";
+    if (choices == json.end() || !choices->is_array() || choices->size() < kFewestChoices ||
+        choices->size() > kMostChoices)
+      refuseMember(all, message("needs a list of {} to {} choices", kFewestChoices, kMostChoices));
+    for (std::size_t i = 0; i < choices->size(); ++i) {
+      const Json& one = (*choices)[i];
+      const std::string where = fmt::format("{}[{}]", all, i);
+      checkMembers(one, where, {"text", "right", "above", "below"});
+      LessonChoice choice;
+      choice.text = textFrom(one, "text", where, true);
+      if (one.contains("right")) {
+        if (!one["right"].is_boolean()) refuseMember(where + ".right", "needs true or false");
+        choice.isRight = one["right"].get<bool>();
+      }
+      choice.above = optionalNumber(one, where, "above").value_or(-kInfinity);
+      choice.below = optionalNumber(one, where, "below").value_or(kInfinity);
+      if (choice.isRange() && !prediction.answer)
+        refuseMember(where, "has above or below, which need a computed answer");
+      if (one.contains("right") && prediction.answer)
+        refuseMember(where + ".right", "follows from the computed answer; give above or below");
+      if (!choice.isRange() && prediction.answer)
+        refuseMember(where, "needs above or below, where the answer is computed");
+      if (!(choice.above < choice.below)) refuseMember(where, "needs above to be less than below");
+      for (std::size_t j = 0; j < i && prediction.answer; ++j)
+        if (choice.above < prediction.choices[j].below &&
+            prediction.choices[j].above < choice.below)
+          refuseMember(where, message("overlaps choice {}; one answer would make both right", j));
+      prediction.choices.push_back(std::move(choice));
+    }
+    const auto right = std::ranges::count_if(prediction.choices, &LessonChoice::isRight);
+    if (!prediction.answer && right != 1)
+      refuseMember(all, message("has {} right choices; it needs one, or a computed answer", right));
+  }
+
+  void readPoint(const Json& json, const std::string& place, LessonPrediction& prediction) {
+    if (step_.show.tab != "curve")
+      refuseMember(place, "needs show.tab curve, on which the point stands");
+    step_.show.hidesCurve = true;
+    prediction.x = optionalNumber(json, place, "x");
+    const ParameterRange axis = at(place, [&] { return sweepRange(step_.scene); });
+    const auto [low, high] = std::minmax(axis.from, axis.to);
+    if (prediction.x && !(*prediction.x >= low && *prediction.x <= high))
+      refuseMember(place + ".x", message("{} is outside {}, the axis of the curve",
+                                         plain(*prediction.x), rangeText(low, high)));
+  }
+
+  void checkTexts() const {
+    std::set<std::string> known;
+    if (step_.prediction) {
+      known = {"given"};
+      if (step_.prediction->answer || step_.prediction->kind == PredictionKind::Point)
+        known.insert("answer");
+    }
+    for (const NamedLessonValue& value : step_.values) known.insert(value.name);
+    checkPlaces(step_.reveal, known, place_ + ".reveal");
+    if (!step_.prediction) return;
+    checkPlaces(step_.prediction->right, known, place_ + ".prediction.right");
+    checkPlaces(step_.prediction->wrong, known, place_ + ".prediction.wrong");
+  }
+
+  const Json& json_;
+  std::string place_;
+  const Scene* before_;
+  const std::filesystem::path& folder_;
+  const LessonSceneReader& readNamed_;
+  LessonStep step_;
+};
+
+}  // namespace
+
+Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
+                  const LessonSceneReader& readNamed) {
+  if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
+  if (textIn(root, "schema") != kLessonSchema)
+    refuseMember("schema", message("is not {}", kLessonSchema));
+  checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
+  Lesson lesson;
+  lesson.title = textFrom(root, "title", "", true);
+  lesson.goal = textFrom(root, "goal", "");
+  lesson.notes = textFrom(root, "notes", "");
+  if (root.contains("minutes")) lesson.minutes = static_cast<int>(wholeIn(root, "minutes", 1, 600));
+  const auto steps = root.find("steps");
+  if (steps == root.end() || !steps->is_array() || steps->empty() ||
+      steps->size() > kMostLessonSteps)
+    refuseMember("steps", message("needs a list of 1 to {} steps", kMostLessonSteps));
+  for (std::size_t i = 0; i < steps->size(); ++i) {
+    const Scene* before = lesson.steps.empty() ? nullptr : &lesson.steps.back().revealedScene;
+    lesson.steps.push_back(
+        StepReader((*steps)[i], fmt::format("steps[{}]", i), before, folder, readNamed).read());
+  }
+  return lesson;
+}
+
+}  // namespace asperity
