@@ -61,8 +61,10 @@ std::string axisOf(const Curve& curve, const Scene& scene) {
                      : filled(Words::tr("%1 velocities"), {std::to_string(points)});
 }
 
-std::string summaryOf(const Curve& curve, const Scene& scene,
+/// set: the same curve with what is beside it.
+std::string summaryOf(const Curve& curve, const CurveSet& set,
                       const std::vector<std::string>& outputs) {
+  const Scene& scene = set.present.scene;
   const std::int64_t lines = curve.points.front().realizations;
   std::string text = axisOf(curve, scene) + ", " +
                      (lines == 1 ? Words::tr("one realization")
@@ -85,6 +87,10 @@ std::string summaryOf(const Curve& curve, const Scene& scene,
     text += filled(Words::tr("F_N = %1 N on one period; results depend on the width"),
                    {shortNumber(first.normalForce, 6)}) +
             "\n";
+  for (const MeasuredCurve& measured : set.measured)
+    for (const Message& note : measured.data.notes)
+      text += measured.data.name + ": " + translated(note) + "\n";
+  for (const Message& note : set.notes) text += translated(note) + "\n";
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   for (const Note note : notes.list())
@@ -200,7 +206,7 @@ int runCurve(const CurveCommand& command) {
   if (keepsLines) files.push_back(command.realizationTable);
   if (!files.empty())
     printSummary(command.common.json || tableOnStdout, command.common.quiet,
-                 summaryOf(curve, scene, files));
+                 summaryOf(curve, set, files));
   requireTarget(curve);
   return kDone;
 }

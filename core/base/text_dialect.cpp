@@ -58,17 +58,26 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
   double sum = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (trimmedBlanks(lines[i]).empty() || isComment(lines[i])) continue;
-    splitFields(lines[i], dialect.separator, fields);
+    splitFields(withoutRowComment(lines[i]), dialect.separator, fields);
     while (fields.size() > 1 && trimmedBlanks(fields.back()).empty()) fields.pop_back();
     std::size_t numbers = 0, texts = 0;
+    bool isGrouped = false;
     for (const std::string_view field : fields) {
-      const FieldKind kind = readField(field, dialect.decimal).kind;
-      numbers += kind == FieldKind::Number ? 1 : 0;
-      texts += kind == FieldKind::Text ? 1 : 0;
+      const Field read = readField(field, dialect.decimal);
+      numbers += read.kind == FieldKind::Number ? 1 : 0;
+      texts += read.kind == FieldKind::Text ? 1 : 0;
+      isGrouped = isGrouped || read.isGrouped;
     }
     if (numbers == 0 || 2 * texts > fields.size()) continue;
-    const double score = texts == 0 ? 1 : 0.5;
-    if (texts == 0) fit.firstRow = std::min(fit.firstRow, i);
+    // "1,234" is rather a decimal than a thousand, where both can be.
+    constexpr double kGrouped = 0.9, kWithTexts = 0.5;
+    const double score = texts > 0 ? kWithTexts : isGrouped ? kGrouped : 1;
+    // Lines such as "Step 1" above the first row of numbers alone are those of a header.
+    if (texts == 0 && fit.firstRow == lines.size()) {
+      fit.firstRow = i;
+      ofColumns.clear();
+      sum = 0;
+    }
     ofColumns[fields.size()] += score;
     sum += score;
   }
@@ -156,6 +165,12 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
 
 }  // namespace
 
+std::string_view withoutRowComment(std::string_view line) {
+  for (const std::string_view mark : {" #", "\t#", " //", "\t//"})
+    line = line.substr(0, std::min(line.find(mark), line.size()));
+  return line;
+}
+
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -178,12 +193,16 @@ void splitFields(std::string_view line, Separator separator,
                     : separator == Separator::Bar       ? '|'
                                                         : ',';
   const bool atBlanks = separator == Separator::Blanks;
-  bool quoted = false, second = false;
+  bool second = false;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= line.size(); ++i) {
     const bool atEnd = i == line.size();
-    if (!atEnd && line[i] == '"') quoted = !quoted;
-    if (!atEnd && quoted) continue;
+    // A quotation begins where a field does, for E" is a modulus; without an end it is none.
+    if (!atEnd && line[i] == '"' && trimmedBlanks(line.substr(begin, i - begin)).empty())
+      if (const std::size_t end = line.find('"', i + 1); end != std::string_view::npos) {
+        i = end;
+        continue;
+      }
     const bool isBlank = !atEnd && (line[i] == ' ' || line[i] == '\t');
     if (atBlanks) {
       if (!atEnd && !isBlank) continue;
@@ -224,7 +243,11 @@ TextDialect detectDialect(std::string_view text) {
     const bool halves = candidate.separator == Separator::CommaBlank &&
                         best.separator == Separator::Comma && fit.score >= bestFit.score &&
                         2 * fit.columns == bestFit.columns;
-    if (fit.score > bestFit.score || halves) {
+    // Lines below the rows such as "Ra 0.5" are no reason to take blanks where another mark
+    // separates.
+    constexpr double kBetter = 1.1;
+    const bool isLoose = !candidate.isExact() && bestFit.columns > 1;
+    if (fit.score > bestFit.score * (isLoose ? kBetter : 1) || halves) {
       best = candidate;
       bestFit = fit;
     }

@@ -30,10 +30,13 @@ struct TextDialect {
 /// places of a long text alone.
 TextDialect detectDialect(std::string_view text);
 
-/// Replaces `fields` by those of one line; separators within double quotes do not count. The fields
-/// still have their blanks and quotes.
+/// Replaces `fields` by those of one line; separators within double quotes, which begin with the
+/// field, do not count. The fields still have their blanks and quotes.
 void splitFields(std::string_view line, TextDialect::Separator separator,
                  std::vector<std::string_view>& fields);
+
+/// The line without a comment at its end: a blank, "#" or "//", and what follows.
+std::string_view withoutRowComment(std::string_view line);
 
 /// The first line of the text, without its end and the blanks there; takes it and its end away.
 std::string_view takeLine(std::string_view& text);

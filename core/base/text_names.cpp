@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 #include "core/base/length_unit.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 
 namespace asperity {
 namespace {
@@ -55,6 +57,7 @@ bool isUnitWord(std::string_view text) {
   if (text.empty() || text.size() > 14) return false;
   const std::string word = lowerCase(text);
   if (std::ranges::find(kUnits, word) != kUnits.end()) return true;
+  if (text.size() > 1 && unitNamed(text)) return true;
   // "1/nm", "um^3"; a letter with a digit, such as "A2", is rather a name than square angstroms.
   if (const auto length = lengthPowerNamed(text); length && length->power != 1)
     return word.find('m') != std::string::npos;
@@ -65,11 +68,17 @@ bool isUnitWord(std::string_view text) {
   });
 }
 
-/// "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m": a factor and a unit.
+/// "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m": a power of ten and a unit. "59.00 um" is a
+/// length.
 bool isScaledUnit(std::string_view text) {
   const std::size_t blank = text.find_last_of(" *");
   if (blank == std::string_view::npos || !isUnitWord(text.substr(blank + 1))) return false;
-  return text.substr(0, blank).find_first_of("0123456789") != std::string_view::npos;
+  std::string_view factor = trimmedBlanks(text.substr(0, blank));
+  for (const std::string_view times : {"\u00D7"sv, "x"sv, "*"sv})
+    if (factor.starts_with(times)) factor.remove_prefix(times.size());
+  double number = 0;
+  if (!readTextNumber(factor, '.', number)) return factor.starts_with("10") && factor.size() > 2;
+  return number > 0 && std::abs(std::log10(number) - std::round(std::log10(number))) < 1e-9;
 }
 
 /// Letters that are also symbols of quantities: behind "_" or a blank they are units of these
@@ -98,6 +107,7 @@ ColumnName parts(std::string_view name, std::string_view unit) {
   while (!name.empty() &&
          (name.back() == '_' || name.back() == ',' || name.back() == ' ' || name.back() == '/'))
     name.remove_suffix(1);
+  if (name.ends_with(" in")) name.remove_suffix(3);  // "v in m/s"
   return {std::string(trimmedField(name)), std::string(trimmedBlanks(unit))};
 }
 
@@ -207,11 +217,14 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
   std::vector<std::vector<std::string>> ways;
   if (dialect.isExact())
     ways.push_back(splitAt(line, hasPairs ? Separator::Comma : dialect.separator));
+  const bool isSeparated = !ways.empty() && ways.front().size() > 1;
   if (line.find('\t') != std::string_view::npos) ways.push_back(splitAt(line, Separator::Tab));
   ways.push_back(splitAtWideBlanks(line));
-  ways.push_back(splitAtBlanks(line));
-  for (const Separator separator : {Separator::Semicolon, Separator::Comma, Separator::Blanks})
+  // Where the mark of the rows separates names, blanks stand within them.
+  if (!isSeparated) ways.push_back(splitAtBlanks(line));
+  for (const Separator separator : {Separator::Semicolon, Separator::Comma})
     ways.push_back(splitAt(line, separator));
+  if (!isSeparated) ways.push_back(splitAt(line, Separator::Blanks));
   for (std::vector<std::string>& way : ways)
     if (way.size() == columns) return std::move(way);
   return {};

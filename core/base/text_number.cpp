@@ -15,16 +15,18 @@ using namespace std::string_view_literals;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// What programs write where there is no value, in lower case.
-constexpr std::array kMissing{"nan"sv,    "-nan"sv,     "+nan"sv,      "nan(ind)"sv,  "-nan(ind)"sv,
-                              "qnan"sv,   "1.#qnan"sv,  "-1.#qnan"sv,  "1.#ind"sv,    "-1.#ind"sv,
-                              "1.#inf"sv, "-1.#inf"sv,  "1.#j"sv,      "-1.#j"sv,     "inf"sv,
-                              "+inf"sv,   "-inf"sv,     "infinity"sv,  "-infinity"sv, "+infinity"sv,
-                              "\u221E"sv, "-\u221E"sv,  "na"sv,        "n/a"sv,       "#n/a"sv,
-                              "#nv"sv,    "#num!"sv,    "#div/0!"sv,   "#value!"sv,   "#wert!"sv,
-                              "null"sv,   "none"sv,     "nil"sv,       "missing"sv,   "bad"sv,
-                              "void"sv,   "undef"sv,    "undefined"sv, "n.d."sv,      "n.a."sv,
-                              "nd"sv,     "?"sv,        "."sv,         "\u2013"sv,    "\u2014"sv,
-                              "ol"sv,     "overflow"sv, "masked"sv,    "<na>"sv};
+constexpr std::array kMissing{
+    "nan"sv,       "-nan"sv,      "+nan"sv,   "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
+    "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv, "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
+    "1.#j"sv,      "-1.#j"sv,     "inf"sv,    "+inf"sv,     "-inf"sv,      "infinity"sv,
+    "-infinity"sv, "+infinity"sv, "\u221E"sv, "-\u221E"sv,  "na"sv,        "n/a"sv,
+    "#n/a"sv,      "#nv"sv,       "#num!"sv,  "#div/0!"sv,  "#value!"sv,   "#wert!"sv,
+    "null"sv,      "none"sv,      "nil"sv,    "missing"sv,  "bad"sv,       "void"sv,
+    "undef"sv,     "undefined"sv, "n.d."sv,   "n.a."sv,     "nd"sv,        "?"sv,
+    "."sv,         "\u2013"sv,    "\u2014"sv, "ol"sv,       "overflow"sv,  "masked"sv,
+    "<na>"sv,      "no data"sv,   "nodata"sv, "no_data"sv,  "no-data"sv,   "no value"sv,
+    "fehlt"sv,     "error"sv,     "err"sv,    "#error"sv,   "empty"sv,     "out"sv,
+    "saturated"sv, "clipped"sv,   "outlier"sv};
 
 constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass"sv, "wahr"sv};
 constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};
@@ -63,6 +65,44 @@ bool readPlain(const char* begin, const char* end, double& number) {
   const char* exponent = std::find_if(begin, end, [](char c) { return c == 'e' || c == 'E'; });
   number = 0;
   return exponent + 1 < end && exponent[1] == '-';
+}
+
+/// What separates thousands, beside the mark that is no decimal mark.
+constexpr std::array kThousands{"'"sv, "\u2019"sv, " "sv, "\u00A0"sv, "\u202F"sv, "\u2009"sv};
+
+/// "1.234,5", "-12 345", "1'234'567.8": one to three digits that do not begin with 0, then groups
+/// of three behind equal marks, then perhaps decimals.
+bool readGroupedNumber(std::string_view text, char decimal, double& number) {
+  if (text.empty() || text.size() > kLongestNumber) return false;
+  std::string plain;
+  if (text.front() == '-' || text.front() == '+' || text.starts_with(kMinus)) {
+    if (text.front() != '+') plain = "-";
+    text.remove_prefix(text.starts_with(kMinus) ? kMinus.size() : 1);
+  }
+  const auto takeDigits = [&] {
+    const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+    plain += text.substr(0, count);
+    text.remove_prefix(count);
+    return count;
+  };
+  constexpr std::size_t kGroup = 3;
+  const bool beginsWithZero = text.starts_with('0');
+  const std::size_t first = takeDigits();
+  if (first == 0 || first > kGroup || beginsWithZero) return false;
+  std::string_view mark = decimal == '.' ? ","sv : "."sv;
+  for (const std::string_view one : kThousands)
+    if (text.starts_with(one)) mark = one;
+  if (!text.starts_with(mark)) return false;
+  while (text.starts_with(mark)) {
+    text.remove_prefix(mark.size());
+    if (takeDigits() != kGroup) return false;
+  }
+  if (text.starts_with(decimal)) {
+    text.remove_prefix(1);
+    plain += '.';
+    takeDigits();
+  }
+  return text.empty() && readPlain(plain.data(), plain.data() + plain.size(), number);
 }
 
 }  // namespace
@@ -140,6 +180,7 @@ Field readField(std::string_view text, char decimal) {
   if (text.empty()) return {FieldKind::Missing, kNone};
   double number = 0;
   if (readTextNumber(text, decimal, number)) return {FieldKind::Number, number};
+  if (readGroupedNumber(text, decimal, number)) return {FieldKind::Number, number, true};
   if (isMissing(text)) return {FieldKind::Missing, kNone};
   constexpr std::size_t kLongestFlag = 8;
   if (text.size() <= kLongestFlag) {

@@ -18,10 +18,12 @@ enum class FieldKind {
 
 struct Field {
   FieldKind kind = FieldKind::Text;
-  double value = 0;  // NaN where it is missing; 0 for a text
+  double value = 0;        // NaN where it is missing; 0 for a text
+  bool isGrouped = false;  // a number whose thousands are separated: "1.234,5", "1 234"
 };
 
-/// The field without blanks and quotes around it. `decimal` is '.' or ','.
+/// The field without blanks and quotes around it. `decimal` is '.' or ','; thousands may be
+/// separated by the other one, an apostrophe or a blank.
 Field readField(std::string_view text, char decimal);
 
 /// "1.5", "+1.5e-06", "1.5D-3", "\u22121,5" all through; thousands are never separated. False where

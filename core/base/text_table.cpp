@@ -4,10 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
@@ -145,9 +148,10 @@ struct Line {
 };
 
 /// The fields of the lines above a block that may be names, units and comments of its columns; the
-/// nearest line is the first.
+/// nearest line is the first. mayCountRows: the first column may be one of row numbers.
 std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
-                                                const TextDialect& dialect, std::size_t columns) {
+                                                const TextDialect& dialect, std::size_t columns,
+                                                bool mayCountRows) {
   constexpr std::size_t kMostRows = 4;
   std::vector<std::vector<std::string>> rows;
   for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
@@ -163,7 +167,8 @@ std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
         for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
     }
     // Row numbers, which some programs write in front, have no name.
-    if (fields.empty() && columns > 2 && (dialect.isExact() || text.starts_with('"'))) {
+    if (fields.empty() && columns > 2 && mayCountRows &&
+        (dialect.isExact() || text.starts_with('"'))) {
       fields = splitNames(text, dialect, columns - 1);
       if (!fields.empty()) fields.insert(fields.begin(), std::string());
     }
@@ -206,10 +211,14 @@ bool areUnits(const std::vector<std::string>& fields) {
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
+/// first: the fields of the first row.
 std::vector<TextColumn> namedColumns(const std::vector<Line>& above, const TextDialect& dialect,
-                                     std::size_t columns) {
+                                     const std::vector<Field>& first) {
+  const std::size_t columns = first.size();
   std::vector<TextColumn> named(columns);
-  const auto rows = rowsAbove(above, dialect, columns);
+  const bool mayCountRows =
+      first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
+  const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   const auto units = std::ranges::find_if(rows, areUnits);
   // Names stand above their units; without units, right above the numbers.
   const std::vector<std::string>* names = nullptr;
@@ -247,11 +256,26 @@ class TableReader {
       take(line);
     }
     for (const Line& line : above_) addEntry(line, table_.trailer);
-    if (table_.blocks.empty()) throw InputError(name_, "", "has no rows of numbers");
+    if (table_.blocks.empty()) refuseWithoutRows();
+    clearFlags();
   }
 
  private:
   [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
+
+  /// Names the first line that looks most like a row.
+  [[noreturn]] void refuseWithoutRows() {
+    for (const Line& line : above_) {
+      if (isComment(line.text)) continue;
+      readRow(line.text);
+      for (std::size_t i = 0; i < fields_.size(); ++i)
+        if (kinds_[i].kind == FieldKind::Text && fields_.size() > 1 &&
+            fields_[i].find_first_of("0123456789") != std::string_view::npos)
+          fail(message("has no rows of numbers; line {}: '{}' is no number", line.number,
+                       shortened(trimmedField(fields_[i]))));
+    }
+    fail("has no rows of numbers");
+  }
 
   void report() {
     nextReport_ += kProgressStep;
@@ -261,7 +285,10 @@ class TableReader {
 
   void take(const Line& line) {
     if (isOpen_ && appendPlain(line)) return;
-    if (trimmedBlanks(line.text).empty()) return;
+    if (trimmedBlanks(line.text).empty()) {
+      isDirect_ = false;
+      return;
+    }
     if (isComment(line.text)) return keep(line);
     readRow(line.text);
     if (isOpen_ && fits()) return append(line);
@@ -296,6 +323,7 @@ class TableReader {
 
   void addRow(const Line& line) {
     above_.clear();
+    isDirect_ = true;
     if (count_ + row_.size() > kMostNumbers)
       fail(message("has more than {} numbers", kMostNumbers));
     count_ += row_.size();
@@ -306,7 +334,7 @@ class TableReader {
 
   /// Fills fields_ and kinds_.
   void readRow(std::string_view line) {
-    splitFields(line, table_.dialect.separator, fields_);
+    splitFields(withoutRowComment(line), table_.dialect.separator, fields_);
     kinds_.clear();
     for (const std::string_view field : fields_)
       kinds_.push_back(readField(field, table_.dialect.decimal));
@@ -342,7 +370,7 @@ class TableReader {
       const std::string_view line = takeLine(rest);
       if (trimmedBlanks(line).empty()) continue;
       std::vector<std::string_view> fields;
-      splitFields(line, table_.dialect.separator, fields);
+      splitFields(withoutRowComment(line), table_.dialect.separator, fields);
       const std::vector<TextColumn>& columns = table_.blocks.back().columns;
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
@@ -358,17 +386,34 @@ class TableReader {
     return false;
   }
 
-  /// A row that is wrong in one field, or has another width, is an error where the rows go on.
+  /// Whether the next line has so many fields and begins with a number, as damaged rows do.
+  bool nextLineResembles(std::size_t size) const {
+    std::string_view rest = rest_;
+    const std::string_view line = takeLine(rest);
+    std::vector<std::string_view> fields;
+    splitFields(withoutRowComment(line), table_.dialect.separator, fields);
+    return fields.size() == size &&
+           readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
+  }
+
+  /// A row that is wrong in one field, or has another width, is an error where the rows go on. So
+  /// are several such rows: results of a program below its rows begin with a word.
   void refuseAmidRows(const Line& line) const {
-    const std::size_t columns = table_.blocks.back().columns.size();
+    constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
+    const std::vector<TextColumn>& columns = table_.blocks.back().columns;
     const std::size_t numbers = countOf(FieldKind::Number);
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
-    if (numbers == 0 || isEntry || !above_.empty() || !nextLineFits()) return;
-    if (fields_.size() != columns && countOf(FieldKind::Text) == 0)
+    if (numbers == 0 || isEntry || !above_.empty()) return;
+    const bool isWide = fields_.size() != columns.size();
+    const bool goOnBroken = isDirect_ && kinds_.front().kind == FieldKind::Number &&
+                            (!isWide || table_.blocks.back().rows >= kManyRows) &&
+                            nextLineResembles(fields_.size());
+    if (!goOnBroken && !nextLineFits()) return;
+    if (isWide && countOf(FieldKind::Text) == 0)
       fail(message("line {}: has {} fields where the lines before have {}", line.number,
-                   fields_.size(), columns));
-    for (std::size_t i = 0; i < std::min(columns, fields_.size()); ++i)
-      if (kinds_[i].kind == FieldKind::Text && !table_.blocks.back().columns[i].isText)
+                   fields_.size(), columns.size()));
+    for (std::size_t i = 0; i < std::min(columns.size(), fields_.size()); ++i)
+      if (kinds_[i].kind == FieldKind::Text && !columns[i].isText)
         fail(message("line {}: column {} is not a number", line.number, i + 1));
   }
 
@@ -382,8 +427,27 @@ class TableReader {
         block().texts[i].emplace_back(isThere ? trimmedField(fields_[i]) : std::string_view{});
       else if (isThere)
         row_[i] = kinds_[i].value;
+      if (isThere && kinds_[i].kind == FieldKind::Flag)
+        flags_.push_back(block().rows * columns + i);
     }
     addRow(line);
+  }
+
+  /// Words such as "invalid" are 0 or 1 in a column of nothing else; among other numbers nothing
+  /// was measured there.
+  void clearFlags() {
+    if (flags_.empty()) return;
+    TextBlock& last = block();
+    const std::size_t columns = last.columns.size();
+    std::vector<bool> hasNumbers(columns);
+    for (std::size_t i = 0; i < last.values.size(); ++i) {
+      const double value = last.values[i];
+      if (!std::isnan(value) && value != 0 && value != 1) hasNumbers[i % columns] = true;
+    }
+    for (const std::size_t place : flags_)
+      if (hasNumbers[place % columns])
+        last.values[place] = std::numeric_limits<double>::quiet_NaN();
+    flags_.clear();
   }
 
   /// Whether the fields can be the first row of a block.
@@ -391,7 +455,7 @@ class TableReader {
     if (countOf(FieldKind::Number) == 0) return false;
     if (countOf(FieldKind::Text) == 0) return true;
     if (!options_.keepsTexts || keyEnd(line.text) != std::string_view::npos) return false;
-    const auto named = namedColumns(above_, table_.dialect, fields_.size());
+    const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,
                                 [](const TextColumn& column) { return column.name.empty(); });
   }
@@ -408,8 +472,9 @@ class TableReader {
       fields_.pop_back();
       kinds_.pop_back();
     }
+    clearFlags();
     TextBlock fresh;
-    fresh.columns = namedColumns(above_, table_.dialect, fields_.size());
+    fresh.columns = namedColumns(above_, table_.dialect, kinds_);
     fresh.texts.resize(fields_.size());
     hasTexts_ = false;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
@@ -443,10 +508,12 @@ class TableReader {
   std::size_t nextReport_ = kProgressStep;
   bool isOpen_ = false;      // the last block may go on
   bool hasTexts_ = false;    // of the last block
+  bool isDirect_ = false;    // no blank line since the last row
   std::vector<Line> above_;  // lines since the last row
   std::vector<std::string_view> fields_;
   std::vector<Field> kinds_;
   std::vector<double> row_;
+  std::vector<std::size_t> flags_;  // places in the last block's values of words such as "valid"
 };
 
 }  // namespace
@@ -482,6 +549,30 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
   table.dialect = detectDialect(decoded.text);
   TableReader(decoded.text, name, options, table).read();
   return table;
+}
+
+void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity) {
+  constexpr std::pair<std::string_view, double> kLogarithms[] = {
+      {"log10", 10}, {"log", 10}, {"lg", 10}, {"ln", std::numbers::e}};
+  for (TextBlock& block : table.blocks)
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+      TextColumn& column = block.columns[i];
+      const std::string name = lowerCase(column.name);
+      const auto* const found = std::ranges::find_if(
+          kLogarithms, [&](const auto& logarithm) { return name.starts_with(logarithm.first); });
+      if (found == std::end(kLogarithms) || column.isText) continue;
+      std::string_view rest = std::string_view(column.name).substr(found->first.size());
+      rest = trimmedBlanks(rest.substr(std::min(rest.find_first_not_of("_ "), rest.size())));
+      const ColumnName inner = columnName(withoutBrackets(rest));
+      if (!isQuantity(inner.name)) continue;
+      const std::string unit = inner.unit.empty() ? column.unit : inner.unit;
+      column = {inner.name, unit, false};
+      for (std::size_t row = 0; row < block.rows; ++row) {
+        double& value = block.values[row * block.columns.size() + i];
+        value = std::pow(found->second, value);
+        if (std::isinf(value)) value = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
 }
 
 bool countsRows(const TextBlock& block, std::size_t column) {

@@ -72,6 +72,11 @@ struct TextTableOptions {
 TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options = {});
 
+/// Replaces the numbers of columns whose names say logarithm ("log10(f/Hz)", "lg G' (Pa)", "ln v")
+/// by their powers, and the names by those of the quantities. isQuantity: whether a name, without
+/// the logarithm, is one that the caller knows.
+void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity);
+
 /// Whether a column counts the rows: 0, 1, 2, ... or 1, 2, 3, ...
 bool countsRows(const TextBlock& block, std::size_t column);
 

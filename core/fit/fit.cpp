@@ -438,7 +438,14 @@ class Fitting {
 
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
                 std::span<const VariedParameter> parameters, const FitOptions& options) {
-  return Fitting(scene, data, parameters, options).run();
+  Fit fit = Fitting(scene, data, parameters, options).run();
+  // What the tables were taken for comes first.
+  std::vector<Message> taken;
+  for (const FrictionData& table : data)
+    for (const Message& note : table.notes)
+      taken.push_back(message("{}: {}", Message::name(table.name), note));
+  fit.notes.insert(fit.notes.begin(), taken.begin(), taken.end());
+  return fit;
 }
 
 }  // namespace asperity

@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text_names.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 
@@ -78,8 +79,15 @@ std::optional<std::string> withoutError(std::string word) {
   return {};
 }
 
-std::optional<Quantity> quantityOf(const std::string& name) {
+/// A letter that stands for several things, such as t for temperature and time, has a meaning with
+/// its unit alone.
+bool isAmbiguous(const std::string& word) {
+  return word == "t" || word == "n" || word == "w";
+}
+
+std::optional<Quantity> quantityOf(const std::string& name, const std::string& unit) {
   const std::string word = plainWord(name);
+  if (unit.empty() && isAmbiguous(word)) return {};
   for (const QuantityNames& known : knownNames())
     if (std::ranges::find(known.names, word) != known.names.end()) return known.quantity;
   const std::optional<std::string> subject = withoutError(word);
@@ -91,6 +99,20 @@ std::optional<Quantity> quantityOf(const std::string& name) {
     if (known.quantity == Quantity::Velocity) return Quantity::VelocityError;
   }
   return {};
+}
+
+std::optional<Quantity> quantityOf(const TextColumn& column) {
+  return quantityOf(column.name, column.unit);
+}
+
+bool isOfFriction(const TextBlock& block) {
+  bool hasVelocity = false, hasMu = false;
+  for (const TextColumn& column : block.columns) {
+    const std::optional<Quantity> quantity = quantityOf(column);
+    hasVelocity = hasVelocity || quantity == Quantity::Velocity;
+    hasMu = hasMu || quantity == Quantity::Mu;
+  }
+  return hasVelocity && hasMu;
 }
 
 /// How the numbers of a column become those of SI.
@@ -107,7 +129,7 @@ class Reader {
     findColumns();
     FrictionData data;
     data.name = name_;
-    for (const Column& column : columns_) data.notes.push_back(column.note);
+    data.notes = notes();
     for (std::size_t row = 0; row < block_.rows; ++row) data.points.push_back(pointAt(row));
     check(data.points);
     return data;
@@ -141,14 +163,42 @@ class Reader {
       if (count == 3) add(Quantity::MuError, 2);
       return;
     }
-    for (std::size_t i = 0; i < count; ++i)
-      if (const auto quantity = quantityOf(block_.columns[i].name)) add(*quantity, i);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (const auto quantity = quantityOf(block_.columns[i]))
+        add(*quantity, i);
+      else
+        refuseUnknownUnit(block_.columns[i]);
+    }
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!find(needed))
         refuse(message("has no column of the {}; its columns are {}", Message(meaningOf(needed)),
                        Message::name(namesOfColumns())));
     if (find(Quantity::Force) && find(Quantity::Pressure))
       refuse("has both a normal force and a nominal pressure; one of them says the load");
+  }
+
+  /// "load (stone)": a quantity that is known, in a unit that is not.
+  void refuseUnknownUnit(const TextColumn& column) const {
+    const std::size_t open = column.name.find_last_of("([");
+    if (!column.unit.empty() || open == std::string::npos || open == 0) return;
+    const std::string unit = column.name.substr(open);
+    TextColumn known{column.name.substr(0, open), std::string(withoutBrackets(unit)), false};
+    if (const auto quantity = quantityOf(known)) conversionOf(*quantity, known);
+  }
+
+  /// What the columns were taken for, and which were left out.
+  std::vector<Message> notes() const {
+    std::vector<Message> notes{columns_.front().note};
+    for (std::size_t i = 1; i < columns_.size(); ++i)
+      notes.front() = message("{}; {}", notes.front(), columns_[i].note);
+    std::string unused;
+    for (std::size_t i = 0; i < block_.columns.size(); ++i)
+      if (std::ranges::find(columns_, i, &Column::place) == columns_.end())
+        unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
+                                                      ? std::to_string(i + 1)
+                                                      : shortened(block_.columns[i].name));
+    if (!unused.empty()) notes.push_back(message("not used: {}", Message::name(unused)));
+    return notes;
   }
 
   std::string namesOfColumns() const {
@@ -202,13 +252,19 @@ class Reader {
         return unitOf("N", "N, mN, uN, kN");
       case Quantity::Pressure:
         return unitOf("Pa", "Pa, kPa, MPa, bar");
+      case Quantity::Mu:
+        return isPure(column.unit) ? Conversion{} : unitOf("", "1, %");
       case Quantity::MuError:
-        return column.unit == "%" ? share : Conversion{};
+        return column.unit == "%" ? share : isPure(column.unit) ? Conversion{} : unitOf("", "1, %");
       case Quantity::Temperature:
         return unitOf("K", "K, C, F");
       default:
         return {};
     }
+  }
+
+  static bool isPure(std::string_view unit) {
+    return unit.empty() || unit == "1" || unit == "-" || unit == "N/N";
   }
 
   /// NaN where the column or the value is missing.
@@ -287,20 +343,27 @@ class Reader {
 }  // namespace
 
 bool isFrictionTable(const TextTable& table) {
-  bool hasVelocity = false, hasMu = false;
-  for (const TextColumn& column : table.largest().columns) {
-    const std::optional<Quantity> quantity = quantityOf(column.name);
-    hasVelocity = hasVelocity || quantity == Quantity::Velocity;
-    hasMu = hasMu || quantity == Quantity::Mu;
-  }
-  return hasVelocity && hasMu;
+  return isOfFriction(table.largest());
 }
 
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name) {
   TextTableOptions options;
   options.keepsTexts = true;
   options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
-  const TextTable table = readTextTable(bytes, name, options);
+  TextTable table = readTextTable(bytes, name, options);
+  undoLogarithms(table,
+                 [](const std::string& quantity) { return quantityOf(quantity, "?").has_value(); });
+  const TextBlock* first = nullptr;
+  for (const TextBlock& block : table.blocks) {
+    if (!isOfFriction(block)) continue;
+    if (first != nullptr)
+      throw InputError(name, "",
+                       message("has several tables of friction, at lines {} and {}; each needs a "
+                               "file of its own, or all one table with a column that tells them "
+                               "apart, such as temperature or label",
+                               first->lines.front(), block.lines.front()));
+    first = &block;
+  }
   return Reader(table.largest(), name).read();
 }
 

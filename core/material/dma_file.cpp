@@ -436,7 +436,9 @@ std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const
   throw InputError("", option, notOneOf(wanted, known));
 }
 
-DmaFile readDmaFile(const TextTable& table, const std::string& name, const DmaChoices& choices) {
+DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices) {
+  undoLogarithms(
+      table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
   if (file.facts.storage.isUnitAssumed && choices.modulusUnit.empty()) {
     double largest = 0;

@@ -48,7 +48,7 @@ struct DmaFile {
 };
 
 /// `name` stands for the file in errors.
-DmaFile readDmaFile(const TextTable& table, const std::string& name, const DmaChoices& choices);
+DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices);
 
 /// As DmaChoices::...Column say it; throws InputError (option) where the block has no such column.
 std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option);

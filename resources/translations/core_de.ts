@@ -3403,8 +3403,20 @@
         <translation>ist %1, keine Zahlentabelle als Text</translation>
     </message>
     <message>
+        <source>has several tables of friction, at lines %1 and %2; each needs a file of its own, or all one table with a column that tells them apart, such as temperature or label</source>
+        <translation>hat mehrere Tabellen der Reibung, in den Zeilen %1 und %2; jede braucht eine eigene Datei, oder alle eine Tabelle mit einer Spalte, die sie unterscheidet, etwa temperature oder label</translation>
+    </message>
+    <message>
+        <source>not used: %1</source>
+        <translation>nicht benutzt: %1</translation>
+    </message>
+    <message>
         <source>has no rows of numbers</source>
         <translation>hat keine Zeilen mit Zahlen</translation>
+    </message>
+    <message>
+        <source>has no rows of numbers; line %1: '%2' is no number</source>
+        <translation>hat keine Zeilen mit Zahlen; Zeile %1: '%2' ist keine Zahl</translation>
     </message>
     <message>
         <source>has more than %1 numbers</source>

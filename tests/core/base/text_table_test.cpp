@@ -319,6 +319,100 @@ TEST(TextTable, NamesTheLineOfWhatIsWrong) {
   EXPECT_THAT(errorOf(std::string("\x00\x01\x02\x03\x05\x07", 6)), HasSubstr("binary file"));
 }
 
+/// Damaged rows in a row, to the end of the file or before good ones, are no second table.
+TEST(TextTable, RefusesSeveralDamagedRowsInARow) {
+  std::string good;
+  for (int i = 0; i < 12; ++i) good += fmt::format("{};{}.5\n", i, i);
+  EXPECT_THAT(errorOf(good + "12;lost\n13;lost\n14;lost\n"),
+              "table.txt: line 13: column 2 is not a number");
+  EXPECT_THAT(errorOf(good + "12;a.b.c\n13;a.b.c\n" + good), HasSubstr("line 13: column 2"));
+  EXPECT_THAT(errorOf(good + "12;1;5\n13;1;5\n14;1;5\n"),
+              "table.txt: line 13: has 3 fields where the lines before have 2");
+  // Results below the rows, a table below a blank line, and a header of counts are none.
+  EXPECT_EQ(read(good + "Ra;0.5\nRq;0.7\n").largest().rows, 12u);
+  EXPECT_EQ(read(good + "\n1;2;3\n4;5;6\n").blocks.size(), 2u);
+  EXPECT_EQ(read("4 3\n0 1\n1 2 3\n4 5 6\n").largest().rows, 2u);
+}
+
+TEST(TextTable, ReadsSeparatedThousands) {
+  const auto values = [](const std::string& text) { return read(text).largest().values; };
+  EXPECT_THAT(values("999,5;0,25\n1.000,0;0,5\n12.345.678,25;-1.234\n"),
+              ElementsAre(999.5, 0.25, 1000, 0.5, 12345678.25, -1234));
+  EXPECT_THAT(values("\"999.5\",0.25\n\"1,000.0\",0.5\n"), ElementsAre(999.5, 0.25, 1000, 0.5));
+  for (const char* mark : {"'", " ", "\u00A0", "\u202F", "\u2019"})
+    EXPECT_THAT(values(fmt::format("999.5\t0.25\n1{}000.0\t0.5\n-1{}000.5\t1\n", mark, mark)),
+                ElementsAre(999.5, 0.25, 1000, 0.5, -1000.5, 1))
+        << mark;
+  // From the first row on, too.
+  EXPECT_THAT(values("1.000,5;2.000,5\n1.001,5;2.000,5\n1.002,5;2.001,5\n"),
+              ElementsAre(1000.5, 2000.5, 1001.5, 2000.5, 1002.5, 2001.5));
+  // Where a comma can be a decimal mark throughout, it is one.
+  EXPECT_THAT(values("1,234\t5,678\n2,345\t6,789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
+  EXPECT_THAT(values("1.234;5.678\n2.345;6.789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
+  // Groups of another size, or behind a 0, are none.
+  EXPECT_THAT(errorOf("1.5;2.5\n2.5;1,23\n3.5;2.5\n"), HasSubstr("line 2: column 2"));
+  EXPECT_THAT(errorOf("1.5;2.5\n2.5;0,234\n3.5;2.5\n"), HasSubstr("line 2: column 2"));
+}
+
+/// "invalid" among heights is a gap; a column of such words alone says what is valid.
+TEST(TextTable, TakesFlagsAmongNumbersForGaps) {
+  const TextTable made = read("x;z;valid\n1;0.5;true\n2;invalid;false\n3;ok;true\n4;0.25;true\n");
+  const TextBlock& block = made.largest();
+  EXPECT_TRUE(std::isnan(block.at(1, 1)));
+  EXPECT_TRUE(std::isnan(block.at(2, 1)));
+  EXPECT_EQ(block.at(3, 1), 0.25);
+  EXPECT_THAT(block.column(2), ElementsAre(1, 0, 1, 1));
+  const TextTable words = read("1;0.5\n2;No Data\n3;fehlt\n4;1\n");
+  EXPECT_TRUE(std::isnan(words.largest().at(1, 1)));
+  EXPECT_TRUE(std::isnan(words.largest().at(2, 1)));
+}
+
+TEST(TextTable, ReadsRowsWithACommentAtTheEnd) {
+  EXPECT_THAT(read("x,z\n0.5,1.5 # first\n1.5,2.5\t// second\n").largest().values,
+              ElementsAre(0.5, 1.5, 1.5, 2.5));
+}
+
+/// Names keep their columns: separators at the ends of lines, quotation marks within names, and a
+/// first column without a name, which is one of row numbers or none.
+TEST(TextTable, KeepsNamesAtTheirColumns) {
+  const TextTable ends = read("x (mm),z (um),\n0.0,0.5,\n0.1,0.7,\n");
+  ASSERT_GE(ends.largest().columns.size(), 2u);
+  EXPECT_EQ(ends.largest().columns[0].unit, "mm");
+  EXPECT_EQ(ends.largest().columns[1].unit, "um");
+  const TextTable primes =
+      read("T/\u00B0C;f/Hz;E'/MPa;E\"/MPa;tan d\n20;1;5;1;0.2\n20;2;6;1;0.3\n");
+  ASSERT_EQ(primes.largest().columns.size(), 5u);
+  EXPECT_EQ(primes.largest().columns[0].name, "T");
+  EXPECT_EQ(primes.largest().columns[3].name, "E\"");
+  EXPECT_EQ(primes.largest().columns[3].unit, "MPa");
+  const TextTable numbered = read("a;b\n1;5;6\n2;7;8\n3;9;9\n");
+  EXPECT_EQ(numbered.largest().columns[1].name, "a");
+  const TextTable other = read("a;b\n20;5;6\n20;7;8\n21;9;9\n");
+  EXPECT_EQ(other.largest().columns[1].name, "");
+}
+
+/// Words with a number above a table, such as "Step 1", do not decide how its rows are separated.
+TEST(TextTable, LooksAtRowsForTheSeparator) {
+  const TextTable made =
+      read("Step 1\nFrequency - 1\nRun 5\nx axis\theight of z\n1.5\t2.5\n2.5\t3.5\n");
+  EXPECT_EQ(made.dialect.separator, TextDialect::Separator::Tab);
+  EXPECT_EQ(made.largest().columns[1].name, "height of z");
+}
+
+TEST(TextTable, NamesTheFieldThatIsNoNumberWhereThereAreNoRows) {
+  EXPECT_THAT(errorOf("x;z\n1.2.3;5\n1.2.4;6\n1.2.5;x7\n"),
+              HasSubstr("has no rows of numbers; line"));
+}
+
+/// "59.00 um" is a length, "1e-6 m" a unit.
+TEST(TextTable, TellsUnitsFromLengths) {
+  EXPECT_TRUE(isKnownUnit("1e-6 m"));
+  EXPECT_TRUE(isKnownUnit("10^-9 m"));
+  EXPECT_TRUE(isKnownUnit("\u00D710\u207B\u2076 m"));
+  EXPECT_FALSE(isKnownUnit("59.00 um"));
+  EXPECT_FALSE(isKnownUnit("60 mm"));
+}
+
 // ---- Texts and further columns -----------------------------------------------------------------
 
 TEST(TextTable, KeepsLabelsWhereACallerWantsThem) {

@@ -56,7 +56,38 @@ TEST(FrictionData, ReadsWhatElseTheTableHas) {
   EXPECT_DOUBLE_EQ(point.temperature, 333.15);
   EXPECT_EQ(point.row, 3);
   EXPECT_TRUE(data.hasErrors());
-  EXPECT_EQ(data.notes.size(), 7U);
+  ASSERT_EQ(data.notes.size(), 1U);
+  EXPECT_THAT(data.notes[0].english(), HasSubstr("column 2: velocity (mm/s)"));
+  EXPECT_THAT(data.notes[0].english(), HasSubstr("column 6: normal force (mN)"));
+}
+
+/// A letter that may be a number, a load or a time is taken with its unit alone; what is left out
+/// is said.
+TEST(FrictionData, SaysWhatItDoesNotUse) {
+  const FrictionData data = parsed("v (m/s),mu,sd,n,t,w\n1,0.2,0.01,5,300,7\n2,0.3,0.01,5,310,7\n");
+  EXPECT_TRUE(std::isnan(data.points[0].normalForce));
+  EXPECT_TRUE(std::isnan(data.points[0].temperature));
+  ASSERT_EQ(data.notes.size(), 2U);
+  EXPECT_EQ(data.notes[1].english(), "not used: n, t, w");
+  const FrictionData meant = parsed("v (m/s),mu,N (mN),t (C)\n1,0.2,5,20\n2,0.3,5,20\n");
+  EXPECT_DOUBLE_EQ(meant.points[0].normalForce, 5e-3);
+  EXPECT_DOUBLE_EQ(meant.points[0].temperature, 293.15);
+}
+
+TEST(FrictionData, ReadsUnitsInWords) {
+  EXPECT_DOUBLE_EQ(parsed("v in mm/s;Reibwert\n1;0,2\n2;0,3\n").points[0].velocity, 1e-3);
+  EXPECT_DOUBLE_EQ(parsed("v (ft/s),mu\n1,0.2\n2,0.3\n").points[0].velocity, 0.3048);
+  EXPECT_DOUBLE_EQ(parsed("v (m/s),mu (%)\n1,20\n2,30\n").points[0].mu, 0.2);
+  EXPECT_DOUBLE_EQ(parsed("log10 v (m/s),mu\n-3,0.2\n-2,0.3\n").points[1].velocity, 1e-2);
+  EXPECT_THAT(errorOf("v (m/s),mu,load (g)\n1,0.2,5\n2,0.3,5\n"),
+              HasSubstr("the unit g is unknown; known are N"));
+  EXPECT_THAT(errorOf("v (knots),mu\n1,0.2\n2,0.3\n"), HasSubstr("the unit knots is unknown"));
+  EXPECT_THAT(errorOf("v (m/s),mu (V)\n1,0.2\n2,0.3\n"), HasSubstr("the unit V is unknown"));
+}
+
+TEST(FrictionData, RefusesSeveralTables) {
+  EXPECT_THAT(errorOf("at 25 C\nv,mu\n1,0.2\n2,0.3\n\nat 60 C\nv,mu\n1,0.1\n2,0.2\n"),
+              HasSubstr("several tables of friction, at lines 3 and 8"));
 }
 
 TEST(FrictionData, ReadsPressureAndRelativeErrors) {

@@ -54,6 +54,14 @@ TEST(DmaFile, ReadsTheSameRowsFromManyForms) {
       "# rheometer\nsample,freq_hz,temperature_C,G_storage_pa,G_loss_pa\nA,1,20,2e6,2e5\n"
       "A,10,20,3e6,4e5\n",
       "E' (MPa),E'' (MPa),f (Hz),T (\u00B0C)\n6,0.6,1,20\n9,1.2,10,20\n",
+      "log frequency (Hz),T (C),log G' (Pa),log G'' (Pa)\n"
+      "0,20,6.301029995663981,5.301029995663981\n1,20,6.477121254719663,5.602059991327963\n",
+      "log10(f/Hz);lg(G'/MPa);ln G'' [MPa];T/\u00B0C\n"
+      "0;0,3010299956639812;-1,6094379124341003;20\n"
+      "1;0,47712125471966244;-0,916290731874155;20\n",
+      "##T/\u00B0C;f/Hz;G'/MPa;G\"/MPa;tan d\n20;1;2;0,2;0,1\n20;10;3;0,4;0,1333333333\n",
+      "Temp (C)\tomega (s\u207B\u00B9)\tG' (Pa)\tG'' (Pa)\n"
+      "20\t6.283185307179586\t2e6\t2e5\n20\t62.83185307179586\t3e6\t4e5\n",
   };
   for (const std::string& form : forms) {
     SCOPED_TRACE(form);
