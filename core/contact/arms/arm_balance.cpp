@@ -313,6 +313,7 @@ class Continuation {
     ArmBalance found = attempt(velocity, guess);
     if (!found.isMet() && guess) found = attempt(velocity, nullptr);
     if (!found.isMet()) found = follow(velocity, found);
+    if (!found.isMet()) found = lower(velocity, found);
     found.force.passes = passes_;
     return found;
   }
@@ -321,10 +322,38 @@ class Continuation {
   static constexpr int kMostSteps = 60;
 
   ArmBalance attempt(double velocity, const ArmBalance* guess) {
+    return attempt(velocity, value_, guess);
+  }
+
+  ArmBalance attempt(double velocity, double value, const ArmBalance* guess) {
     ArmSolver solver(line_, tables_, velocity);
-    ArmBalance found = byForce_ ? solver.atLoad(value_, guess) : solver.atDepth(value_, guess);
+    ArmBalance found = byForce_ ? solver.atLoad(value, guess) : solver.atDepth(value, guess);
     passes_ += found.force.passes;
     return found;
+  }
+
+  /// Down from a load at which the search from nothing succeeds, by steps that shrink where they
+  /// fail: of a contact much smaller than an element a search from complete contact knows nothing.
+  ArmBalance lower(double velocity, ArmBalance failed) {
+    constexpr double kHighest = 1e40;  // over the wanted load
+    double over = 10;
+    ArmBalance known = attempt(velocity, over * value_, nullptr);
+    while (!known.isMet() && (over *= over) < kHighest)
+      known = attempt(velocity, over * value_, nullptr);
+    if (!known.isMet()) return failed;
+    double factor = 8;
+    for (int step = 0; step < kMostSteps && over > 1; ++step) {
+      const double next = std::max(over / factor, 1.0);
+      ArmBalance found = attempt(velocity, next * value_, &known);
+      if (found.isMet()) {
+        known = std::move(found);
+        over = next;
+        factor = std::min(factor * factor, 64.0);
+      } else {
+        factor = std::sqrt(factor);
+      }
+    }
+    return over > 1 ? failed : known;
   }
 
   /// Up from where the slowest arm forgets within a hundredth of the period, by steps that shrink

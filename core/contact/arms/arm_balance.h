@@ -68,7 +68,7 @@ struct ArmState {
 /// Of a law with an equilibrium modulus and at least one arm; velocity > 0 (m/s). `guess`, an
 /// answer nearby, may be null.
 /// Where a search from the guess and one from nothing both fail, the answer is followed up from a
-/// velocity so low that the arms forget.
+/// velocity so low that the arms forget, or else down from a higher load.
 ArmState slideWithArms(const PreparedProfile& line, ArmTables& tables, const Load& load,
                        double velocity, const ArmBalance* guess = nullptr);
 

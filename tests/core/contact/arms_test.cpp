@@ -62,6 +62,24 @@ TEST_P(Arms, ZenerWedgeIsExactWhateverTheGrid) {
     }
 }
 
+/// A load that one summit carries, with a depth down to that of an atom, is met, too, at any
+/// velocity and without an answer nearby.
+TEST_P(Arms, BalancesAtVanishingLoads) {
+  Scene scene;
+  scene.surface.elements = 2000;
+  const PreparedProfile line = prepareProfile(LineSource(scene, 8).make(0), Scheme::Cubic);
+  for (const auto& [name, elastomer] : allElastomers()) {
+    if (lawOf(elastomer).equilibriumModulus == 0) continue;
+    for (const double velocity : {1e-6, 1e-3, 1.0, 1e3})
+      for (const double newton : {1e-6, 1e-8, 1e-9, 1e-10}) {
+        const SteadyResult result = slide(elastomer, line, velocity, force(newton)).result;
+        EXPECT_LT(result.residual, 1e-9) << name << " " << velocity << " " << newton;
+        EXPECT_LT(relative(result.normalForce, newton), 1e-9) << name << " " << velocity;
+        EXPECT_GT(result.contactFraction, 0) << name << " " << velocity << " " << newton;
+      }
+  }
+}
+
 /// F_x = 8 L integral C(q) q G''(q v) dq; of the modes: 2 L sum a_k^2 q_k G''.
 TEST_P(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
   Scene scene;
