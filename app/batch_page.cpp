@@ -9,6 +9,7 @@
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/parameters.h"
 #include "ui/draw/svg_file.h"
 #include "ui/draw/ticks.h"
@@ -122,13 +123,6 @@ std::string countText(std::size_t all, std::size_t bad) {
                  : filled(Words::tr("%1 scenes."), {count});
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string cell = "\"";
-  for (const char letter : text) cell += letter == '"' ? std::string("\"\"") : std::string{letter};
-  return cell + "\"";
-}
-
 }  // namespace
 
 std::string batchPage(const Batch& batch, const std::vector<BatchResult>& results,
@@ -156,7 +150,7 @@ std::string batchTable(const std::vector<BatchResult>& results) {
     for (const auto& [key, value] : result.item.varied)
       if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
   std::string text = joinedColumns({"name"}) + ",";
-  for (const std::string& key : keys) text += quoted(key) + ",";
+  for (const std::string& key : keys) text += csvCell(key) + ",";
   text +=
       joinedColumns({"mu", "indentation", "contact_fraction", "mu_standard_error", "realizations",
                      "line_mu", "line_indentation", "line_contact_fraction", "error"}) +
@@ -165,7 +159,7 @@ std::string batchTable(const std::vector<BatchResult>& results) {
     text += result.item.name + ",";
     for (const std::string& key : keys) {
       for (const auto& [own, value] : result.item.varied)
-        if (own == key) text += quoted(value);
+        if (own == key) text += csvCell(value);
       text += ",";
     }
     const auto& mean = result.mean;
@@ -177,7 +171,7 @@ std::string batchTable(const std::vector<BatchResult>& results) {
                         ofMean(&CurvePoint::muStandardError),
                         mean ? std::to_string(mean->realizations) : "", csvNumber(result.lineMu),
                         csvNumber(result.lineIndentation), csvNumber(result.lineContactFraction),
-                        quoted(result.item.error.english()));
+                        csvCell(result.item.error.english()));
   }
   return text;
 }

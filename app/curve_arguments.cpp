@@ -152,7 +152,11 @@ ParameterRange familyRange(const CurveArguments& arguments, const Scene& scene) 
   const ParameterRange range = rangeFromOption(kFamily, arguments.family);
   if (range.key() == scene.sweep.key)
     throw InputError("", kFamily, message("{} is the axis of the curves already", range.key()));
-  if (Message reason = whyNotSwept(*range.row, scene); !reason.empty())
+  const Sweep& sweep = scene.sweep;
+  const ParameterRange axis{&sweptParameter(scene),
+                            sweep.isOfVelocity() ? sweep.velocityFrom : sweep.from,
+                            sweep.isOfVelocity() ? sweep.velocityTo : sweep.to};
+  if (Message reason = whyNotBeside(*range.row, scene, axis); !reason.empty())
     throw InputError("", kFamily, std::move(reason));
   checkRange(range, scene);
   if (range.points > kMostOfFamily)

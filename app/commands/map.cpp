@@ -23,8 +23,9 @@ namespace {
 const std::vector<std::string_view> kTables{"map"};
 
 ParameterMap compute(const Scene& scene, const MapCommand& command) {
-  const MapAxis x = mapAxis(scene, rangeFromOption("--x", command.x));
-  const MapAxis y = mapAxis(scene, rangeFromOption("--y", command.y));
+  const ParameterRange xRange = rangeFromOption("--x", command.x);
+  const ParameterRange yRange = rangeFromOption("--y", command.y);
+  const MapAxis x = mapAxis(scene, xRange, &yRange), y = mapAxis(scene, yRange, &xRange);
   ProgressBar bar(Words::tr("states"), command.common.quiet);
   const auto cells = static_cast<double>(x.values.size() * y.values.size());
   MapOptions options;

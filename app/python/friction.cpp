@@ -140,8 +140,9 @@ std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Te
                                     const py::object& progress) {
   checkThreads(threads);
   needSteadySliding(scene, "asperity.map");
-  const MapAxis alongX = mapAxis(scene, rangeFrom(x.at(0), x.at(1)));
-  const MapAxis alongY = mapAxis(scene, rangeFrom(y.at(0), y.at(1)));
+  const ParameterRange xRange = rangeFrom(x.at(0), x.at(1)), yRange = rangeFrom(y.at(0), y.at(1));
+  const MapAxis alongX = mapAxis(scene, xRange, &yRange);
+  const MapAxis alongY = mapAxis(scene, yRange, &xRange);
   return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
     MapOptions options;
     options.threads = threads;

@@ -132,10 +132,11 @@ bool isMapParameter(const Parameter& row, const Scene& scene) {
   return allowedRange(row) && whyNotSwept(row, scene).empty();
 }
 
-MapAxis mapAxis(const Scene& scene, const ParameterRange& range) {
+MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const ParameterRange* other) {
   const std::string key(range.key());
-  if (Message reason = whyNotSwept(*range.row, scene); !reason.empty())
-    throw InputError("", "", reason);
+  const Message reason =
+      other ? whyNotBeside(*range.row, scene, *other) : whyNotSwept(*range.row, scene);
+  if (!reason.empty()) throw InputError("", "", reason);
   checkRange(range, scene);
   if (range.points < 2 || range.points > kMostMapPoints)
     throw InputError(

@@ -43,8 +43,10 @@ inline constexpr std::int64_t kMostMapCells = 100000;
 bool isMapParameter(const Parameter& row, const Scene& scene);
 
 /// Returns the values of a range. Throws InputError that names the key where it is no such number,
-/// or the range has fewer than 2 different values.
-MapAxis mapAxis(const Scene& scene, const ParameterRange& range);
+/// or the range has fewer than 2 different values. other: of the other side, at whose ends friction
+/// may depend on this parameter though it does not in the scene; may be null.
+MapAxis mapAxis(const Scene& scene, const ParameterRange& range,
+                const ParameterRange* other = nullptr);
 
 /// Returns a range for a row where none is asked for: that part of its slider around the scene's
 /// value that people look at, and for the velocity that of the curve.

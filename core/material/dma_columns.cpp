@@ -74,7 +74,9 @@ DmaQuantity quantityOf(std::string_view word) {
                : Frequency;
   if (isOneOf(word, {"at*f", "atf", "fat", "f*at", "omega*at", "omegaat", "atomega", "at*omega"}))
     return ReducedFrequency;
-  if (word.starts_with("temp") || isOneOf(word, {"t", "tc", "tk", "tcelsius", "tkelvin"}))
+  if ((word.find("temp") != word.npos && word.find("ref") == word.npos) ||
+      isOneOf(word, {"t", "tc", "tk", "tcelsius", "tkelvin", "tsample", "tprobe", "tset", "tsoll",
+                     "tist", "tactual", "tmeasured"}))
     return Temperature;
   if (containsAny(word, {"''", "lossmod", "gloss", "eloss", "verlustmodul", "doubleprime",
                          "viscousmod", "modulusloss", "dprime"}) ||

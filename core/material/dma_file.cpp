@@ -74,6 +74,12 @@ class Reader {
     std::vector<std::string> names;
     const TextBlock& block = table_.largest();
     for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+    for (std::size_t i = 0; i < block.columns.size(); ++i)
+      if (block.columns[i].isText && !block.texts[i].empty() &&
+          dmaColumn(block.columns[i].name, block.columns[i].unit).quantity != None)
+        throw InputError(name_, names[i],
+                         message("line {}: '{}' is no number", block.lines.front(),
+                                 shortened(block.texts[i].front())));
     std::string list;
     for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 12); ++i)
       list += (i > 0 ? ", " : "") + shortened(names[i]);

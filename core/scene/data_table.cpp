@@ -82,7 +82,8 @@ std::set<std::string_view> columnsOf(const std::vector<std::string_view>& tables
 }  // namespace
 
 std::string csvCell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+  // "#" begins a comment where R and pandas are told so, even within a row.
+  if (text.find_first_of(",\"\r\n#") == text.npos) return std::string(text);
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";

@@ -21,7 +21,7 @@ struct DataTable {
 };
 
 /// Returns a text as one cell of CSV: quoted where it contains a comma, a quote or a line end
-/// (RFC 4180).
+/// (RFC 4180), or "#", which begins a comment for R and pandas.
 std::string csvCell(std::string_view text);
 
 /// Returns a line of names and one line for each row.

@@ -260,6 +260,17 @@ Message whyNotSwept(const Parameter& parameter, const Scene& scene) {
   return {};
 }
 
+Message whyNotBeside(const Parameter& parameter, const Scene& scene, const ParameterRange& other) {
+  Message reason = whyNotSwept(parameter, scene);
+  for (const double end : {other.from, other.to}) {
+    if (reason.empty()) break;
+    Scene there = scene;
+    setNumber(*other.row, there, end);
+    reason = whyNotSwept(parameter, there);
+  }
+  return reason;
+}
+
 void needVelocityAxis(const Scene& scene, const Message& what) {
   if (!scene.sweep.isOfVelocity())
     throw InputError("", "sweep.key",

@@ -64,6 +64,11 @@ Scene sceneOfCurve(Scene scene);
 /// the curve itself, no meaning, or no influence on friction. Empty where it can.
 Message whyNotSwept(const Parameter& parameter, const Scene& scene);
 
+/// Returns the same where another parameter varies, too: empty where friction depends on this one
+/// at either end of the other's range. WLF's constants matter away from the reference temperature
+/// alone. Throws InputError where the other cannot have these values.
+Message whyNotBeside(const Parameter& parameter, const Scene& scene, const ParameterRange& other);
+
 /// Throws InputError (sweep.key) where the scene's curve does not go over velocity, which `what`
 /// needs.
 void needVelocityAxis(const Scene& scene, const Message& what);

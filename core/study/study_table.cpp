@@ -7,6 +7,7 @@
 
 #include "core/friction/curve_point.h"
 #include "core/scene/columns.h"
+#include "core/scene/data_table.h"
 #include "core/scene/provenance.h"
 
 namespace asperity {
@@ -17,14 +18,6 @@ using Json = nlohmann::ordered_json;
 constexpr ColumnName kSimulation = "simulation", kOutput = "output", kSweepValue = "sweep_value",
                      kValue = "value", kError = "error";
 constexpr std::size_t kEnough = std::size_t{1} << 18;  // bytes that are handed over together
-
-std::string quotedCsv(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
-}
 
 /// Writes the rows of one table.
 class TableWriter {
@@ -155,7 +148,7 @@ class TableWriter {
     if (isNull)
       append("null");
     else
-      append(isJson_ ? quotedJson(text) : quotedCsv(text));
+      append(isJson_ ? quotedJson(text) : csvCell(text));
   }
 
   static std::string quotedJson(std::string_view text) {

@@ -3411,6 +3411,10 @@
         <translation>nicht benutzt: %1</translation>
     </message>
     <message>
+        <source>line %1: '%2' is no number</source>
+        <translation>Zeile %1: '%2' ist keine Zahl</translation>
+    </message>
+    <message>
         <source>has no rows of numbers</source>
         <translation>hat keine Zeilen mit Zahlen</translation>
     </message>

@@ -2,6 +2,7 @@
 // ranges that make no sense are refused.
 #include "core/friction/parameter_map.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -117,6 +118,20 @@ TEST(ParameterMap, OfSurfacesLoadsAndWholeNumbers) {
 }
 
 /// The separate elements jump; their balance is met to its own residual.
+/// WLF's constants have no influence at the reference temperature, where the scene is, but on a map
+/// over temperature.
+TEST(ParameterMap, OfParametersThatMatterElsewhereOnTheMap) {
+  Scene scene = smallScene();
+  scene.elastomer.shift.kind = ShiftKind::Wlf;
+  scene.elastomer.temperature = scene.elastomer.shift.referenceTemperature = 300;
+  const ParameterRange x = rangeFromOption("--x", "elastomer.temperature=290:310:3");
+  const ParameterRange y = rangeFromOption("--y", "elastomer.shift.c1=4:12:2");
+  EXPECT_THAT(refusal([&] { mapAxis(scene, y); }), testing::HasSubstr("changes nothing"));
+  const ParameterMap map = parameterMap(scene, mapAxis(scene, x, &y), mapAxis(scene, y, &x));
+  EXPECT_NE(map.at(0, 0).mu, map.at(0, 1).mu);
+  EXPECT_EQ(map.at(1, 0).mu, map.at(1, 1).mu);
+}
+
 TEST(ParameterMap, OfTheSeparateElements) {
   Scene scene = smallScene();
   scene.accuracy.scheme = Scheme::Nodal;

@@ -60,7 +60,7 @@ TEST(DmaFile, ReadsTheSameRowsFromManyForms) {
       "0;0,3010299956639812;-1,6094379124341003;20\n"
       "1;0,47712125471966244;-0,916290731874155;20\n",
       "##T/\u00B0C;f/Hz;G'/MPa;G\"/MPa;tan d\n20;1;2;0,2;0,1\n20;10;3;0,4;0,1333333333\n",
-      "Temp (C)\tomega (s\u207B\u00B9)\tG' (Pa)\tG'' (Pa)\n"
+      "Sample Temperature (C)\tomega (s\u207B\u00B9)\tG' (Pa)\tG'' (Pa)\n"
       "20\t6.283185307179586\t2e6\t2e5\n20\t62.83185307179586\t3e6\t4e5\n",
   };
   for (const std::string& form : forms) {
@@ -143,6 +143,8 @@ TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {
 }
 
 TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2.0e6x,2e5\n10,20,3.0e6x,4e5\n"),
+              HasSubstr("G': line 2: '2.0e6x' is no number"));
   const std::string rows = "1,20,2e6,2e5\n10,20,3e6,4e5\n";
   EXPECT_THAT(errorOf("a,b,c,d\n" + rows), HasSubstr("has no columns that are known"));
   EXPECT_THAT(errorOf("f (Hz),T (C),storage modulus (Pa),loss modulus (Pa)\n" + rows),

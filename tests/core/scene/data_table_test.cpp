@@ -21,6 +21,12 @@ TEST(DataTable, IsTheSameInCsvAndJson) {
                                   R"({"velocity":1e-300,"mu":7,"notes":"x"}])");
 }
 
+/// R and pandas, told that "#" begins a comment, read a quoted cell whole.
+TEST(DataTable, QuotesWhatWouldBeginAComment) {
+  EXPECT_EQ(csvCell("specimen #3"), "\"specimen #3\"");
+  EXPECT_EQ(csvCell("specimen 3"), "specimen 3");
+}
+
 TEST(ColumnChoice, KeepsOrderCommentsAndQuotes) {
   const std::string csv = "# asperity: {}\nvelocity,mu,notes\n1,2,\"a,\nb\"\"c\"\n3,,x\n";
   EXPECT_EQ(ColumnChoice("notes,velocity", {"curve"}).of(csv),
