@@ -181,6 +181,10 @@ std::string_view takeLine(std::string_view& text) {
 
 bool isComment(std::string_view line) {
   line = trimmedBlanks(line);
+  // What spreadsheets write into a cell without a value.
+  for (const std::string_view word : {"#N/A", "#NV", "#NUM!", "#DIV/0!", "#VALUE!", "#WERT!",
+                                      "#REF!", "#BEZUG!", "#NAME?", "#ZAHL!"})
+    if (line.starts_with(word)) return false;
   return line.starts_with('#') || line.starts_with('%') || line.starts_with("//") ||
          line.starts_with('!');
 }

@@ -57,7 +57,7 @@ bool isUnitWord(std::string_view text) {
   if (text.empty() || text.size() > 14) return false;
   const std::string word = lowerCase(text);
   if (std::ranges::find(kUnits, word) != kUnits.end()) return true;
-  if (text.size() > 1 && unitNamed(text)) return true;
+  if (text.size() > 1 && (unitNamed(text) || metresPer(text))) return true;
   // "1/nm", "um^3"; a letter with a digit, such as "A2", is rather a name than square angstroms.
   if (const auto length = lengthPowerNamed(text); length && length->power != 1)
     return word.find('m') != std::string::npos;

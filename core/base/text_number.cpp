@@ -16,17 +16,18 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// What programs write where there is no value, in lower case.
 constexpr std::array kMissing{
-    "nan"sv,       "-nan"sv,      "+nan"sv,   "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
-    "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv, "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
-    "1.#j"sv,      "-1.#j"sv,     "inf"sv,    "+inf"sv,     "-inf"sv,      "infinity"sv,
-    "-infinity"sv, "+infinity"sv, "\u221E"sv, "-\u221E"sv,  "na"sv,        "n/a"sv,
-    "#n/a"sv,      "#nv"sv,       "#num!"sv,  "#div/0!"sv,  "#value!"sv,   "#wert!"sv,
-    "null"sv,      "none"sv,      "nil"sv,    "missing"sv,  "bad"sv,       "void"sv,
-    "undef"sv,     "undefined"sv, "n.d."sv,   "n.a."sv,     "nd"sv,        "?"sv,
-    "."sv,         "\u2013"sv,    "\u2014"sv, "ol"sv,       "overflow"sv,  "masked"sv,
-    "<na>"sv,      "no data"sv,   "nodata"sv, "no_data"sv,  "no-data"sv,   "no value"sv,
-    "fehlt"sv,     "error"sv,     "err"sv,    "#error"sv,   "empty"sv,     "out"sv,
-    "saturated"sv, "clipped"sv,   "outlier"sv};
+    "nan"sv,       "-nan"sv,      "+nan"sv,     "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
+    "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv,   "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
+    "1.#j"sv,      "-1.#j"sv,     "inf"sv,      "+inf"sv,     "-inf"sv,      "infinity"sv,
+    "-infinity"sv, "+infinity"sv, "\u221E"sv,   "-\u221E"sv,  "na"sv,        "n/a"sv,
+    "#n/a"sv,      "#nv"sv,       "#num!"sv,    "#div/0!"sv,  "#value!"sv,   "#wert!"sv,
+    "#ref!"sv,     "#bezug!"sv,   "#name?"sv,   "#zahl!"sv,   "null"sv,      "none"sv,
+    "nil"sv,       "missing"sv,   "bad"sv,      "void"sv,     "undef"sv,     "undefined"sv,
+    "n.d."sv,      "n.a."sv,      "nd"sv,       "?"sv,        "."sv,         "\u2013"sv,
+    "\u2014"sv,    "ol"sv,        "overflow"sv, "masked"sv,   "<na>"sv,      "no data"sv,
+    "nodata"sv,    "no_data"sv,   "no-data"sv,  "no value"sv, "fehlt"sv,     "error"sv,
+    "err"sv,       "#error"sv,    "empty"sv,    "out"sv,      "saturated"sv, "clipped"sv,
+    "outlier"sv};
 
 constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass"sv, "wahr"sv};
 constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};

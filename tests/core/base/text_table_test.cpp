@@ -367,6 +367,14 @@ TEST(TextTable, TakesFlagsAmongNumbersForGaps) {
   EXPECT_TRUE(std::isnan(words.largest().at(2, 1)));
 }
 
+TEST(TextTable, ErrorsOfSpreadsheetsAreGapsAndNoComments) {
+  const TextTable made = read("0;1.5\n#N/A;2.5\n2;#WERT!\n3;#NV\n4;5.5\n");
+  ASSERT_EQ(made.blocks.size(), 1u);
+  EXPECT_EQ(made.largest().rows, 5u);
+  EXPECT_TRUE(std::isnan(made.largest().at(1, 0)));
+  EXPECT_TRUE(std::isnan(made.largest().at(2, 1)));
+}
+
 TEST(TextTable, ReadsRowsWithACommentAtTheEnd) {
   EXPECT_THAT(read("x,z\n0.5,1.5 # first\n1.5,2.5\t// second\n").largest().values,
               ElementsAre(0.5, 1.5, 1.5, 2.5));
