@@ -126,14 +126,22 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
   const auto columnStep =
       headerLength(table, block,
                    {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
-                    "x pixel size", "pixel size", "pixelsize", "spacing", "lateral resolution"});
+                    "x pixel size", "pixel size", "pixelsize", "spacing", "lateral resolution",
+                    "xy calibration", "xy-justierung", "xy-kalibrierung",
+                    "xy\uCE98\uB9AC\uBE0C"
+                    "\uB808\uC774\uC158"});
   const auto rowStep = headerLength(
       table, block,
       {"cellsize", "dy", "y spacing", "spacing y", "y step", "pixel size y", "y pixel size"});
-  if (!extent.width && !extent.height && !columnStep && !rowStep) extent = unnamedExtent(block);
-  const bool hasX = set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
+  const auto countedX = countedStep(table, block, grid.columns, true);
+  const auto countedY = countedStep(table, block, grid.rows, false);
+  if (!extent.width && !extent.height && !columnStep && !rowStep && !countedX)
+    extent = unnamedExtent(block);
+  const bool hasX = set(countedX, 1, grid.columnSpacing) ||
+                    set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
                     set(columnStep, 1, grid.columnSpacing);
-  const bool hasY = set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
+  const bool hasY = set(countedY, 1, grid.rowSpacing) ||
+                    set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
                     set(rowStep, 1, grid.rowSpacing);
   if (hasX && !hasY) grid.rowSpacing = grid.columnSpacing;
   if (hasY && !hasX) grid.columnSpacing = grid.rowSpacing;
@@ -170,8 +178,13 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     draft.facts.notes.emplace_back("The first row and the first column are positions.");
   } else {
     takeSpacings(table, block, draft);
-    if (!draft.positionUnit) draft.positionUnit = headerUnit(table, block, false);
+    // The unit of the heights, which "Unit" may be as well, says nothing of a step.
+    if (!draft.positionUnit)
+      draft.positionUnit = headerUnit(
+          table, block, false, draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
   }
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
+  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
   // Numbers that stand for a missing value in ESRI's grids.
   const auto none = quantityIn(table.entry("nodata_value", block));
   if (none)
@@ -233,6 +246,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   draft.positionUnit = columnUnit(source, table, block, columns.x, false);
   const auto rowUnit = columnUnit(source, table, block, columns.y, false);
   draft.heightUnit = columnUnit(source, table, block, columns.z, true);
+  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
