@@ -14,6 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
+constexpr std::size_t kBeginning = 4096;                    // bytes that tell the kind
 constexpr double kFarthest = 1e6;                           // m, of lengths and heights
 // Numbers without a unit that are beyond these are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
@@ -250,11 +251,7 @@ MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
 }
 
 /// The bytes of the file, read in parts so that it can be stopped.
-std::string bytesOf(const std::filesystem::path& file, const std::stop_token& stop) {
-  const RegularFile regular(file);
-  if (regular.size() > kLargestFile)
-    throw InputError(file.string(), "",
-                     message("is larger than the {} bytes allowed", kLargestFile));
+std::string bytesOf(const RegularFile& regular, const std::stop_token& stop) {
   constexpr std::size_t kPart = std::size_t{1} << 24;
   if (regular.size() <= kPart) return regular.read(0, kPart);
   std::string bytes;
@@ -318,11 +315,15 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
                               const std::stop_token& stop, const ReadingProgress& progress) {
   const std::string name = file.string();
   {
-    const std::string bytes = bytesOf(file, stop);
-    const SurfaceSource source{bytes, name, choices, stop, progress};
-    const bool isOther = choices.format == "auto" && !bytes.empty() && kindOf(source).empty();
+    const RegularFile regular(file);
+    if (regular.size() > kLargestFile)
+      throw InputError(name, "", message("is larger than the {} bytes allowed", kLargestFile));
+    // The beginning tells the kind: a large file of none that is known is not read for nothing.
+    const std::string beginning = regular.read(0, kBeginning);
+    const SurfaceSource source{beginning, name, choices, stop, progress};
+    const bool isOther = choices.format == "auto" && kindOf(source).empty();
     if (choices.format != "gwyddion" && !isOther)
-      return readMeasuredBytes(bytes, name, choices, stop, progress);
+      return readMeasuredBytes(bytesOf(regular, stop), name, choices, stop, progress);
   }
   const std::string converted = convertWithGwyddion(file, stop);
   const SurfaceSource source{converted, name, choices, stop, progress};
@@ -335,7 +336,6 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
 bool isSurfaceFile(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return false;
-  constexpr std::size_t kBeginning = 4096;
   return !beginsAsObject(RegularFile(file).read(0, kBeginning));
 }
 

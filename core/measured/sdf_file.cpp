@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/base/number_text.h"
@@ -18,7 +19,7 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kMagicSize = 8, kIdentity = 10, kDates = 24;
-constexpr std::size_t kNumbersSize = 43;  // of the second version, which is the longer one
+constexpr std::size_t kNumbersSize = 43;  // of 32-bit counts, which are the longer ones
 
 /// Codes of DataType. The unsigned ones are of BCR alone.
 enum class DataType { Uint8, Uint16, Uint32, Float, Int8, Int16, Int32, Double };
@@ -68,15 +69,14 @@ void takeHeights(const SurfaceSource& source, std::string_view data, double scal
       [](Number number) { return isSigned && number == std::numeric_limits<Number>::lowest(); });
 }
 
-bool isSecondVersion(std::string_view bytes) {
-  return bytes.substr(0, kMagicSize).ends_with("2.0");
-}
+enum class Counts { Of16Bits, Of32Bits };
 
-Header readBinaryHeader(ByteReader& reader, bool isSecond) {
+Header readNumbers(ByteReader& reader, Counts counts) {
+  const bool areLong = counts == Counts::Of32Bits;
   reader.skip(kMagicSize + kIdentity + kDates);
   Header header;
-  header.columns = isSecond ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
-  header.rows = isSecond ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
+  header.columns = areLong ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
+  header.rows = areLong ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
   header.xScale = reader.read<double>();
   header.yScale = reader.read<double>();
   header.zScale = reader.read<double>();
@@ -87,9 +87,39 @@ Header readBinaryHeader(ByteReader& reader, bool isSecond) {
   return header;
 }
 
+/// Whether the numbers of a header can be meant.
+bool isPossible(const Header& header) {
+  const auto isBetween = [](double size, double least, double most) {
+    return std::isfinite(size) && std::abs(size) >= least && std::abs(size) <= most;
+  };
+  return header.columns > 0 && header.rows > 0 && isBetween(header.xScale, 1e-15, 1e3) &&
+         isBetween(header.zScale, 1e-20, 1e6) && header.dataType >= 0 &&
+         header.dataType <= static_cast<int>(DataType::Double);
+}
+
+/// As the name of the version says.
+Counts namedCounts(std::string_view bytes) {
+  return bytes.substr(0, kMagicSize).ends_with("2.0") ? Counts::Of32Bits : Counts::Of16Bits;
+}
+
+/// Counts have 32 bits in the second version; some writers put its name above a header of the
+/// first one. Empty where the header is none of them.
+std::optional<Counts> possibleCounts(const SurfaceSource& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize) return {};
+  const Counts named = namedCounts(bytes);
+  const Counts other = named == Counts::Of16Bits ? Counts::Of32Bits : Counts::Of16Bits;
+  for (const Counts counts : {named, other}) {
+    ByteReader reader(source, bytes);
+    if (isPossible(readNumbers(reader, counts))) return counts;
+  }
+  return {};
+}
+
 SurfaceDraft readBinary(const SurfaceSource& source) {
   ByteReader reader(source, source.bytes);
-  const Header header = readBinaryHeader(reader, isSecondVersion(source.bytes));
+  const Header header =
+      readNumbers(reader, possibleCounts(source).value_or(namedCounts(source.bytes)));
   SurfaceDraft draft = draftOf(source, header);
   const std::string_view data = source.bytes.substr(reader.place());
   requireSize(source, header.columns, header.rows, data.size(),
@@ -205,7 +235,7 @@ bool isText(std::string_view bytes) {
   return false;
 }
 
-/// Whether the texts of the header are texts and its numbers belong to a file of this size.
+/// Whether the texts of the header are texts and its numbers are possible.
 bool isBinary(const SurfaceSource& source) {
   const std::string_view bytes = source.bytes;
   if (!bytes.starts_with('b') || bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize)
@@ -214,15 +244,7 @@ bool isBinary(const SurfaceSource& source) {
   const bool arePrintable = std::ranges::all_of(
       texts, [](char letter) { return letter == 0 || (letter >= ' ' && letter <= '~'); });
   const std::string_view dates = texts.substr(kMagicSize + kIdentity);
-  if (!arePrintable || std::ranges::none_of(dates, isDigit)) return false;
-  ByteReader reader(source, bytes);
-  const Header header = readBinaryHeader(reader, isSecondVersion(bytes));
-  if (header.dataType < 0 || header.dataType > static_cast<int>(DataType::Double)) return false;
-  const auto points = static_cast<double>(header.columns) *
-                      static_cast<double>(std::max<std::int64_t>(header.rows, 1));
-  return header.columns > 0 && header.xScale > 0 && std::isfinite(header.xScale) &&
-         points * static_cast<double>(kSizes[static_cast<std::size_t>(header.dataType)]) <=
-             static_cast<double>(reader.left());
+  return arePrintable && std::ranges::any_of(dates, isDigit) && possibleCounts(source);
 }
 
 bool hasStandardName(std::string_view bytes, char kind) {

@@ -15,20 +15,27 @@ namespace {
 using namespace std::string_view_literals;
 
 /// Names in lower case; those of one letter must be all of the name.
-constexpr std::array kPositions{
-    "x"sv,          "position"sv, "pos"sv,         "distance"sv, "dist"sv,   "lateral"sv,
-    "abscissa"sv,   "abszisse"sv, "weg"sv,         "strecke"sv,  "travel"sv, "length"sv,
-    "l\u00E4nge"sv, "laenge"sv,   "s"sv,           "d"sv,        "l"sv,      "abstand"sv,
-    "messweg"sv,    "scan"sv,     "displacement"sv};
+constexpr std::array kPositions{"x"sv,          "position"sv, "pos"sv,
+                                "distance"sv,   "dist"sv,     "lateral"sv,
+                                "abscissa"sv,   "abszisse"sv, "weg"sv,
+                                "strecke"sv,    "travel"sv,   "length"sv,
+                                "l\u00E4nge"sv, "laenge"sv,   "s"sv,
+                                "d"sv,          "l"sv,        "abstand"sv,
+                                "messweg"sv,    "scan"sv,     "displacement"sv,
+                                "xposition"sv,  "xpos"sv,     "xcoordinate"sv,
+                                "encoder"sv,    "encoder1"sv};
+constexpr std::array kRows{"y"sv, "yposition"sv, "ypos"sv, "ycoordinate"sv};
 constexpr std::array kHeights{
-    "z"sv,       "height"sv,    "heights"sv,   "h"sv,          "h\u00F6he"sv, "hoehe"sv,
-    "profile"sv, "profil"sv,    "elevation"sv, "topography"sv, "topo"sv,      "depth"sv,
-    "tiefe"sv,   "amplitude"sv, "ordinate"sv,  "hauteur"sv,    "altezza"sv,   "altura"sv,
-    "primary"sv, "zdata"sv,     "deviation"sv, "raw"sv,        "value"sv,     "signal"sv};
-constexpr std::array kCounts{"index"sv, "#"sv,         "i"sv,      "n"sv,      "no"sv,
-                             "no."sv,   "nr"sv,        "nr."sv,    "idx"sv,    "point"sv,
-                             "pt"sv,    "punkt"sv,     "row"sv,    "id"sv,     "sample"sv,
-                             "zeile"sv, "messpunkt"sv, "number"sv, "nummer"sv, "count"sv};
+    "z"sv,          "height"sv,    "heights"sv, "h"sv,         "h\u00F6he"sv,
+    "hoehe"sv,      "profile"sv,   "profil"sv,  "elevation"sv, "altitude"sv,
+    "topography"sv, "topo"sv,      "depth"sv,   "tiefe"sv,     "amplitude"sv,
+    "ordinate"sv,   "hauteur"sv,   "altezza"sv, "altura"sv,    "primary"sv,
+    "zdata"sv,      "deviation"sv, "raw"sv,     "value"sv,     "signal"sv};
+constexpr std::array kCounts{"index"sv,   "#"sv,          "i"sv,           "n"sv,      "no"sv,
+                             "no."sv,     "nr"sv,         "nr."sv,         "idx"sv,    "point"sv,
+                             "pt"sv,      "punkt"sv,      "row"sv,         "id"sv,     "sample"sv,
+                             "zeile"sv,   "messpunkt"sv,  "number"sv,      "nummer"sv, "count"sv,
+                             "counter"sv, "row number"sv, "zeilennummer"sv};
 constexpr std::array kGood{"valid"sv,       "validity"sv, "ok"sv,      "good"sv,
                            "g\u00FCltig"sv, "gueltig"sv,  "isvalid"sv, "is_valid"sv};
 constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
@@ -64,6 +71,19 @@ bool isMonotone(const TextBlock& block, std::size_t column) {
     any = true;
   }
   return changes && (rises || falls);
+}
+
+/// "Profile Position", "P-Profile length": where the profile is, and not how high.
+bool isPlaceOfProfile(std::string_view name) {
+  const std::size_t at = name.find("profil");
+  if (at == std::string_view::npos) return false;
+  for (std::size_t i = name.find_first_of(" _-", at); i < name.size();
+       i = name.find_first_of(" _-", i + 1)) {
+    const std::string_view rest = name.substr(i + 1);
+    const std::string_view word = rest.substr(0, rest.find_first_of(" _-.(/"));
+    if (word.size() > 1 && isOne(kPositions, word)) return true;
+  }
+  return false;
 }
 
 enum class Course { Uniform, Monotone };
@@ -149,9 +169,9 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   for (int i = 0; i < columns; ++i) {
     const std::string name = lowerCase(block.columns[static_cast<std::size_t>(i)].name);
     if (i == positionChoice || i == heightChoice) continue;
-    if (name == "y" || name.starts_with("y ") || name.starts_with("y_") || name.starts_with("y-"))
+    if (begins(kRows, name) && !name.starts_with("y.") && !name.starts_with("y("))
       lateral.push_back(roles.y = i);
-    else if (roles.x < 0 && begins(kPositions, name))
+    else if (roles.x < 0 && (begins(kPositions, name) || isPlaceOfProfile(name)))
       roles.x = i;
     else if (begins(kHeights, name))
       roles.heights.push_back(i);
