@@ -150,15 +150,15 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
   const auto rowStep = headerLength(
       table, block,
       {"cellsize", "dy", "y spacing", "spacing y", "y step", "pixel size y", "y pixel size"});
-  auto countedX = countedStep(table, block, grid.columns, true);
-  auto countedY = countedStep(table, block, grid.rows, false);
-  if (!countedX || !countedY) countedX = countedY = {};
-  if (!extent.width && !extent.height && !columnStep && !rowStep && !countedX)
+  const auto countedX = countedStep(table, block, grid.columns, true);
+  const auto countedY = countedStep(table, block, grid.rows, false);
+  const bool isCounted = countedX && countedY;
+  if (!extent.width && !extent.height && !columnStep && !rowStep && !isCounted)
     extent = unnamedExtent(block);
-  const bool hasX = set(countedX, 1, grid.columnSpacing) ||
+  const bool hasX = (isCounted && set(countedX, 1, grid.columnSpacing)) ||
                     set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
                     set(columnStep, 1, grid.columnSpacing);
-  const bool hasY = set(countedY, 1, grid.rowSpacing) ||
+  const bool hasY = (isCounted && set(countedY, 1, grid.rowSpacing)) ||
                     set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
                     set(rowStep, 1, grid.rowSpacing);
   if (hasX && !hasY) grid.rowSpacing = grid.columnSpacing;
