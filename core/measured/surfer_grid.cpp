@@ -126,7 +126,7 @@ SurfaceDraft readSections(const SurfaceSource& source) {
     draft = draftOf(columns, rows, xStep, yStep);
     hasGrid = true;
   }
-  source.fail("has no block of heights; known is DATA behind GRID");
+  source.fail(message("has no block of heights; known are {}", "DATA"));
 }
 
 }  // namespace
