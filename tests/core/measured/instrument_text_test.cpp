@@ -8,6 +8,7 @@
 #include "tests/core/measured/binary_writers.h"
 #include "tests/core/measured/instrument_writers.h"
 #include "tests/core/measured/surface_expectations.h"
+#include "tests/core/measured/x3p_writer.h"
 
 namespace asperity::written {
 namespace {
@@ -295,6 +296,33 @@ TEST(PointSpacing, IsNeverIgnoredInSilence) {
   choices.spacing = 2e-6;
   EXPECT_FALSE(says(read(text, choices), "is not used"));
   EXPECT_TRUE(says(read(gsf(gsfHeader(), false), {.spacing = 1}), "is not used"));
+}
+
+// ---- Steps that are missing ---------------------------------------------------------------------
+
+TEST(X3pSteps, AreAskedForWhereNoneIsStated) {
+  X3pOptions options;
+  options.columnSpacing = std::nan("");
+  EXPECT_THAT(errorOf(x3p(options)), HasSubstr("surface.point_spacing: is needed"));
+  ReadingChoices choices;
+  choices.spacing = kColumnSpacing;
+  EXPECT_EQ(read(x3p(options), choices).topography.columnSpacing, kColumnSpacing);
+}
+
+TEST(Positions, ThatLeapAreRefused) {
+  std::string text = "x (um),z (um)\n";
+  for (int i = 0; i < 50; ++i) text += fmt::format("{},{}\n", i, i % 6);
+  const std::string first = text;
+  for (int i = 0; i < 50; ++i) text += fmt::format("{},{}\n", 1000000 + i, i % 6);
+  EXPECT_THAT(errorOf(text), HasSubstr("the positions leap from 49 to 1e+06, 1e+06 times"));
+  // A second stretch not far behind the first one leaves a gap.
+  text = first;
+  for (int i = 0; i < 50; ++i) text += fmt::format("{},{}\n", 90 + i, i % 6);
+  EXPECT_EQ(read(text).facts.gaps, 40);
+  // Steps that grow are no leap.
+  text = "x (um),z (um)\n";
+  for (int i = 0; i < 50; ++i) text += fmt::format("{:.6g},{}\n", std::pow(1.2, i), i % 6);
+  EXPECT_TRUE(read(text).facts.resampled);
 }
 
 // ---- Columns and units -------------------------------------------------------------------------
