@@ -21,8 +21,7 @@ constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
 
 constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those a key can say
-constexpr std::string_view kKnownUnits =
-    "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
+constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
 constexpr std::string_view kReadable =
     "text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and "
