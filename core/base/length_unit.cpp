@@ -95,8 +95,10 @@ std::optional<double> factorIn(std::string_view text) {
   text = trimmedBlanks(text);
   double number = 0;
   if (!text.starts_with("10") || text.size() == 2) {
-    if (readTextNumber(text, '.', number)) return number;
-    return {};
+    if (!readTextNumber(text, '.', number) || !(number > 0)) return {};
+    // Any other number is a length: "59.00 um" is no unit.
+    const double exponent = std::log10(number);
+    return std::abs(exponent - std::round(exponent)) < 1e-9 ? std::optional(number) : std::nullopt;
   }
   std::string exponent(text.substr(2));
   for (const auto& [raised, plain] :

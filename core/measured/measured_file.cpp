@@ -14,26 +14,33 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
+constexpr std::size_t kBeginning = 4096;                    // bytes that tell the kind
 constexpr double kFarthest = 1e6;                           // m, of lengths and heights
 // Numbers without a unit that are beyond these are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
 
+constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those a key can say
+constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
+
 constexpr std::string_view kReadable =
-    "text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read";
+    "text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and "
+    "Surfer files are read";
 
 // ---- Kinds -------------------------------------------------------------------------------------
 
 /// The kind by the first bytes; empty where it can only be text or unknown.
-std::string_view kindOf(std::string_view bytes) {
+std::string_view kindOf(const SurfaceSource& source) {
+  const std::string_view bytes = source.bytes;
   if (bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6")) return "x3p";
   if (bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED")) return "sur";
   if (bytes.starts_with("Gwyddion Simple Field")) return "gsf";
   if (bytes.starts_with("GWYP")) return "gwy";
-  constexpr std::size_t kSdfMagic = 5;
-  const std::string_view magic =
-      (bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes).substr(0, kSdfMagic);
-  if (magic == "aISO-" || magic == "bISO-" || magic == "aBCR-" || magic == "bBCR-") return "sdf";
+  if (isZygo(source)) return "zygo";
+  if (isWyko(source)) return "wyko";
+  if (isSurfer(source)) return "surfer";
+  if (isSdf(source)) return "sdf";
+  if (isSmd(source)) return "smd";
   const std::string_view foreign = foreignKindOf(bytes);
   return foreign.empty() || foreign == "text in UTF-16" ? "text" : "";
 }
@@ -45,9 +52,13 @@ bool isTextForm(std::string_view format) {
 SurfaceDraft readDraft(const SurfaceSource& source, std::string_view kind) {
   if (kind == "x3p") return readX3p(source);
   if (kind == "sdf") return readSdf(source);
+  if (kind == "smd") return readSmd(source);
   if (kind == "sur") return readSur(source);
   if (kind == "gsf") return readGsf(source);
   if (kind == "gwy") return readGwy(source, false);
+  if (kind == "zygo") return readZygo(source);
+  if (kind == "wyko") return readWyko(source);
+  if (kind == "surfer") return readSurfer(source);
   return readTextSurface(source);
 }
 
@@ -84,6 +95,12 @@ double rmsSlope(const Topography& grid) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
+/// That a unit must be said, since the file states one that is not known.
+Message unknownUnitText(const std::string& unit) {
+  return message("is needed ({}): the unit '{}' of the file is not known; known are {}", kUnits,
+                 shortened(unit), kKnownUnits);
+}
+
 /// What numbers without a unit would mean in metres must be possible.
 void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
                       const ReadingFacts& facts) {
@@ -91,8 +108,10 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
   const bool assumesX = facts.positionUnit.source == UnitSource::Assumed;
   const bool assumesZ = facts.heightUnit.source == UnitSource::Assumed;
   const double length = std::max(grid.length(), grid.width());
-  constexpr std::string_view kUnits = "m, mm, um, nm, in";
   if (assumesX && length > kLongestAssumed) {
+    if (draft.hasPositions && !draft.unknownPositionUnit.empty())
+      throw InputError(source.name, "surface.position_unit",
+                       unknownUnitText(draft.unknownPositionUnit));
     if (draft.hasPositions)
       throw InputError(
           source.name, "surface.position_unit",
@@ -104,6 +123,10 @@ void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
   }
   if (!assumesX && !assumesZ) return;
   const double slope = rmsSlope(grid);
+  const std::string& unknown = assumesZ ? draft.unknownHeightUnit : draft.unknownPositionUnit;
+  if (slope > kSteepestAssumed && !unknown.empty())
+    throw InputError(source.name, assumesZ ? "surface.height_unit" : "surface.position_unit",
+                     unknownUnitText(unknown));
   if (slope > kSteepestAssumed)
     throw InputError(source.name, assumesZ ? "surface.height_unit" : "surface.position_unit",
                      assumesZ
@@ -120,13 +143,19 @@ void applyUnits(const SurfaceSource& source, SurfaceDraft& draft) {
   Topography& grid = draft.grid;
   facts.positionUnit = unitFact(source.choices.positionUnit, draft.positionUnit);
   facts.heightUnit = unitFact(source.choices.heightUnit, draft.heightUnit);
-  if (!draft.hasPositions && source.choices.spacing > 0) {
-    grid.columnSpacing = grid.rowSpacing = source.choices.spacing;
+  const double spacing = source.choices.spacing;
+  const bool isStated = draft.hasPositions && spacing > 0;
+  if (!draft.hasPositions && spacing > 0) {
+    grid.columnSpacing = grid.rowSpacing = spacing;
     facts.positionUnit = {"m", 1, UnitSource::Choice};
     draft.hasPositions = true;
   }
   grid.columnSpacing *= facts.positionUnit.metres;
   grid.rowSpacing *= facts.positionUnit.metres;
+  constexpr double kEqual = 1e-6;
+  if (isStated && !(std::abs(grid.columnSpacing - spacing) <= kEqual * spacing))
+    facts.notes.emplace_back(
+        "surface.point_spacing is not used: the file says how far its points are apart.");
   if (facts.heightUnit.metres != 1)
     for (double& height : grid.height)
       if (!std::isnan(height)) height *= facts.heightUnit.metres;
@@ -158,6 +187,9 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "profile") return "a profile as text";
   if (facts.format == "matrix") return "a matrix of heights as text";
   if (facts.format == "points") return "points x, y, z as text";
+  if (facts.format == "zygo") return "a text file of Zygo";
+  if (facts.format == "wyko") return "a text file of Wyko";
+  if (facts.format == "surfer") return "a grid of Surfer";
   if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
   std::string name = facts.format;
   for (char& letter : name)
@@ -183,6 +215,10 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.push_back(message("Positions are in {}, as the file states.", position.unit));
   else if (position.source == UnitSource::Choice)
     notes.push_back(message("Positions are in {}, as the scene says.", position.unit));
+  else if (!draft.unknownPositionUnit.empty())
+    notes.push_back(
+        message("The unit '{}' of the positions is not known: they are taken as metres.",
+                shortened(draft.unknownPositionUnit)));
   else
     notes.emplace_back("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
@@ -190,6 +226,9 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.push_back(message("Heights are in {}, as the file states.", height.unit));
   else if (height.source == UnitSource::Choice)
     notes.push_back(message("Heights are in {}, as the scene says.", height.unit));
+  else if (!draft.unknownHeightUnit.empty())
+    notes.push_back(message("The unit '{}' of the heights is not known: they are taken as metres.",
+                            shortened(draft.unknownHeightUnit)));
   else
     notes.emplace_back("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
@@ -211,11 +250,7 @@ MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
 }
 
 /// The bytes of the file, read in parts so that it can be stopped.
-std::string bytesOf(const std::filesystem::path& file, const std::stop_token& stop) {
-  const RegularFile regular(file);
-  if (regular.size() > kLargestFile)
-    throw InputError(file.string(), "",
-                     message("is larger than the {} bytes allowed", kLargestFile));
+std::string bytesOf(const RegularFile& regular, const std::stop_token& stop) {
   constexpr std::size_t kPart = std::size_t{1} << 24;
   if (regular.size() <= kPart) return regular.read(0, kPart);
   std::string bytes;
@@ -266,7 +301,7 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   requireChoices(source);
   source.report(0);
   if (bytes.empty()) source.fail("is empty");
-  const std::string_view found = kindOf(bytes);
+  const std::string_view found = kindOf(source);
   const std::string& format = choices.format;
   const std::string_view kind = format == "auto"     ? found
                                 : isTextForm(format) ? std::string_view("text")
@@ -279,10 +314,15 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
                               const std::stop_token& stop, const ReadingProgress& progress) {
   const std::string name = file.string();
   {
-    const std::string bytes = bytesOf(file, stop);
-    const bool isOther = choices.format == "auto" && !bytes.empty() && kindOf(bytes).empty();
+    const RegularFile regular(file);
+    if (regular.size() > kLargestFile)
+      throw InputError(name, "", message("is larger than the {} bytes allowed", kLargestFile));
+    // The beginning tells the kind: a large file of none that is known is not read for nothing.
+    const std::string beginning = regular.read(0, kBeginning);
+    const SurfaceSource source{beginning, name, choices, stop, progress};
+    const bool isOther = choices.format == "auto" && kindOf(source).empty();
     if (choices.format != "gwyddion" && !isOther)
-      return readMeasuredBytes(bytes, name, choices, stop, progress);
+      return readMeasuredBytes(bytesOf(regular, stop), name, choices, stop, progress);
   }
   const std::string converted = convertWithGwyddion(file, stop);
   const SurfaceSource source{converted, name, choices, stop, progress};
@@ -295,7 +335,6 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
 bool isSurfaceFile(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return false;
-  constexpr std::size_t kBeginning = 4096;
   return !beginsAsObject(RegularFile(file).read(0, kBeginning));
 }
 

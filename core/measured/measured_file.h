@@ -1,6 +1,7 @@
 // Reads measured profiles and topographies of every kind: text in many forms, X3P (ISO 25178-72),
-// SDF (ISO 25178-71), SUR and PRO (Digital Surf), GSF and GWY (Gwyddion), and what else an
-// installed Gwyddion can read. The kind is told from the content of a file, never from its name.
+// SDF (ISO 25178-71), SMD and PRF (ISO 5436-2), SUR and PRO (Digital Surf), GSF and GWY (Gwyddion),
+// the text files of Zygo and Wyko, grids of Surfer, and what else an installed Gwyddion can read.
+// The kind is told from the content of a file, never from its name.
 //
 // Whatever the reader finds out by itself (kind, columns, units) stands in the facts, and each of
 // these guesses can be overridden by a choice.
@@ -26,8 +27,9 @@ namespace asperity {
 /// The names of `surface.format`. `text` is any of the three text forms; `profile` is one or more
 /// columns, a row for each point; `matrix` a row of heights for each profile; `points` x, y and z
 /// of one point in each row, in any order. `gwyddion` is a file that only Gwyddion reads.
-inline constexpr std::array<std::string_view, 11> kSurfaceFormats{
-    "auto", "text", "profile", "matrix", "points", "x3p", "sdf", "sur", "gsf", "gwy", "gwyddion"};
+inline constexpr std::array<std::string_view, 15> kSurfaceFormats{
+    "auto", "text", "profile", "matrix", "points", "x3p",    "sdf",     "smd",
+    "sur",  "gsf",  "gwy",     "zygo",   "wyko",   "surfer", "gwyddion"};
 
 /// The names of `surface.position_unit` and `surface.height_unit`.
 inline constexpr std::array<std::string_view, 6> kSurfaceUnits{"auto", "m", "mm", "um", "nm", "in"};

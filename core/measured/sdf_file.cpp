@@ -1,8 +1,11 @@
 // Surface Data File (ISO 25178-71; BCR before it): aISO-1.0 and aISO-2.0 as text, bISO-1.0 and
-// bISO-2.0 as bytes, whose counts of points have 16 and 32 bits. Heights are numbers times Zscale,
+// bISO-2.0 as bytes, whose counts of points have 16 and 32 bits. Institutes put names of their own
+// behind the a or b ("aNPL-V1.0"); the header below is the same. Heights are numbers times Zscale,
 // in metres; BAD, the lowest integer or the lowest float marks a point that was not measured.
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/base/number_text.h"
@@ -10,11 +13,13 @@
 #include "core/base/text_number.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
+#include "core/measured/word_reader.h"
 
 namespace asperity {
 namespace {
 
-constexpr std::size_t kMagicSize = 8;
+constexpr std::size_t kMagicSize = 8, kIdentity = 10, kDates = 24;
+constexpr std::size_t kNumbersSize = 43;  // of 32-bit counts, which are the longer ones
 
 /// Codes of DataType. The unsigned ones are of BCR alone.
 enum class DataType { Uint8, Uint16, Uint32, Float, Int8, Int16, Int32, Double };
@@ -64,14 +69,14 @@ void takeHeights(const SurfaceSource& source, std::string_view data, double scal
       [](Number number) { return isSigned && number == std::numeric_limits<Number>::lowest(); });
 }
 
-SurfaceDraft readBinary(const SurfaceSource& source) {
-  const bool isSecond = source.bytes.substr(0, kMagicSize).ends_with("2.0");
-  ByteReader reader(source, source.bytes);
-  constexpr std::size_t kIdentity = 10, kDates = 24;
+enum class Counts { Of16Bits, Of32Bits };
+
+Header readNumbers(ByteReader& reader, Counts counts) {
+  const bool areLong = counts == Counts::Of32Bits;
   reader.skip(kMagicSize + kIdentity + kDates);
   Header header;
-  header.columns = isSecond ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
-  header.rows = isSecond ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
+  header.columns = areLong ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
+  header.rows = areLong ? reader.read<std::uint32_t>() : reader.read<std::uint16_t>();
   header.xScale = reader.read<double>();
   header.yScale = reader.read<double>();
   header.zScale = reader.read<double>();
@@ -79,6 +84,42 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   header.compression = reader.read<std::uint8_t>();
   header.dataType = reader.read<std::uint8_t>();
   header.checkType = reader.read<std::uint8_t>();
+  return header;
+}
+
+/// Whether the numbers of a header can be meant.
+bool isPossible(const Header& header) {
+  const auto isBetween = [](double size, double least, double most) {
+    return std::isfinite(size) && std::abs(size) >= least && std::abs(size) <= most;
+  };
+  return header.columns > 0 && header.rows > 0 && isBetween(header.xScale, 1e-15, 1e3) &&
+         isBetween(header.zScale, 1e-20, 1e6) && header.dataType >= 0 &&
+         header.dataType <= static_cast<int>(DataType::Double);
+}
+
+/// As the name of the version says.
+Counts namedCounts(std::string_view bytes) {
+  return bytes.substr(0, kMagicSize).ends_with("2.0") ? Counts::Of32Bits : Counts::Of16Bits;
+}
+
+/// Counts have 32 bits in the second version; some writers put its name above a header of the
+/// first one. Empty where the header is none of them.
+std::optional<Counts> possibleCounts(const SurfaceSource& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize) return {};
+  const Counts named = namedCounts(bytes);
+  const Counts other = named == Counts::Of16Bits ? Counts::Of32Bits : Counts::Of16Bits;
+  for (const Counts counts : {named, other}) {
+    ByteReader reader(source, bytes);
+    if (isPossible(readNumbers(reader, counts))) return counts;
+  }
+  return {};
+}
+
+SurfaceDraft readBinary(const SurfaceSource& source) {
+  ByteReader reader(source, source.bytes);
+  const Header header =
+      readNumbers(reader, possibleCounts(source).value_or(namedCounts(source.bytes)));
   SurfaceDraft draft = draftOf(source, header);
   const std::string_view data = source.bytes.substr(reader.place());
   requireSize(source, header.columns, header.rows, data.size(),
@@ -116,10 +157,7 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
 
 class TextReader {
  public:
-  explicit TextReader(const SurfaceSource& source) : source_(source) {
-    decodeText(source.bytes, source.name, decoded_);
-    rest_ = decoded_.text;
-  }
+  TextReader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
     readHeader();
@@ -134,20 +172,21 @@ class TextReader {
     header.checkType = static_cast<int>(whole("CheckType", "0"));
     SurfaceDraft draft = draftOf(source_, header);
     // A digit and a blank are the least that a height takes.
-    requireSize(source_, header.columns, header.rows, rest_.size() + 1, 2);
-    readHeights(header.zScale, draft.grid);
+    requireSize(source_, header.columns, header.rows, reader_.left() + 1, 2);
+    const auto count = static_cast<std::size_t>(header.columns * header.rows);
+    readHeights(source_, reader_, count, header.zScale, '*', draft.grid.height,
+                [](double) { return false; });
+    requireNoMoreHeights(source_, reader_, count);
     return draft;
   }
 
  private:
-  static constexpr std::string_view kBlanks = " \t\r\n";
-
   /// Up to the line of a star.
   void readHeader() {
-    nextLine();  // version
+    reader_.nextLine();  // version
     while (true) {
-      if (rest_.empty()) source_.fail(message("the header of the {} file has no end", "SDF"));
-      const std::string_view line = nextLine();
+      if (reader_.atEnd()) source_.fail(message("the header of the {} file has no end", "SDF"));
+      const std::string_view line = reader_.nextLine();
       if (line.starts_with('*')) return;
       const std::size_t at = line.find_first_of("= \t");
       if (line.empty() || line.front() == ';' || at == std::string_view::npos) continue;
@@ -155,14 +194,6 @@ class TextReader {
       if (value.starts_with('=')) value = trimmedBlanks(value.substr(1));
       values_[lowerCase(line.substr(0, at))] = value;
     }
-  }
-
-  std::string_view nextLine() {
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    const std::string_view line = trimmedBlanks(rest_.substr(0, end));
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    ++line_;
-    return line;
   }
 
   std::string_view value(const std::string& key, std::string_view fallback) const {
@@ -184,55 +215,56 @@ class TextReader {
     return number;
   }
 
-  void readHeights(double scale, Topography& grid) {
-    const auto count = static_cast<std::size_t>(grid.columns * grid.rows);
-    grid.height.reserve(count);
-    constexpr std::size_t kStep = std::size_t{1} << 18;
-    while (grid.height.size() < count) {
-      if (grid.height.size() % kStep == 0)
-        source_.report(static_cast<double>(grid.height.size()) / static_cast<double>(count));
-      const std::string_view word = nextWord();
-      if (word.empty() || word.front() == '*')
-        source_.fail(
-            message("line {}: ends after {} of {} heights", line_ + 1, grid.height.size(), count));
-      const Field field = readField(word, '.');
-      if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
-        source_.fail(
-            message("line {}: height {} is not a number", line_ + 1, grid.height.size() + 1));
-      const bool isGap = field.kind == FieldKind::Missing || !std::isfinite(field.value * scale);
-      grid.height.push_back(isGap ? std::numeric_limits<double>::quiet_NaN() : field.value * scale);
-    }
-    const std::string_view after = nextWord();
-    if (!after.empty() && after.front() != '*' && readField(after, '.').kind == FieldKind::Number)
-      source_.fail(
-          message("line {}: has more than the {} heights that the header says", line_ + 1, count));
-  }
-
-  std::string_view nextWord() {
-    while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
-      line_ += rest_.front() == '\n' ? 1 : 0;
-      rest_.remove_prefix(1);
-    }
-    std::size_t end = 0;
-    while (end < rest_.size() && kBlanks.find(rest_[end]) == std::string_view::npos) ++end;
-    const std::string_view word = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    return word;
-  }
-
   const SurfaceSource& source_;
-  DecodedText decoded_;
-  std::string_view rest_;
-  std::size_t line_ = 0;
+  WordReader reader_;
   std::map<std::string, std::string_view> values_;
 };
 
+// ---- Recognition -------------------------------------------------------------------------------
+
+/// Whether the first line is a version such as "aISO-1.0" or "aNPL-V1.0" and the maker stands
+/// below.
+bool isText(std::string_view bytes) {
+  constexpr std::size_t kLongestVersion = 32, kLinesLookedAt = 4;
+  WordReader reader(bytes.substr(0, 1024));
+  const std::string_view version = reader.nextLine();
+  if (version.size() < 4 || version.size() > kLongestVersion || lowerCase(version).front() != 'a')
+    return false;
+  for (std::size_t i = 0; i < kLinesLookedAt; ++i)
+    if (lowerCase(reader.nextLine()).starts_with("manufacid")) return true;
+  return false;
+}
+
+/// Whether the texts of the header are texts and its numbers are possible.
+bool isBinary(const SurfaceSource& source) {
+  const std::string_view bytes = source.bytes;
+  if (!bytes.starts_with('b') || bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize)
+    return false;
+  const std::string_view texts = bytes.substr(0, kMagicSize + kIdentity + kDates);
+  const bool arePrintable = std::ranges::all_of(
+      texts, [](char letter) { return letter == 0 || (letter >= ' ' && letter <= '~'); });
+  const std::string_view dates = texts.substr(kMagicSize + kIdentity);
+  return arePrintable && std::ranges::any_of(dates, isDigit) && possibleCounts(source);
+}
+
+bool hasStandardName(std::string_view bytes, char kind) {
+  return bytes.starts_with(kind) &&
+         (bytes.substr(1).starts_with("ISO-") || bytes.substr(1).starts_with("BCR-"));
+}
+
 }  // namespace
 
+bool isSdf(const SurfaceSource& source) {
+  const std::string_view bytes = withoutByteOrderMark(source.bytes);
+  return hasStandardName(bytes, 'a') || hasStandardName(bytes, 'b') || isText(bytes) ||
+         isBinary(source);
+}
+
 SurfaceDraft readSdf(const SurfaceSource& source) {
-  const std::string_view magic = source.bytes.substr(0, kMagicSize);
-  const bool isBinary = magic.starts_with("bISO-") || magic.starts_with("bBCR-");
-  return isBinary ? readBinary(source) : TextReader(source).read();
+  if (source.bytes.starts_with('b')) return readBinary(source);
+  DecodedText decoded;
+  decodeText(source.bytes, source.name, decoded);
+  return TextReader(source, decoded.text).read();
 }
 
 }  // namespace asperity

@@ -40,7 +40,9 @@ struct SurfaceDraft {
   Topography grid{};  // both spacings in the position unit, heights in the height unit
   std::optional<StatedUnit> positionUnit{}, heightUnit{};  // empty: the file states none
   bool hasPositions = true;  // false: nothing in the file says how far its points are apart
-  ReadingFacts facts{};      // format, columns and notes; the rest is filled in later
+  // A unit that the file writes and nobody knows; empty where it states none or a known one.
+  std::string unknownPositionUnit{}, unknownHeightUnit{};
+  ReadingFacts facts{};  // format, columns and notes; the rest is filled in later
 };
 
 /// Points that are read at most: 512 MiB of heights.
@@ -58,10 +60,21 @@ std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_vi
 SurfaceDraft readTextSurface(const SurfaceSource& source);
 SurfaceDraft readX3p(const SurfaceSource& source);
 SurfaceDraft readSdf(const SurfaceSource& source);
+SurfaceDraft readSmd(const SurfaceSource& source);
 SurfaceDraft readSur(const SurfaceSource& source);
+SurfaceDraft readSurfer(const SurfaceSource& source);
+SurfaceDraft readWyko(const SurfaceSource& source);
+SurfaceDraft readZygo(const SurfaceSource& source);
 SurfaceDraft readGsf(const SurfaceSource& source);
 /// masksAreGaps: points that are masked were not measured, as where Gwyddion reads other formats.
 SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps);
+
+// Whether the beginning of a file says that it is of this kind, where that takes more than a word.
+bool isSdf(const SurfaceSource& source);
+bool isSmd(const SurfaceSource& source);
+bool isSurfer(const SurfaceSource& source);
+bool isWyko(const SurfaceSource& source);
+bool isZygo(const SurfaceSource& source);
 
 /// The file as a GWY file that Gwyddion makes of it. Throws InputError where it is not installed or
 /// does not know the file either.

@@ -7,6 +7,7 @@
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
 #include "core/measured/text_surface.h"
+#include "core/measured/uniform_positions.h"
 
 namespace asperity {
 namespace {
@@ -14,20 +15,27 @@ namespace {
 using namespace std::string_view_literals;
 
 /// Names in lower case; those of one letter must be all of the name.
-constexpr std::array kPositions{
-    "x"sv,          "position"sv, "pos"sv,         "distance"sv, "dist"sv,   "lateral"sv,
-    "abscissa"sv,   "abszisse"sv, "weg"sv,         "strecke"sv,  "travel"sv, "length"sv,
-    "l\u00E4nge"sv, "laenge"sv,   "s"sv,           "d"sv,        "l"sv,      "abstand"sv,
-    "messweg"sv,    "scan"sv,     "displacement"sv};
+constexpr std::array kPositions{"x"sv,          "position"sv, "pos"sv,
+                                "distance"sv,   "dist"sv,     "lateral"sv,
+                                "abscissa"sv,   "abszisse"sv, "weg"sv,
+                                "strecke"sv,    "travel"sv,   "length"sv,
+                                "l\u00E4nge"sv, "laenge"sv,   "s"sv,
+                                "d"sv,          "l"sv,        "abstand"sv,
+                                "messweg"sv,    "scan"sv,     "displacement"sv,
+                                "xposition"sv,  "xpos"sv,     "xcoordinate"sv,
+                                "encoder"sv,    "encoder1"sv};
+constexpr std::array kRows{"y"sv, "yposition"sv, "ypos"sv, "ycoordinate"sv};
 constexpr std::array kHeights{
-    "z"sv,       "height"sv,    "heights"sv,   "h"sv,          "h\u00F6he"sv, "hoehe"sv,
-    "profile"sv, "profil"sv,    "elevation"sv, "topography"sv, "topo"sv,      "depth"sv,
-    "tiefe"sv,   "amplitude"sv, "ordinate"sv,  "hauteur"sv,    "altezza"sv,   "altura"sv,
-    "primary"sv, "zdata"sv,     "deviation"sv, "raw"sv,        "value"sv,     "signal"sv};
-constexpr std::array kCounts{"index"sv, "#"sv,         "i"sv,      "n"sv,      "no"sv,
-                             "no."sv,   "nr"sv,        "nr."sv,    "idx"sv,    "point"sv,
-                             "pt"sv,    "punkt"sv,     "row"sv,    "id"sv,     "sample"sv,
-                             "zeile"sv, "messpunkt"sv, "number"sv, "nummer"sv, "count"sv};
+    "z"sv,          "height"sv,    "heights"sv, "h"sv,         "h\u00F6he"sv,
+    "hoehe"sv,      "profile"sv,   "profil"sv,  "elevation"sv, "altitude"sv,
+    "topography"sv, "topo"sv,      "depth"sv,   "tiefe"sv,     "amplitude"sv,
+    "ordinate"sv,   "hauteur"sv,   "altezza"sv, "altura"sv,    "primary"sv,
+    "zdata"sv,      "deviation"sv, "raw"sv,     "value"sv,     "signal"sv};
+constexpr std::array kCounts{"index"sv,   "#"sv,          "i"sv,           "n"sv,      "no"sv,
+                             "no."sv,     "nr"sv,         "nr."sv,         "idx"sv,    "point"sv,
+                             "pt"sv,      "punkt"sv,      "row"sv,         "id"sv,     "sample"sv,
+                             "zeile"sv,   "messpunkt"sv,  "number"sv,      "nummer"sv, "count"sv,
+                             "counter"sv, "row number"sv, "zeilennummer"sv};
 constexpr std::array kGood{"valid"sv,       "validity"sv, "ok"sv,      "good"sv,
                            "g\u00FCltig"sv, "gueltig"sv,  "isvalid"sv, "is_valid"sv};
 constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
@@ -63,6 +71,51 @@ bool isMonotone(const TextBlock& block, std::size_t column) {
     any = true;
   }
   return changes && (rises || falls);
+}
+
+/// "Profile Position", "P-Profile length": where the profile is, and not how high.
+bool isPlaceOfProfile(std::string_view name) {
+  const std::size_t at = name.find("profil");
+  if (at == std::string_view::npos) return false;
+  for (std::size_t i = name.find_first_of(" _-", at); i < name.size();
+       i = name.find_first_of(" _-", i + 1)) {
+    const std::string_view rest = name.substr(i + 1);
+    const std::string_view word = rest.substr(0, rest.find_first_of(" _-.(/"));
+    if (word.size() > 1 && isOne(kPositions, word)) return true;
+  }
+  return false;
+}
+
+enum class Course { Uniform, Monotone };
+
+/// Among columns named like heights, the only one with this course: "Profile Path Length" beside
+/// "Depth". -1: there is none.
+int onlyOne(const TextBlock& block, const std::vector<int>& columns, Course course) {
+  int found = -1;
+  for (const int column : columns) {
+    const TextColumn& one = block.columns[static_cast<std::size_t>(column)];
+    if (one.isText || (one.name.empty() && block.columns.size() > 3)) continue;
+    const auto number = static_cast<std::size_t>(column);
+    const bool isUniform = uniformSpacing(block.column(number)).has_value();
+    if (course == Course::Uniform ? !isUniform : !isMonotone(block, number)) continue;
+    if (found >= 0) return -1;
+    found = column;
+  }
+  return found;
+}
+
+/// What stands in brackets at the end of a name; empty where there is nothing.
+std::string_view inBrackets(std::string_view name) {
+  const std::size_t begin = name.rfind('(');
+  if (begin == std::string_view::npos || begin == 0 || !name.ends_with(')')) return {};
+  return trimmedBlanks(name.substr(begin + 1, name.size() - begin - 2));
+}
+
+/// Whether it can be meant as a unit: short, and not a number.
+bool canBeUnit(std::string_view text) {
+  constexpr std::size_t kLongest = 20;
+  return !text.empty() && text.size() <= kLongest &&
+         text.find_first_of("0123456789") == std::string_view::npos;
 }
 
 /// Share of ones where there is nothing but 0 and 1; -1 else.
@@ -111,13 +164,14 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
     throw InputError(source.name, "surface.height_column",
                      "is the column of the positions, too; they need one each");
 
-  std::vector<int> open;  // columns whose meaning is not known by name
+  std::vector<int> lateral;  // columns named y
+  std::vector<int> open;     // columns whose meaning is not known by name
   for (int i = 0; i < columns; ++i) {
     const std::string name = lowerCase(block.columns[static_cast<std::size_t>(i)].name);
     if (i == positionChoice || i == heightChoice) continue;
-    if (name == "y" || name.starts_with("y ") || name.starts_with("y_") || name.starts_with("y-"))
-      roles.y = i;
-    else if (roles.x < 0 && begins(kPositions, name))
+    if (begins(kRows, name) && !name.starts_with("y.") && !name.starts_with("y("))
+      lateral.push_back(roles.y = i);
+    else if (roles.x < 0 && (begins(kPositions, name) || isPlaceOfProfile(name)))
       roles.x = i;
     else if (begins(kHeights, name))
       roles.heights.push_back(i);
@@ -126,6 +180,11 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
     if (roles.x != i && roles.y != i && roles.validity != i && !isOne(kCounts, name) &&
         std::ranges::find(roles.heights, i) == roles.heights.end())
       open.push_back(i);
+  }
+  // "y" and "y 2" are two curves over x.
+  if (lateral.size() > 1) {
+    roles.heights.insert(roles.heights.begin(), lateral.begin(), lateral.end());
+    roles.y = -1;
   }
   roles.named = roles.x >= 0 || !roles.heights.empty();
   const std::size_t namedHeights = roles.heights.size();
@@ -150,6 +209,10 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
     open.erase(open.begin());
   }
   for (const int column : open) roles.heights.push_back(column);
+  if (roles.x < 0 && positionChoice < 0 && heightChoice < 0 && roles.heights.size() > 1) {
+    roles.x = onlyOne(block, roles.heights, Course::Uniform);
+    if (roles.x < 0) roles.x = onlyOne(block, roles.heights, Course::Monotone);
+  }
   std::erase(roles.heights, roles.x);
   if (heightChoice >= 0)
     roles.z = heightChoice;
@@ -197,8 +260,30 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
   return {};
 }
 
-std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
-                                     bool ofHeights) {
+std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
+                                        std::int64_t count, bool alongX) {
+  const std::string_view letter = alongX ? "x" : "y";
+  for (const std::string_view form : {"axis {}", "{} axis", "{}-axis", "achse {}", "{}-achse",
+                                      "axe {}", "axe des {}", "eje {}", "asse {}"}) {
+    std::string key(form);
+    replaceAll(key, "{}", letter);
+    const std::string text = table.entry(key, block);
+    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+    const auto length = quantityIn(std::string_view(text).substr(end));
+    double points = 0;
+    if (!length || !readTextNumber(std::string_view(text).substr(0, end), '.', points)) continue;
+    const auto metres = metresPer(length->unit);
+    if (!metres || points != static_cast<double>(count) || count < 2 || !(length->number > 0))
+      continue;
+    return HeaderLength{length->number / (points - 1), StatedUnit{length->unit, *metres}};
+  }
+  return {};
+}
+
+namespace {
+
+/// Keys in lower case of entries that state a unit.
+std::vector<std::string> unitKeys(bool ofHeights, UnitEntries entries) {
   const std::vector<std::string> heights{"z",
                                          "value units",
                                          "value unit",
@@ -224,16 +309,39 @@ std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& bl
   const std::vector<std::string> positions{
       "x unit",        "x units", "x-unit",   "unit x",    "units x",   "xunit", "lateral unit",
       "position unit", "xy unit", "xy units", "x-einheit", "einheit x", "x"};
-  const std::vector<std::string> both{"unit", "units", "einheit", "length unit"};
-  for (const auto& keys : {ofHeights ? heights : positions, both})
-    for (const std::string& key : keys) {
-      const std::string text = table.entry(key, block);
-      // "x: mm" states a unit, "x: 5 mm" a length.
-      const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
-      const auto metres = metresPer(text);
-      if (metres && (isAlone || key.size() > 1))
-        return StatedUnit{std::string(withoutBrackets(text)), *metres};
-    }
+  std::vector<std::string> keys = ofHeights ? heights : positions;
+  if (entries == UnitEntries::AndCommon)
+    for (const char* common : {"unit", "units", "einheit", "length unit"})
+      keys.emplace_back(common);
+  return keys;
+}
+
+}  // namespace
+
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
+                                     UnitEntries entries) {
+  for (const std::string& key : unitKeys(ofHeights, entries)) {
+    const std::string text = table.entry(key, block);
+    // "x: mm" states a unit, "x: 5 mm" a length.
+    const bool isAlone = text.find_first_of("0123456789") == std::string::npos;
+    const auto metres = metresPer(text);
+    if (metres && (isAlone || key.size() > 1))
+      return StatedUnit{std::string(withoutBrackets(text)), *metres};
+  }
+  return {};
+}
+
+std::string unknownUnit(const TextTable& table, const TextBlock& block, int column,
+                        bool ofHeights) {
+  if (column >= 0)
+    if (const auto text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
+        canBeUnit(text) && !metresPer(text))
+      return std::string(text);
+  for (const std::string& key : unitKeys(ofHeights, UnitEntries::Own)) {
+    const std::string text = table.entry(key, block);
+    const std::string_view unit = withoutBrackets(text);
+    if (key.size() > 1 && canBeUnit(unit) && !metresPer(unit)) return std::string(unit);
+  }
   return {};
 }
 
@@ -242,7 +350,11 @@ std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTabl
   const std::string& unit = block.columns[static_cast<std::size_t>(column)].unit;
   const bool isChosen =
       (ofHeights ? source.choices.heightUnit : source.choices.positionUnit) != "auto";
-  if (unit.empty()) return headerUnit(table, block, ofHeights);
+  if (unit.empty()) {
+    const std::string_view text = inBrackets(block.columns[static_cast<std::size_t>(column)].name);
+    if (const auto metres = metresPer(text)) return StatedUnit{std::string(text), *metres};
+    return headerUnit(table, block, ofHeights);
+  }
   if (const auto metres = metresPer(unit)) return StatedUnit{unit, *metres};
   if (isChosen) return {};
   throw InputError(source.name, ofHeights ? "surface.height_unit" : "surface.position_unit",

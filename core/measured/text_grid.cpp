@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/base/length_unit.h"
+#include "core/base/number_text.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
 #include "core/measured/text_surface.h"
@@ -34,6 +35,21 @@ Extent extentOf(const TextTable& table, const TextBlock& block) {
                    {"height", "h\u00F6he", "hauteur", "v\u00FD\u0161ka", "altezza", "altura",
                     "\u0432\u044B\u0441\u043E\u0442\u0430", "\u0412\u044B\u0441\u043E\u0442\u0430",
                     "\u9AD8\u3055", "y size", "y range", "y length", "size y", "yreal"});
+  return extent;
+}
+
+/// SPIP's text: lengths in nanometres without a unit, heights times Bit2nm in nanometres.
+std::optional<double> nanometresPerHeight(const TextTable& table, const TextBlock& block) {
+  const auto bit = quantityIn(table.entry("bit2nm", block));
+  return bit && bit->number > 0 ? std::optional(bit->number) : std::nullopt;
+}
+
+Extent spipExtent(const TextTable& table, const TextBlock& block) {
+  Extent extent;
+  extent.width = headerLength(table, block, {"x-length"});
+  extent.height = headerLength(table, block, {"y-length"});
+  for (auto* length : {&extent.width, &extent.height})
+    if (*length && !(*length)->unit) (*length)->unit = StatedUnit{"nm", 1e-9};
   return extent;
 }
 
@@ -122,18 +138,28 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
     spacing = length->value / count * factor;
     return true;
   };
-  Extent extent = extentOf(table, block);
+  Extent extent =
+      nanometresPerHeight(table, block) ? spipExtent(table, block) : extentOf(table, block);
   const auto columnStep =
       headerLength(table, block,
                    {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
-                    "x pixel size", "pixel size", "pixelsize", "spacing", "lateral resolution"});
+                    "x pixel size", "pixel size", "pixelsize", "spacing", "lateral resolution",
+                    "xy calibration", "xy-justierung", "xy-kalibrierung",
+                    "xy\uCE98\uB9AC\uBE0C"
+                    "\uB808\uC774\uC158"});
   const auto rowStep = headerLength(
       table, block,
       {"cellsize", "dy", "y spacing", "spacing y", "y step", "pixel size y", "y pixel size"});
-  if (!extent.width && !extent.height && !columnStep && !rowStep) extent = unnamedExtent(block);
-  const bool hasX = set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
+  const auto countedX = countedStep(table, block, grid.columns, true);
+  const auto countedY = countedStep(table, block, grid.rows, false);
+  const bool isCounted = countedX && countedY;
+  if (!extent.width && !extent.height && !columnStep && !rowStep && !isCounted)
+    extent = unnamedExtent(block);
+  const bool hasX = (isCounted && set(countedX, 1, grid.columnSpacing)) ||
+                    set(extent.width, static_cast<double>(grid.columns), grid.columnSpacing) ||
                     set(columnStep, 1, grid.columnSpacing);
-  const bool hasY = set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
+  const bool hasY = (isCounted && set(countedY, 1, grid.rowSpacing)) ||
+                    set(extent.height, static_cast<double>(grid.rows), grid.rowSpacing) ||
                     set(rowStep, 1, grid.rowSpacing);
   if (hasX && !hasY) grid.rowSpacing = grid.columnSpacing;
   if (hasY && !hasX) grid.columnSpacing = grid.rowSpacing;
@@ -170,8 +196,15 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     draft.facts.notes.emplace_back("The first row and the first column are positions.");
   } else {
     takeSpacings(table, block, draft);
-    if (!draft.positionUnit) draft.positionUnit = headerUnit(table, block, false);
+    // The unit of the heights, which "Unit" may be as well, says nothing of a step.
+    if (!draft.positionUnit)
+      draft.positionUnit = headerUnit(
+          table, block, false, draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
   }
+  if (const auto size = nanometresPerHeight(table, block); size && !draft.heightUnit)
+    draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
+  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
   // Numbers that stand for a missing value in ESRI's grids.
   const auto none = quantityIn(table.entry("nodata_value", block));
   if (none)
@@ -233,6 +266,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   draft.positionUnit = columnUnit(source, table, block, columns.x, false);
   const auto rowUnit = columnUnit(source, table, block, columns.y, false);
   draft.heightUnit = columnUnit(source, table, block, columns.z, true);
+  if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, columns.x, false);
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, columns.z, true);
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 

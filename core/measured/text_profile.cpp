@@ -22,6 +22,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                                         columnText(block, roles.validity)));
   }
   draft.heightUnit = columnUnit(source, table, block, roles.z, true);
+  if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, roles.z, true);
   if (roles.candidates > 1 && source.choices.heightColumn == 0)
     draft.facts.notes.push_back(message(
         "Heights are {}, the first of {} columns that could be; surface.height_column chooses "
@@ -36,6 +37,7 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              message("Positions are {}, heights {}.", columnText(block, roles.x),
                                      columnText(block, roles.z)));
     draft.positionUnit = columnUnit(source, table, block, roles.x, false);
+    if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, roles.x, false);
     PlacedProfile placed = placeUniformly(block.column(static_cast<std::size_t>(roles.x)),
                                           std::move(heights), block.lines, source);
     grid.height = std::move(placed.height);
@@ -45,35 +47,40 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
     draft.facts.notes.insert(draft.facts.notes.end(), placed.notes.begin(), placed.notes.end());
   } else {
     grid.height = std::move(heights);
-    const auto spacing = headerLength(table, block,
-                                      {"spacing",
-                                       "x spacing",
-                                       "spacing x",
-                                       "dx",
-                                       "delta x",
-                                       "deltax",
-                                       "increment",
-                                       "x increment",
-                                       "x-increment",
-                                       "xincrement",
-                                       "step",
-                                       "step size",
-                                       "x step",
-                                       "sampling interval",
-                                       "sampling step",
-                                       "sample interval",
-                                       "point spacing",
-                                       "pixel size",
-                                       "pixelsize",
-                                       "punktabstand",
-                                       "messpunktabstand",
-                                       "schrittweite",
-                                       "abtastweite",
-                                       "abtastabstand",
-                                       "data spacing"});
+    auto spacing = headerLength(table, block,
+                                {"spacing",
+                                 "x spacing",
+                                 "spacing x",
+                                 "dx",
+                                 "delta x",
+                                 "deltax",
+                                 "increment",
+                                 "x increment",
+                                 "x-increment",
+                                 "xincrement",
+                                 "step",
+                                 "step size",
+                                 "x step",
+                                 "sampling interval",
+                                 "sampling step",
+                                 "sample interval",
+                                 "point spacing",
+                                 "pixel size",
+                                 "pixelsize",
+                                 "punktabstand",
+                                 "messpunktabstand",
+                                 "schrittweite",
+                                 "abtastweite",
+                                 "abtastabstand",
+                                 "data spacing"});
+    if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
     draft.hasPositions = spacing.has_value();
     grid.columnSpacing = spacing ? spacing->value : 1;
-    draft.positionUnit = spacing && spacing->unit ? spacing->unit : headerUnit(table, block, false);
+    // The unit of the heights, which "Unit" may be as well, says nothing of a step.
+    draft.positionUnit =
+        spacing && spacing->unit
+            ? spacing->unit
+            : headerUnit(table, block, false, spacing ? UnitEntries::AndCommon : UnitEntries::Own);
   }
   grid.columns = static_cast<std::int64_t>(grid.height.size());
   return draft;

@@ -34,9 +34,21 @@ struct HeaderLength {
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          const std::vector<std::string>& keys);
 
+/// The step between `count` points where the header has their number and the length from the first
+/// to the last one, as MountainsMap writes it: "Axis X", 60, "59.00 um".
+std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
+                                        std::int64_t count, bool alongX);
+
+/// Which entries of the header state a unit: those for positions or for heights, or "Unit", too.
+enum class UnitEntries { Own, AndCommon };
+
 /// The unit that an entry of the header states for positions or for heights.
-std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block,
-                                     bool ofHeights);
+std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
+                                     UnitEntries entries = UnitEntries::AndCommon);
+
+/// What stands for a unit in the name of the column (-1: there is none) or in the header, and is
+/// none that is known. Empty where there is nothing of the kind.
+std::string unknownUnit(const TextTable& table, const TextBlock& block, int column, bool ofHeights);
 
 /// The unit of a column by its name, else by the header. Throws InputError where it is no length
 /// and the user says no other one.

@@ -143,6 +143,27 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
   return true;
 }
 
+/// Refuses positions with one step that is longer than all others together: nothing is known of
+/// what lies in between, and uniform places would pass over most of the points.
+void requireNoLeap(std::span<const double> positions, const SurfaceSource& source) {
+  if (positions.size() < 3) return;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    steps.push_back(positions[i] - positions[i - 1]);
+  const auto longest = std::ranges::max_element(steps);
+  const double length = positions.back() - positions.front();
+  const auto at = static_cast<std::size_t>(longest - steps.begin());
+  const double leap = *longest;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  constexpr double kOrdinary = 2;
+  if (leap > length / 2 && length > kOrdinary * *middle * static_cast<double>(steps.size()))
+    source.fail(
+        message("the positions leap from {:.6g} to {:.6g}, {:.3g} times the usual step; "
+                "each stretch needs a file of its own",
+                positions[at], positions[at + 1], leap / *middle));
+}
+
 void interpolate(std::span<const double> positions, std::span<const double> heights,
                  PlacedProfile& profile) {
   const std::size_t count = positions.size();
@@ -301,7 +322,9 @@ PlacedProfile placeUniformly(std::vector<double> positions, std::vector<double> 
   const double mean =
       (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
   profile.variation = variationOf(positions, mean);
-  if (!fillGaps(positions, heights, profile)) interpolate(positions, heights, profile);
+  if (fillGaps(positions, heights, profile)) return profile;
+  requireNoLeap(positions, source);
+  interpolate(positions, heights, profile);
   return profile;
 }
 

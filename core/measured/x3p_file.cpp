@@ -143,6 +143,7 @@ std::string_view textAt(const pugi::xml_node& node, std::string_view path) {
 struct Axis {
   bool isIncremental = false;
   char type = 'D';  // of its numbers: I, L, F, D
+  bool hasIncrement = false;
   double increment = 1, offset = 0;
 
   std::size_t size() const { return type == 'I' ? 2 : type == 'D' ? 8 : 4; }
@@ -164,15 +165,16 @@ Axis axisOf(const SurfaceSource& source, const pugi::xml_node& root, const std::
   if (!type.empty()) axis.type = type.front();
   const auto number = [&](std::string_view key, double& value) {
     const std::string_view text = textAt(node, key);
-    if (text.empty()) return;
+    if (text.empty()) return false;
     const Field field = readField(text, '.');
     // NaN stands for "none" in files of some programs.
-    if (field.kind == FieldKind::Missing) return;
+    if (field.kind == FieldKind::Missing) return false;
     if (field.kind != FieldKind::Number)
       source.fail(message("main.xml: {} is not a number", name + "/" + std::string(key)));
     value = field.value;
+    return true;
   };
-  number("Increment", axis.increment);
+  axis.hasIncrement = number("Increment", axis.increment);
   number("Offset", axis.offset);
   if (axis.isIncremental && axis.increment == 0)
     source.fail(message("main.xml: {} is not a number above 0", name + "/Increment"));
@@ -411,6 +413,10 @@ class Reader {
     grid.columnSpacing = std::abs(axes_[0].increment);
     grid.rowSpacing = std::abs(axes_[1].increment);
     grid.height = std::move(points_.z);
+    if (axes_[0].isIncremental && !axes_[0].hasIncrement) {
+      made.hasPositions = false;
+      made.positionUnit.reset();
+    }
     if (rows_ == 1) {
       if (!axes_[0].isIncremental) placeProfile(made);
       return made;
@@ -425,7 +431,7 @@ class Reader {
       std::vector<double> y;
       for (std::size_t i = 0; i < points_.y.size(); i += width) y.push_back(points_.y[i]);
       grid.rowSpacing = requireUniform(y, "CY");
-    } else if (textAt(root_, "Record1/Axes/CY/Increment").empty()) {
+    } else if (!axes_[1].hasIncrement) {
       grid.rowSpacing = grid.columnSpacing;
     }
     return made;

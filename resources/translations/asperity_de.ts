@@ -1861,8 +1861,8 @@
         <translation>Oberfläche öffnen</translation>
     </message>
     <message>
-        <source>Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;All files (*)</source>
-        <translation>Gemessene Oberflächen (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf *.gwy);;Alle Dateien (*)</translation>
+        <source>Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur *.pro *.gsf *.gwy);;All files (*)</source>
+        <translation>Gemessene Oberflächen (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur *.pro *.gsf *.gwy);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open material</source>

@@ -3483,8 +3483,8 @@
         <translation>lässt sich nicht umwandeln: es gibt keinen Ordner für Zwischendateien</translation>
     </message>
     <message>
-        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read without it</source>
-        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte), X3P, SDF, SUR, PRO, GSF und GWY werden ohne es gelesen</translation>
+        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files are read without it</source>
+        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko und Surfer werden ohne es gelesen</translation>
     </message>
     <message>
         <source>cannot be converted: Gwyddion does not start</source>
@@ -3603,8 +3603,8 @@
         <translation>%1 Punkte haben keine Höhe.</translation>
     </message>
     <message>
-        <source>text (profiles, matrices, points), X3P, SDF, SUR, PRO, GSF and GWY files are read</source>
-        <translation>gelesen werden Text (Profile, Matrizen, Punkte), X3P, SDF, SUR, PRO, GSF und GWY</translation>
+        <source>text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files are read</source>
+        <translation>gelesen werden Text (Profile, Matrizen, Punkte), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko und Surfer</translation>
     </message>
     <message>
         <source>has %1 x %2 points; at most %3 are read</source>
@@ -3689,6 +3689,82 @@
     <message>
         <source>line %1: the position is missing</source>
         <translation>Zeile %1: der Ort fehlt</translation>
+    </message>
+    <message>
+        <source>a text file of Zygo</source>
+        <translation>Textdatei von Zygo</translation>
+    </message>
+    <message>
+        <source>a text file of Wyko</source>
+        <translation>Textdatei von Wyko</translation>
+    </message>
+    <message>
+        <source>a grid of Surfer</source>
+        <translation>Gitter von Surfer</translation>
+    </message>
+    <message>
+        <source>is needed (%1): the unit &apos;%2&apos; of the file is not known; known are %3</source>
+        <translation>wird gebraucht (%1): die Einheit „%2“ der Datei ist nicht bekannt; bekannt sind %3</translation>
+    </message>
+    <message>
+        <source>The unit &apos;%1&apos; of the positions is not known: they are taken as metres.</source>
+        <translation>Die Einheit „%1“ der Orte ist nicht bekannt: Sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
+        <translation>Die Einheit „%1“ der Höhen ist nicht bekannt: Sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>surface.point_spacing is not used: the file says how far its points are apart.</source>
+        <translation>surface.point_spacing wird nicht benutzt: Die Datei sagt, wie weit ihre Punkte auseinander liegen.</translation>
+    </message>
+    <message>
+        <source>the axes %1 and %2 have %3 and %4 points</source>
+        <translation>die Achsen %1 und %2 haben %3 und %4 Punkte</translation>
+    </message>
+    <message>
+        <source>has an axis CY; of SMD and PRF files profiles with CX and CZ are read</source>
+        <translation>hat eine Achse CY; von SMD und PRF werden Profile mit CX und CZ gelesen</translation>
+    </message>
+    <message>
+        <source>the number of points of an axis is not a whole number from 1 to %1</source>
+        <translation>die Anzahl der Punkte einer Achse ist keine ganze Zahl von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>line %1: has %2 numbers for %3 points</source>
+        <translation>Zeile %1: hat %2 Zahlen für %3 Punkte</translation>
+    </message>
+    <message>
+        <source>has no block of heights; known are %1</source>
+        <translation>hat keinen Block von Höhen; bekannt sind %1</translation>
+    </message>
+    <message>
+        <source>line %1: number %2 is missing</source>
+        <translation>Zeile %1: Zahl %2 fehlt</translation>
+    </message>
+    <message>
+        <source>line %1: number %2 is not a whole number from 0 to %3</source>
+        <translation>Zeile %1: Zahl %2 ist keine ganze Zahl von 0 bis %3</translation>
+    </message>
+    <message>
+        <source>line %1: is not a point &apos;x y z&apos;</source>
+        <translation>Zeile %1: ist kein Punkt „x y z“</translation>
+    </message>
+    <message>
+        <source>line %1: the pixel %2 %3 is not in the field that line 4 says</source>
+        <translation>Zeile %1: das Pixel %2 %3 liegt nicht in dem Feld, das Zeile 4 nennt</translation>
+    </message>
+    <message>
+        <source>line %1: the height is not a number</source>
+        <translation>Zeile %1: die Höhe ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1: %2 in the header is not a number</source>
+        <translation>Zeile %1: %2 im Kopf ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the positions leap from %1 to %2, %3 times the usual step; each stretch needs a file of its own</source>
+        <translation>die Orte springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
     </message>
     <message>
         <source>line %1: there is a point at this position already</source>
@@ -4377,6 +4453,22 @@
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>smd</source>
+        <translation>SMD</translation>
+    </message>
+    <message>
+        <source>zygo</source>
+        <translation>Zygo</translation>
+    </message>
+    <message>
+        <source>wyko</source>
+        <translation>Wyko</translation>
+    </message>
+    <message>
+        <source>surfer</source>
+        <translation>Surfer</translation>
     </message>
     <message>
         <source>x3p</source>

@@ -12,6 +12,7 @@
 
 #include "core/base/processor_time.h"
 #include "tests/core/measured/binary_writers.h"
+#include "tests/core/measured/instrument_writers.h"
 #include "tests/core/measured/surface_expectations.h"
 #include "tests/core/measured/x3p_writer.h"
 #include "tests/core/temporary_folder.h"
@@ -39,6 +40,11 @@ std::map<std::string, std::string> samples() {
            "1e-6\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n1 2 3\n4 5 BAD\n*\n"},
           {"sur", sur({})},
           {"sur packed", sur(packed)},
+          {"smd", smd(SmdForm::Steps)},
+          {"prf", smd(SmdForm::Pairs)},
+          {"zygo points", zygo({.withGap = true})},
+          {"zygo phases", zygo({.hasPoints = false})},
+          {"wyko", wyko({.withGap = true})},
           {"gsf", gsf(gsfHeader(), true)},
           {"gwy", gwyOfThree(true)},
           {"x3p", x3p({})},

@@ -482,7 +482,8 @@ TEST(LengthUnit, KnowsTheSpellings) {
     ASSERT_TRUE(metresPer(text).has_value()) << text;
     EXPECT_NEAR(*metresPer(text), metres, 1e-12 * metres) << text;
   }
-  for (const char* other : {"", "s", "V", "Hz", "m/s", "px", "10^-999 m", "-1 m", "NaN m"})
+  for (const char* other :
+       {"", "s", "V", "Hz", "m/s", "px", "10^-999 m", "-1 m", "NaN m", "59.00 um", "2 m"})
     EXPECT_FALSE(metresPer(other).has_value()) << other;
 }
 

@@ -26,7 +26,8 @@ struct X3pOptions {
   std::string pointMd5{};     // instead of the true one
   std::string mainMd5{};
   int claimedColumns = kColumns, claimedRows = kRows;
-  std::string extra{};  // in Record2
+  std::string extra{};                    // in Record2
+  double columnSpacing = kColumnSpacing;  // as the file states it
 };
 
 struct X3pParts {
@@ -105,7 +106,7 @@ inline X3pParts x3pParts(const X3pOptions& options) {
       "<SizeX>{7}</SizeX><SizeY>{8}</SizeY><SizeZ>{9}</SizeZ></MatrixDimension>{10}</Record3>"
       "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></{1}ISO5436_2>\n",
       options.prologue, options.prefix, options.feature,
-      axis("CX", !options.absoluteX, 'D', options.absoluteX ? 0 : kColumnSpacing),
+      axis("CX", !options.absoluteX, 'D', options.absoluteX ? 0 : options.columnSpacing),
       axis("CY", !options.absoluteY, 'D', options.absoluteY ? 0 : kRowSpacing),
       axis("CZ", options.zIncremental, options.zType, step), options.extra, columns,
       isProfile ? 1 : rows, isProfile ? rows : 1, data);

@@ -51,8 +51,8 @@ void ImportCommands::askSurface(const Scene& scene) {
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open surface"),
       QString::fromStdString((scene.folder / scene.surface.file).string()),
-      tr("Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.sur *.pro *.gsf "
-         "*.gwy);;All files (*)"));
+      tr("Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur "
+         "*.pro *.gsf *.gwy);;All files (*)"));
   if (!file.isEmpty()) showSurface(scene, file);
 }
 

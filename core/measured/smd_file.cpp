@@ -1,0 +1,223 @@
+// Profiles of ISO 5436-2 (SMD, the format of its softgauges) and of PRF, NPL's relative of it.
+// Record 1 has a line for each axis: name (CX, CZ), type (A absolute, I incremental, R relative, M
+// measured), number of points, unit, scale, type of number and, where incremental, the step. Record
+// 2 has lines of words, among them "SPACING CX step" in PRF. Record 3 has the numbers. A record
+// ends with ETX, in PRF with a line EOR; texts may end with a zero byte.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/base/length_unit.h"
+#include "core/base/text_encoding.h"
+#include "core/measured/surface_draft.h"
+#include "core/measured/uniform_positions.h"
+#include "core/measured/word_reader.h"
+
+namespace asperity {
+namespace {
+
+constexpr char kEndOfRecord = '\x03';
+
+struct Axis {
+  std::string_view type;
+  double points = 0;
+  std::string_view unit;
+  double scale = 1;
+  double step = 0;  // 0: none stated
+};
+
+double numberIn(std::string_view word) {
+  double number = 0;
+  return readTextNumber(word, '.', number) ? number : std::nan("");
+}
+
+/// The axis of a line "CX I 22401 mm 1.0e0 D 2.5e-4"; empty where the line is none.
+std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
+  constexpr std::size_t kFewest = 5, kWithStep = 7;
+  const std::vector<std::string_view> words = wordsOf(line);
+  if (words.size() < kFewest || words[0] != name || words[1].size() != 1) return {};
+  if (!isNumber(words[2]) || !isNumber(words[4])) return {};
+  return Axis{words[1], numberIn(words[2]), words[3], numberIn(words[4]),
+              words.size() >= kWithStep && isNumber(words[6]) ? numberIn(words[6]) : 0};
+}
+
+bool endsRecord(std::string_view line) {
+  return line == "EOR" || line == "EOF" || line.find(kEndOfRecord) != std::string_view::npos;
+}
+
+bool isOfNumbers(std::string_view line) {
+  const std::vector<std::string_view> words = wordsOf(line);
+  return !words.empty() && std::ranges::all_of(words, isNumber);
+}
+
+/// Text with blanks for the zero bytes that end its words.
+std::string withoutZeros(std::string_view bytes) {
+  std::string text(withoutByteOrderMark(bytes));
+  std::ranges::replace(text, '\0', ' ');
+  return text;
+}
+
+class Reader {
+ public:
+  Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
+
+  SurfaceDraft read() {
+    readHeader();
+    const std::int64_t points = countOf(x_);
+    if (countOf(z_) != points)
+      source_.fail(
+          message("the axes {} and {} have {} and {} points", "CX", "CZ", points, countOf(z_)));
+    requireSize(source_, points, 1, firstLine_.size() + reader_.left() + 2, 2);
+    readNumbers(static_cast<std::size_t>(points));
+    SurfaceDraft draft;
+    draft.facts.format = "smd";
+    draft.positionUnit = statedUnit(source_, "CX", x_.unit);
+    draft.heightUnit = statedUnit(source_, "Z (CZ)", z_.unit);
+    if (numbers_.size() == static_cast<std::size_t>(points))
+      placeAtSteps(draft);
+    else
+      placeAtPositions(draft);
+    draft.grid.rows = 1;
+    draft.grid.columns = static_cast<std::int64_t>(draft.grid.height.size());
+    return draft;
+  }
+
+ private:
+  /// Records 1 and 2, and the first line of record 3.
+  void readHeader() {
+    std::optional<Axis> x, z;
+    int ends = 0;
+    while (!reader_.atEnd()) {
+      const std::string_view line = reader_.nextLine();
+      if (line.starts_with("CY ") && axisIn(line, "CY"))
+        source_.fail("has an axis CY; of SMD and PRF files profiles with CX and CZ are read");
+      if (!x) x = axisIn(line, "CX");
+      if (!z) z = axisIn(line, "CZ");
+      if (!x || !z) continue;
+      x_ = *x;
+      z_ = *z;
+      if (endsRecord(line) && ++ends == 2) return;
+      // Copies of such files may have lost the marks between the records.
+      if (isOfNumbers(line)) {
+        firstLine_ = line;
+        return;
+      }
+      readSpacing(line);
+    }
+    source_.fail(message("the header of the {} file has no end", "SMD"));
+  }
+
+  /// "SPACING CX 2.5e-4".
+  void readSpacing(std::string_view line) {
+    const std::vector<std::string_view> words = wordsOf(line);
+    if (words.size() >= 3 && words[0] == "SPACING" && words[1] == "CX" && isNumber(words[2]))
+      spacing_ = numberIn(words[2]);
+  }
+
+  std::int64_t countOf(const Axis& axis) const {
+    if (!(axis.points >= 1) || axis.points > static_cast<double>(kMostPoints) ||
+        axis.points != std::floor(axis.points))
+      source_.fail(message("the number of points of an axis is not a whole number from 1 to {}",
+                           kMostPoints));
+    if (axis.scale == 0) source_.fail(message("{} in the header is not a number above 0", "scale"));
+    return static_cast<std::int64_t>(axis.points);
+  }
+
+  /// All numbers of record 3: as many as there are points, or twice as many.
+  void readNumbers(std::size_t points) {
+    std::string_view line = firstLine_.empty() ? reader_.nextLine() : firstLine_;
+    std::size_t lines = 0;
+    for (;; line = reader_.nextLine()) {
+      constexpr std::size_t kStep = std::size_t{1} << 18;
+      if (lines++ % kStep == 0)
+        source_.report(static_cast<double>(numbers_.size()) / static_cast<double>(2 * points));
+      const std::string_view content = line.substr(0, line.find(kEndOfRecord));
+      const std::vector<std::string_view> words =
+          wordsOf(line == "EOR" || line == "EOF" ? "" : content);
+      if (lines == 1) inRows_ = words.size() == 2;
+      for (const std::string_view word : words) addNumber(word, 2 * points);
+      if (endsRecord(line) || reader_.atEnd()) break;
+    }
+    if (numbers_.size() != points && numbers_.size() != 2 * points)
+      source_.fail(numbers_.size() < points ? message("line {}: ends after {} of {} heights",
+                                                      reader_.line(), numbers_.size(), points)
+                                            : message("line {}: has {} numbers for {} points",
+                                                      reader_.line(), numbers_.size(), points));
+  }
+
+  void addNumber(std::string_view word, std::size_t most) {
+    const Field field = readField(word, '.');
+    if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
+      source_.fail(
+          message("line {}: height {} is not a number", reader_.line(), numbers_.size() + 1));
+    if (numbers_.size() == most)
+      source_.fail(message("line {}: has more than the {} heights that the header says",
+                           reader_.line(), most / 2));
+    numbers_.push_back(field.kind == FieldKind::Missing ? std::nan("") : field.value);
+  }
+
+  double heightOf(double number) const {
+    return std::isnan(number) || !std::isfinite(number * z_.scale) ? std::nan("")
+                                                                   : number * z_.scale;
+  }
+
+  void placeAtSteps(SurfaceDraft& draft) {
+    for (const double number : numbers_) draft.grid.height.push_back(heightOf(number));
+    const double step = x_.step != 0 ? x_.step : spacing_;
+    draft.hasPositions = step != 0;
+    draft.grid.columnSpacing = draft.hasPositions ? std::abs(step * x_.scale) : 1;
+    if (!draft.hasPositions) draft.positionUnit.reset();
+  }
+
+  /// The numbers are those of both axes: x and z of one point after the other, or first all x.
+  void placeAtPositions(SurfaceDraft& draft) {
+    const std::size_t points = numbers_.size() / 2;
+    const bool inTurn = inRows_ || !std::ranges::is_sorted(std::span(numbers_).first(points));
+    std::vector<double> places, heights;
+    for (std::size_t i = 0; i < points; ++i) {
+      const double place = numbers_[inTurn ? 2 * i : i];
+      places.push_back(std::isnan(place) ? place : place * x_.scale);
+      heights.push_back(heightOf(numbers_[inTurn ? 2 * i + 1 : points + i]));
+    }
+    PlacedProfile placed = placeUniformly(std::move(places), std::move(heights), {}, source_);
+    draft.grid.height = std::move(placed.height);
+    draft.grid.columnSpacing = placed.spacing;
+    draft.facts.spacingVariation = placed.variation;
+    draft.facts.resampled = placed.resampled;
+    draft.facts.notes = std::move(placed.notes);
+  }
+
+  const SurfaceSource& source_;
+  WordReader reader_;
+  std::string_view firstLine_;  // of record 3, where the header was read up to it
+  Axis x_, z_;
+  double spacing_ = 0;   // as SPACING says; 0: it says nothing
+  bool inRows_ = false;  // x and z stand in one line
+  std::vector<double> numbers_;
+};
+
+}  // namespace
+
+bool isSmd(const SurfaceSource& source) {
+  constexpr std::size_t kLookedAt = 2048, kLines = 12;
+  const std::string beginning = withoutZeros(source.bytes.substr(0, kLookedAt));
+  WordReader reader(beginning);
+  bool hasX = false, hasZ = false;
+  for (std::size_t i = 0; i < kLines && !reader.atEnd(); ++i) {
+    const std::string_view line = reader.nextLine();
+    hasX = hasX || axisIn(line, "CX");
+    hasZ = hasZ || axisIn(line, "CZ");
+  }
+  return hasX && hasZ;
+}
+
+SurfaceDraft readSmd(const SurfaceSource& source) {
+  const std::string text = withoutZeros(source.bytes);
+  DecodedText decoded;
+  decodeText(text, source.name, decoded);
+  return Reader(source, decoded.text).read();
+}
+
+}  // namespace asperity

@@ -1,0 +1,148 @@
+// Grids of Golden Software's Surfer: DSAA (text), DSBB (bytes, 32-bit numbers) and DSRB (Surfer 7,
+// sections with a name and a size, 64-bit numbers). Rows run along x, from the lowest y to the
+// highest one. Units of length are not stated. Blanked points have the number 1.70141e38; DSRB may
+// state another one, which in its first version stands for all numbers above it, too.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/text_encoding.h"
+#include "core/measured/byte_reader.h"
+#include "core/measured/surface_draft.h"
+#include "core/measured/word_reader.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kBlanked = 1.70141e38;  // this number and those above it
+
+/// Columns, rows and the places of the first and last ones.
+struct Extent {
+  std::int64_t columns = 0, rows = 0;
+  double firstX = 0, lastX = 0, firstY = 0, lastY = 0;
+};
+
+SurfaceDraft draftOf(std::int64_t columns, std::int64_t rows, double xStep, double yStep) {
+  SurfaceDraft draft;
+  draft.facts.format = "surfer";
+  draft.grid.columns = columns;
+  draft.grid.rows = rows;
+  draft.grid.columnSpacing = xStep;
+  draft.grid.rowSpacing = yStep;
+  return draft;
+}
+
+SurfaceDraft draftOf(const Extent& extent) {
+  const auto step = [](double first, double last, std::int64_t count) {
+    return std::abs(last - first) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
+  };
+  return draftOf(extent.columns, extent.rows, step(extent.firstX, extent.lastX, extent.columns),
+                 step(extent.firstY, extent.lastY, extent.rows));
+}
+
+SurfaceDraft readText(const SurfaceSource& source) {
+  DecodedText decoded;
+  decodeText(source.bytes, source.name, decoded);
+  WordReader reader(decoded.text);
+  reader.nextWord();  // DSAA
+  const auto number = [&](std::string_view key) {
+    double value = 0;
+    if (!readTextNumber(reader.nextWord(), '.', value))
+      source.fail(message("line {}: {} in the header is not a number", reader.line(), key));
+    return value;
+  };
+  const auto count = [&](std::string_view key) {
+    const double value = number(key);
+    if (!(value >= 1) || value > static_cast<double>(kMostPoints) || value != std::floor(value))
+      source.fail(message("{} in the header is not a number above 0", key));
+    return static_cast<std::int64_t>(value);
+  };
+  Extent extent;
+  extent.columns = count("nx");
+  extent.rows = count("ny");
+  extent.firstX = number("xlo");
+  extent.lastX = number("xhi");
+  extent.firstY = number("ylo");
+  extent.lastY = number("yhi");
+  number("zlo");
+  number("zhi");
+  SurfaceDraft draft = draftOf(extent);
+  // A digit and a blank are the least that a height takes.
+  requireSize(source, extent.columns, extent.rows, reader.left() + 1, 2);
+  const auto points = static_cast<std::size_t>(extent.columns * extent.rows);
+  readHeights(source, reader, points, 1, '\0', draft.grid.height,
+              [](double height) { return height >= kBlanked; });
+  requireNoMoreHeights(source, reader, points);
+  return draft;
+}
+
+SurfaceDraft readBytes(const SurfaceSource& source) {
+  ByteReader reader(source, source.bytes);
+  reader.skip(4);  // DSBB
+  Extent extent;
+  extent.columns = reader.read<std::int16_t>();
+  extent.rows = reader.read<std::int16_t>();
+  extent.firstX = reader.read<double>();
+  extent.lastX = reader.read<double>();
+  extent.firstY = reader.read<double>();
+  extent.lastY = reader.read<double>();
+  reader.skip(2 * sizeof(double));  // lowest and highest z
+  SurfaceDraft draft = draftOf(extent);
+  requireSize(source, extent.columns, extent.rows, reader.left(), sizeof(float));
+  const auto bytes = static_cast<std::size_t>(extent.columns * extent.rows) * sizeof(float);
+  appendHeights<float>(source, reader.take(bytes), false, 1, draft.grid.height,
+                       [](float height) { return height >= static_cast<float>(kBlanked); });
+  return draft;
+}
+
+SurfaceDraft readSections(const SurfaceSource& source) {
+  ByteReader reader(source, source.bytes);
+  SurfaceDraft draft;
+  bool hasGrid = false;
+  std::uint32_t version = 1;
+  double blank = kBlanked;
+  while (!reader.atEnd()) {
+    const std::string_view name = reader.take(4);
+    const std::size_t size = reader.read<std::uint32_t>();
+    if (name == "DATA" && hasGrid) {
+      const Topography& grid = draft.grid;
+      requireSize(source, grid.columns, grid.rows, std::min(size, reader.left()), sizeof(double));
+      const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(double);
+      appendHeights<double>(
+          source, reader.take(bytes), false, 1, draft.grid.height, [version, blank](double height) {
+            return height >= kBlanked || (version == 1 ? height >= blank : height == blank);
+          });
+      return draft;
+    }
+    const std::string_view section = reader.take(size);
+    ByteReader header(source, section);
+    if (name == "DSRB") version = header.read<std::uint32_t>();
+    if (name != "GRID") continue;
+    const auto rows = header.read<std::int32_t>(), columns = header.read<std::int32_t>();
+    header.skip(2 * sizeof(double));  // place of the first point
+    const auto xStep = header.read<double>(), yStep = header.read<double>();
+    header.skip(3 * sizeof(double));  // lowest and highest z, rotation
+    blank = header.read<double>();
+    draft = draftOf(columns, rows, xStep, yStep);
+    hasGrid = true;
+  }
+  source.fail(message("has no block of heights; known are {}", "DATA"));
+}
+
+}  // namespace
+
+bool isSurfer(const SurfaceSource& source) {
+  const std::string_view name = source.bytes.substr(0, 4);
+  if (name == "DSAA") return source.bytes.substr(4).find_first_of(" \t\r\n") == 0;
+  return name == "DSBB" || name == "DSRB";
+}
+
+SurfaceDraft readSurfer(const SurfaceSource& source) {
+  const std::string_view name = source.bytes.substr(0, 4);
+  if (!isSurfer(source)) source.fail(message("is not a {} file", "Surfer"));
+  return name == "DSAA"   ? readText(source)
+         : name == "DSBB" ? readBytes(source)
+                          : readSections(source);
+}
+
+}  // namespace asperity

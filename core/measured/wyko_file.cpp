@@ -1,0 +1,115 @@
+// Text files of Wyko and Veeco instruments (Vision's "ASCII" export of OPD data): lines of name,
+// type, length and value between tabs, then a line for each place along x with the heights along y.
+// Pixel_size is in millimetres, Aspect the step along y over that along x; heights are in
+// nanometres where the second flag of the first line is 1, else in wavelengths over Mult.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "core/base/number_text.h"
+#include "core/base/text_encoding.h"
+#include "core/measured/surface_draft.h"
+#include "core/measured/word_reader.h"
+
+namespace asperity {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kMagic = "Wyko ASCII Data File Format";
+constexpr std::array kHeights{"RAW_DATA"sv, "RAW DATA"sv, "OPD"sv, "SAMPLE_DATA"sv};
+
+std::vector<std::string_view> fieldsOf(std::string_view line) {
+  std::vector<std::string_view> fields;
+  splitFields(line, TextDialect::Separator::Tab, fields);
+  for (std::string_view& field : fields) field = trimmedField(field);
+  return fields;
+}
+
+class Reader {
+ public:
+  Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
+
+  SurfaceDraft read() {
+    const std::vector<std::string_view> first = wordsOf(reader_.nextLine().substr(kMagic.size()));
+    const bool inNanometres = first.size() > 1 && first[1] == "1";
+    readHeader();
+    const std::int64_t columns = count("X Size"), rows = count("Y Size");
+    // A digit and a tab are the least that a height takes.
+    requireSize(source_, columns, rows, reader_.left() + 1, 2);
+    const double scale = inNanometres ? 1 : number("Wavelength") / number("Mult", 1);
+    SurfaceDraft draft;
+    draft.facts.format = "wyko";
+    draft.facts.heightColumn = std::string(block_);
+    Topography along;  // each row of the file is a column of the surface
+    along.columns = rows;
+    along.rows = columns;
+    readHeights(source_, reader_, static_cast<std::size_t>(columns * rows), scale, '\0',
+                along.height, [](double) { return false; });
+    draft.grid = transposed(along);
+    draft.heightUnit = StatedUnit{"nm", 1e-9};
+    const double pixel = values_.contains("Pixel_size") ? std::abs(number("Pixel_size", 0)) : 0;
+    draft.hasPositions = pixel > 0;
+    draft.grid.columnSpacing = draft.grid.rowSpacing = 1;
+    if (!draft.hasPositions) return draft;
+    draft.positionUnit = StatedUnit{"mm", 1e-3};
+    draft.grid.columnSpacing = pixel;
+    draft.grid.rowSpacing = pixel * std::abs(number("Aspect", 1));
+    return draft;
+  }
+
+ private:
+  /// Up to the line that announces heights.
+  void readHeader() {
+    while (!reader_.atEnd()) {
+      const std::vector<std::string_view> fields = fieldsOf(reader_.nextLine());
+      if (fields.empty()) continue;
+      block_ = fields.front();
+      if (std::ranges::find(kHeights, block_) != kHeights.end()) return;
+      if (fields.size() > 1) values_.emplace(block_, fields.size() > 3 ? fields[3] : fields[1]);
+    }
+    source_.fail(message("has no block of heights; known are {}", "RAW_DATA, OPD, SAMPLE_DATA"));
+  }
+
+  std::int64_t count(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) source_.fail(message("the header has no {}", key));
+    std::int64_t value = 0;
+    if (!readNumber(found->second, value) || value < 1)
+      source_.fail(message("{} in the header is not a number above 0", key));
+    return value;
+  }
+
+  /// `fallback` 0: there must be one.
+  double number(const std::string& key, double fallback = 0) const {
+    const auto found = values_.find(key);
+    if (found == values_.end() && fallback == 0) source_.fail(message("the header has no {}", key));
+    if (found == values_.end()) return fallback;
+    double value = 0;
+    if (!readTextNumber(found->second, '.', value) || value == 0)
+      source_.fail(message("{} in the header is not a number above 0", key));
+    return value;
+  }
+
+  const SurfaceSource& source_;
+  WordReader reader_;
+  std::string_view block_;
+  std::map<std::string, std::string_view, std::less<>> values_;
+};
+
+}  // namespace
+
+bool isWyko(const SurfaceSource& source) {
+  return withoutByteOrderMark(source.bytes).starts_with(kMagic);
+}
+
+SurfaceDraft readWyko(const SurfaceSource& source) {
+  if (!isWyko(source)) source.fail(message("is not a {} file", "Wyko"));
+  DecodedText decoded;
+  decodeText(source.bytes, source.name, decoded);
+  return Reader(source, decoded.text).read();
+}
+
+}  // namespace asperity
