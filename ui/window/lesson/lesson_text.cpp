@@ -14,7 +14,12 @@ namespace {
 QString inlineHtml(const QString& text) {
   static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
   static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
+  // A quantity stays on one line: "3 mm/s" breaks neither at the blank nor at the slash.
+  static const QRegularExpression unit(
+      QStringLiteral(R"((\d) ((?:[GMkcmµn]?(?:m|s|N|Pa|K|W|J|g)|°C|%)(?:/(?:s|m))?)(?![\w/]))"));
   QString html = text.toHtmlEscaped();
+  html.replace(unit, QStringLiteral("\\1\u00A0\\2"));
+  html.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
   html.replace(strong, QStringLiteral("<b>\\1</b>"));
   html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
   return html;
