@@ -4683,8 +4683,8 @@
         <translation>Reibung über der kurzwelligen Grenze</translation>
     </message>
     <message>
-        <source>Above: the same lines without their waves shorter than λ. Below: the share of friction that the waves of one decade of wavelengths make.</source>
-        <translation>Oben: dieselben Linien ohne ihre Wellen kürzer als λ. Unten: der Anteil der Reibung, den die Wellen einer Dekade der Wellenlängen machen.</translation>
+        <source>Friction of the same lines without their waves shorter than λ, and the share of it that the waves of one decade of wavelengths make.</source>
+        <translation>Reibung derselben Linien ohne ihre Wellen kürzer als λ, und der Anteil daran, den die Wellen einer Dekade der Wellenlängen machen.</translation>
     </message>
     <message>
         <source>What friction depends on</source>

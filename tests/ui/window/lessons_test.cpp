@@ -436,6 +436,7 @@ TEST(LessonTexts, MarkupBecomesHtmlAndNothingElseDoes) {
             "<p>See:</p><ul><li>one</li><li><i>two</i></li></ul>");
   EXPECT_EQ(richText("<b>x</b>"), "<p>&lt;b&gt;x&lt;/b&gt;</p>");
   // A number stays with its unit; other words may be parted.
+  EXPECT_EQ(richText("H = 0.7"), QStringLiteral("<p>H\u00A0=\u00A00.7</p>"));
   EXPECT_EQ(richText("at 3 mm/s, 70 °C, 40 lines"),
             QStringLiteral("<p>at 3\u00A0mm/\u2060s, 70\u00A0°C, 40 lines</p>"));
 }

@@ -76,6 +76,10 @@ bool FocusKeys::eventFilter(QObject* watched, QEvent* event) {
   auto* widget = qobject_cast<QWidget*>(watched);
   if (!widget || widget->window() != &window_) return false;
   const auto& key = *static_cast<QKeyEvent*>(event);
+  // With Alt an arrow leads through the tour; at its end it must not move a slider.
+  const bool isIdle = !isOffer && key.modifiers() & Qt::AltModifier && isArrow(key.key()) &&
+                      qobject_cast<QAbstractSlider*>(widget);
+  if (isIdle) return true;
   if (!isOffer) return isReturn(key) && press(*widget);
   if (!needs(*widget, key)) return false;
   event->accept();  // the key is the control's
