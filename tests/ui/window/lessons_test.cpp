@@ -380,6 +380,15 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   EXPECT_TRUE(editor.mayClose());
 }
 
+TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  emit editor.tryWanted(lessonOf(sampleLesson()), 1);
+  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_FALSE(editor.isVisible());
+  lessons().end();
+  EXPECT_TRUE(editor.isVisible());
+}
+
 /// Reordering keeps the scene that each step shows.
 TEST_F(LessonsTest, StepsKeepTheirScenesWhereTheyAreMovedAndRemoved) {
   const Lesson lesson = lessonOf(sampleLesson());
@@ -458,6 +467,18 @@ TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
   EXPECT_TRUE(teachers.contains("<p>One.</p>"));
   EXPECT_GT(teachers.count("<img"), students.count("<img"));
   EXPECT_EQ(handoutHtml(lesson, options), teachers);
+}
+
+/// A choice needs no chart, and a curve that is to be guessed is not printed.
+TEST(Handouts, AnEmptyChartStandsWhereAPointIsDrawn) {
+  Json json = sampleLesson();
+  json["steps"][0]["show"]["curve"] = "hidden";
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.1}};
+  const QByteArray html = handoutHtml(lessonOf(json), {});
+  EXPECT_EQ(html.count("an empty chart of friction"), 1);
+  EXPECT_GT(html.indexOf("an empty chart of friction"), html.indexOf("Second"));
+  EXPECT_LT(html.indexOf("an empty chart of friction"), html.indexOf("Where?"));
+  EXPECT_FALSE(html.contains("alt=\"the friction curve"));
 }
 
 TEST(Handouts, PdfIsWholeAndTheSameEveryTime) {
