@@ -330,9 +330,15 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
                   : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
   const QuantityEntry& entry = entryOf(isPhysical ? set.y : CurveQuantity::NormalizedMu);
   diagram.y = {Message(entry.title), std::string(entry.unit)};
+  diagram.x.scale = set.scaleOfX();
   diagram.y.scale = set.scaleOfY();
+  diagram.x.from = set.xFrom;
+  diagram.x.to = set.xTo;
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
+  if (set.isReduced && isPhysical && set.isOfVelocity())
+    diagram.x.title = message("reduced sliding velocity a_T v at {:.4g} K",
+                              set.present.scene.elastomer.temperature);
 }
 
 /// Whether Eq. (11) is drawn from the points of the curve; else it is one of the theories, finely
@@ -340,8 +346,8 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
 bool drawsLawOfPoints(const CurveSet& set) {
   const bool isAmongTheories = std::ranges::any_of(
       set.theories, [](const TheoryCurve& theory) { return theory.theory == Theory::Eq11; });
-  return showsLaw(set.present.scene) && !isAmongTheories && set.isOfVelocity() &&
-         (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
+  return set.familyKey.empty() && showsLaw(set.present.scene) && !isAmongTheories &&
+         set.isOfVelocity() && (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
 }
 
 Diagram curvesDiagram(const CurveSet& set) {
@@ -353,15 +359,19 @@ Diagram curvesDiagram(const CurveSet& set) {
   addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
-  DiagramSeries mean = meanSeries(set.present, set);
-  mean.name = nameOfPresent(set);
-  mean.mark = SeriesMark::Circle;
-  mean.colour = 0;
-  mean.id = kPresentCurve;
-  diagram.series.push_back(std::move(mean));
+  // A family stands for itself: the scene's own curve would be one more, often one of them again.
+  const bool showsOwn = set.familyKey.empty();
+  if (showsOwn) {
+    DiagramSeries mean = meanSeries(set.present, set);
+    mean.name = nameOfPresent(set);
+    mean.mark = SeriesMark::Circle;
+    mean.colour = 0;
+    mean.id = kPresentCurve;
+    diagram.series.push_back(std::move(mean));
+  }
   addMeasured(diagram, set);
-  // The regions are those of friction over velocity.
-  if (set.isOfVelocity()) addRegions(diagram, set.present, set.axes);
+  // The regions are those of the own curve, of friction over velocity.
+  if (showsOwn && set.isOfVelocity()) addRegions(diagram, set.present, set.axes);
   addExtrapolated(diagram, set);
   diagram.blank = blankOf(set);
   return diagram;
@@ -460,8 +470,10 @@ DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) 
 DiagramSheet curveSheet(const CurveSet& set) {
   const Scene& scene = set.present.scene;
   DiagramSheet sheet;
-  sheet.title = scene.title.empty() ? titleOf(set) : Message(scene.title);
-  sheet.subtitle = parametersInWords(scene);
+  // The name of a scene often speaks of its friction over velocity.
+  const bool isNamed = set.isOfVelocity() && !scene.title.empty();
+  sheet.title = isNamed ? Message(scene.title) : titleOf(set);
+  sheet.subtitle = isNamed ? parametersInWords(scene) : sceneInWords(scene);
   sheet.diagrams = {curvesDiagram(set)};
   std::vector<Message> notes;
   if (!sheet.diagrams.front().spans.empty())

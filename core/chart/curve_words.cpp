@@ -98,13 +98,21 @@ Message parameterInWords(std::string_view key, const Scene& scene) {
   return words.empty() ? inPlainWords(*row, scene) : words;
 }
 
-Message parametersInWords(const Scene& scene) {
+Message parametersInWords(const Scene& scene, const std::vector<std::string_view>& without) {
   std::vector<Message> parts;
   for (const Parameter& row : parameters()) {
     if (isOfNoCurve(row, scene) || isShiftIdle(row, scene)) continue;
+    if (std::ranges::find(without, row.key) != without.end()) continue;
     if (Message words = inWords(row, scene); !words.empty()) parts.push_back(std::move(words));
   }
   return listed(parts);
+}
+
+Message sceneInWords(const Scene& scene, const std::vector<std::string_view>& without) {
+  const Message parameters = parametersInWords(scene, without);
+  if (scene.title.empty()) return parameters;
+  const Message name(scene.title);
+  return parameters.empty() ? name : message("{}; {}", name, parameters);
 }
 
 Message differencesInWords(const Scene& scene, const Scene& from) {

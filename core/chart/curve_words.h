@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "core/base/message.h"
 #include "core/scene/scene.h"
@@ -17,8 +18,13 @@ Message titleOfKey(std::string_view key);
 /// for arms and for an unknown key.
 Message parameterInWords(std::string_view key, const Scene& scene);
 
-/// Returns one line with a scene's parameters: "H = 0.7, h = 500 nm, G = 10 MPa, ...".
-Message parametersInWords(const Scene& scene);
+/// Returns one line with a scene's parameters: "H = 0.7, h = 500 nm, G = 10 MPa, ...", without
+/// those of the given keys.
+Message parametersInWords(const Scene& scene, const std::vector<std::string_view>& without = {});
+
+/// Returns the name of a scene and its parameters, for the small line under a title that says what
+/// a picture shows.
+Message sceneInWords(const Scene& scene, const std::vector<std::string_view>& without = {});
 
 /// Returns the parameters in which `scene` differs from `from` and on which its friction curve
 /// depends: "G = 20 MPa, linear"; empty where the curves have the same parameters.

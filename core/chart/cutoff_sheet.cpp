@@ -26,15 +26,14 @@ DiagramAxis wavelengthAxis() {
 
 DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points) {
   DiagramSheet sheet;
-  sheet.title = scene.title.empty() ? Message("Friction against the short-wave cut-off")
-                                    : Message(scene.title);
-  sheet.subtitle = parametersInWords(scene);
+  sheet.title = "Friction against the short-wave cut-off";
+  sheet.subtitle = sceneInWords(scene);
   sheet.columns = 1;
   sheet.sharesAxis = true;
   Diagram friction, share;
   friction.x = share.x = wavelengthAxis();
   friction.y = {"coefficient of friction \u03BC", "", AxisScale::Logarithmic};
-  share.y = {"share of a decade", "", AxisScale::Linear};
+  share.y = {"share of friction per decade", "", AxisScale::Linear};
   share.height = 0.7;
   DiagramSeries mu, shares, zero;
   mu.mark = shares.mark = SeriesMark::Circle;
@@ -65,8 +64,9 @@ DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& poi
   }
   sheet.diagrams = {std::move(friction), std::move(share)};
   sheet.note =
-      "Above: the same lines without their waves shorter than \u03BB. Below: the part of all "
-      "friction that a decade of wavelengths makes, at the waves of each step.";
+      "Friction of the same lines without their waves shorter than \u03BB, and the share of it "
+      "that "
+      "the waves of one decade of wavelengths make.";
   return sheet;
 }
 

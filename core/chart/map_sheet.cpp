@@ -291,11 +291,9 @@ Message titleOfMapQuantity(std::string_view quantity) {
 
 DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
   DiagramSheet sheet;
-  sheet.title = map.scene.title.empty()
-                    ? message("Friction over {} and {}", Message(map.x.range.row->label),
-                              Message(map.y.range.row->label))
-                    : Message(map.scene.title);
-  sheet.subtitle = parametersInWords(map.scene);
+  sheet.title = message("Friction over {} and {}", Message(map.x.range.row->label),
+                        Message(map.y.range.row->label));
+  sheet.subtitle = sceneInWords(map.scene, {map.x.key(), map.y.key()});
   Diagram diagram;
   diagram.x = axisOf(map.x);
   diagram.y = axisOf(map.y);

@@ -36,21 +36,29 @@ std::vector<Exponent> exponentsOf(const Scene& scene, const std::vector<Sensitiv
   return exponents;
 }
 
+bool isSignificant(const DiagramBar& bar) {
+  return !std::isfinite(bar.error) || std::abs(bar.value) > bar.error;
+}
+
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all) {
   DiagramSheet sheet;
-  sheet.title = scene.title.empty() ? Message("What friction depends on") : Message(scene.title);
-  sheet.subtitle = parametersInWords(scene);
+  sheet.title = "What friction depends on";
+  sheet.subtitle = sceneInWords(scene);
   Diagram diagram;
   diagram.x = {"exponent d ln \u03BC / d ln p", "", AxisScale::Linear};
   diagram.y = {"", "", AxisScale::Linear};
+  for (const Exponent& one : all)
+    if (std::isfinite(one.exponent.value))
+      diagram.bars.push_back({titleOfKey(one.key), one.exponent.value, one.exponent.standardError});
+  // What may be 0 comes last, and the others alone set the axis: a long line of error says little.
+  std::ranges::stable_partition(diagram.bars, isSignificant);
+  const bool hasSignificant = !diagram.bars.empty() && isSignificant(diagram.bars.front());
   double least = 0, most = 0;
-  for (const Exponent& one : all) {
-    const auto [value, error] = one.exponent;
-    if (!std::isfinite(value)) continue;
-    const double reach = std::isfinite(error) ? error : 0;
-    least = std::min(least, value - reach);
-    most = std::max(most, value + reach);
-    diagram.bars.push_back({titleOfKey(one.key), value, error});
+  for (const DiagramBar& bar : diagram.bars) {
+    const bool counts = isSignificant(bar) || !hasSignificant;
+    const double reach = counts && std::isfinite(bar.error) ? bar.error : 0;
+    least = std::min(least, bar.value - reach);
+    most = std::max(most, bar.value + reach);
   }
   constexpr double kAir = 0.05;
   diagram.x.from = least - kAir * (most - least);
@@ -59,7 +67,7 @@ DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& a
   sheet.diagrams = {std::move(diagram)};
   sheet.note = message(
       "At {} m/s: by how many per cent friction changes where a parameter changes by one per cent. "
-      "Lines: one standard error.",
+      "Lines: one standard error. Pale: smaller than its error.",
       PrintedNumber{printedNumber(scene.sliding.velocity)});
   return sheet;
 }

@@ -23,7 +23,10 @@ struct Exponent {
 /// is p d ln mu / d p.
 std::vector<Exponent> exponentsOf(const Scene& scene, const std::vector<Sensitivity>& all);
 
-/// A row for each parameter with its exponent and the standard error.
+/// Returns whether the value of a bar is larger than its error; true where the error is unknown.
+bool isSignificant(const DiagramBar& bar);
+
+/// A row for each parameter with its exponent and the standard error; those that may be 0 are last.
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all);
 
 /// For people: aligned columns, in English.

@@ -104,9 +104,10 @@ struct LessonControls {
 
 /// What the window shows in a step.
 struct LessonView {
-  std::string tab = "curve";    // a word of lessonTabs()
-  std::string quantity = "mu";  // of the vertical axis of the friction curve
-  bool hidesCurve = false;      // until the prediction is made
+  std::string tab = "curve";     // a word of lessonTabs()
+  std::string quantity = "mu";   // of the vertical axis of the friction curve
+  bool hidesCurve = false;       // until the prediction is made
+  bool hidesCurveAfter = false;  // and then, too; a step to come asks for what it shows
   /// Ends of the vertical axis while the curve is hidden, which must not give the answer away.
   double hiddenFrom = 1e-4, hiddenTo = 10;
   /// Curves to compare with: each is the step's scene with other keys, KEY=VALUE.

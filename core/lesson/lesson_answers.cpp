@@ -195,14 +195,22 @@ std::string withValues(const std::string& text, const LessonPrediction& predicti
                ? std::string("–")
                : prediction.choices[static_cast<std::size_t>(choice)].text.in(language);
   };
+  // "{part%}" is the value in per cent.
+  const auto said = [&](LessonNumber number, bool inPercent) {
+    if (!inPercent) return textOf(number);
+    number.value *= 100;
+    return textOf(number) + "\u00A0%";
+  };
   const auto valueOf = [&](std::string_view name) -> std::optional<std::string> {
+    const bool inPercent = name.ends_with('%');
+    if (inPercent) name.remove_suffix(1);
     if (name == "given") {
       if (prediction.kind == PredictionKind::Choice) return choiceText(given.choice);
-      return textOf({given.number, answer.number.unit});
+      return said({given.number, answer.number.unit}, inPercent);
     }
-    if (name == "answer") return textOf(answer.number);
+    if (name == "answer") return said(answer.number, inPercent);
     for (const auto& [known, number] : answer.values)
-      if (known == name) return textOf(number);
+      if (known == name) return said(number, inPercent);
     return std::nullopt;
   };
   std::string filled;

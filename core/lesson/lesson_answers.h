@@ -62,7 +62,8 @@ std::string unitOf(const LessonValue& value, const Scene& scene);
 bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
              const GivenAnswer& given);
 
-/// Returns a text with its places "{name}" filled. textOf gives the text of a number.
+/// Returns a text with its places "{name}", or "{name%}" in per cent, filled. textOf gives the text
+/// of a number.
 std::string withValues(const std::string& text, const LessonPrediction& prediction,
                        const LessonAnswer& answer, const GivenAnswer& given,
                        std::string_view language,

@@ -18,7 +18,12 @@ inline constexpr NamedChoices<PredictionKind, 3> kPredictionKinds{
 inline constexpr NamedChoices<ControlState, 3> kControlStates{{{"hidden", ControlState::Hidden},
                                                                {"locked", ControlState::Locked},
                                                                {"free", ControlState::Free}}};
-inline constexpr NamedChoices<bool, 2> kCurveStates{{{"shown", false}, {"hidden", true}}};
+/// When the friction curve of a step is hidden: never, until the prediction is made, throughout.
+enum class CurveHiding { Never, UntilAnswered, Throughout };
+inline constexpr NamedChoices<CurveHiding, 3> kCurveStates{
+    {{"shown", CurveHiding::Never},
+     {"hidden", CurveHiding::UntilAnswered},
+     {"hidden_throughout", CurveHiding::Throughout}}};
 
 /// The members of the three kinds of a value that name its column.
 inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{

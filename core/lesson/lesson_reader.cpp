@@ -168,7 +168,8 @@ void checkPlaces(const LessonText& text, const std::set<std::string>& known,
     for (std::size_t open = one->find('{'); open != one->npos; open = one->find('{', open + 1)) {
       const std::size_t close = one->find('}', open);
       if (close == one->npos) return;
-      const std::string name = one->substr(open + 1, close - open - 1);
+      std::string name = one->substr(open + 1, close - open - 1);
+      if (name.ends_with('%')) name.pop_back();  // in per cent
       if (!isPlaceName(name) || known.contains(name)) continue;
       refuseMember(place, message("speaks of a value {} that the step does not have; known are {}",
                                   shortened(name), fmt::format("{}", fmt::join(known, ", "))));
@@ -243,8 +244,10 @@ class StepReader {
     view.quantity = textIn(*show, "quantity", view.quantity, place);
     if (!quantityNamed(view.quantity))
       refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
-    view.hidesCurve =
+    const CurveHiding hiding =
         chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
+    view.hidesCurve = hiding != CurveHiding::Never;
+    view.hidesCurveAfter = hiding == CurveHiding::Throughout;
     if (const auto range = show->find("hidden_range"); range != show->end()) {
       const std::string where = place + ".hidden_range";
       checkMembers(*range, where, {"from", "to"});

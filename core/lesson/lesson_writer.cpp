@@ -66,7 +66,9 @@ Json jsonOf(const LessonView& view) {
   Json json = Json::object();
   if (view.tab != usual.tab) json["tab"] = view.tab;
   if (view.quantity != usual.quantity) json["quantity"] = view.quantity;
-  if (view.hidesCurve) json["curve"] = wordOf(kCurveStates, true);
+  if (view.hidesCurve)
+    json["curve"] = wordOf(
+        kCurveStates, view.hidesCurveAfter ? CurveHiding::Throughout : CurveHiding::UntilAnswered);
   if (view.hiddenFrom != usual.hiddenFrom || view.hiddenTo != usual.hiddenTo)
     json["hidden_range"] = {{"from", view.hiddenFrom}, {"to", view.hiddenTo}};
   for (const std::vector<std::string>& keys : view.beside) json["beside"].push_back(jsonOf(keys));

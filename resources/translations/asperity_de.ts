@@ -480,7 +480,7 @@
     <name>asperity::AccuracyPanel</name>
     <message>
         <source>measuring every method on this scene&apos;s lines …</source>
-        <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen …</translation>
+        <translation>Jedes Verfahren wird auf den Linien dieser Szene gemessen…</translation>
     </message>
     <message>
         <source>quick</source>
@@ -532,7 +532,7 @@
     </message>
     <message>
         <source>predicting …</source>
-        <translation>Vorhersage läuft …</translation>
+        <translation>Vorhersage läuft…</translation>
     </message>
     <message>
         <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>Dimensionless: μ over the rms slope against v̄</source>
-        <translation>Dimensionslos: μ durch die rms-Steigung über v̄</translation>
+        <translation>Dimensionslos: μ durch die RMS-Steigung über v̄</translation>
     </message>
 </context>
 <context>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>Horizontal axis</source>
-        <translation>Waagrechte Achse</translation>
+        <translation>Waagerechte Achse</translation>
     </message>
     <message>
         <source>Vertical axis</source>
@@ -893,7 +893,7 @@
     </message>
     <message>
         <source>Linear horizontal axis</source>
-        <translation>Waagrechte Achse linear</translation>
+        <translation>Waagerechte Achse linear</translation>
     </message>
     <message>
         <source>Linear vertical axis</source>
@@ -939,7 +939,7 @@
     </message>
     <message>
         <source>Save diagram…</source>
-        <translation>Diagramm speichern …</translation>
+        <translation>Diagramm speichern…</translation>
     </message>
     <message>
         <source>Pictures (*.png *.svg *.pdf)</source>
@@ -1014,7 +1014,7 @@
     </message>
     <message>
         <source>Its curve takes about %1 minutes of processor time.</source>
-        <translation>Ihre Kurve braucht etwa %1 Minuten Rechenzeit.</translation>
+        <translation>Die Kurve braucht etwa %1 Minuten Rechenzeit.</translation>
     </message>
     <message>
         <source>Asperity</source>
@@ -1085,7 +1085,7 @@
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation>Du&amp;rchsuchen …</translation>
+        <translation>Du&amp;rchsuchen…</translation>
     </message>
     <message>
         <source>The same in a shell</source>
@@ -1109,7 +1109,7 @@
     </message>
     <message>
         <source>The preview is being made…</source>
-        <translation>Die Vorschau wird erstellt …</translation>
+        <translation>Die Vorschau wird erstellt…</translation>
     </message>
     <message>
         <source>One picture of the film.</source>
@@ -1280,7 +1280,7 @@
     </message>
     <message>
         <source>Motion in time</source>
-        <translation>Bewegung in der Zeit</translation>
+        <translation>Zeitverlauf</translation>
     </message>
     <message>
         <source>Contact, point by point</source>
@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>Contact and motion in time</source>
-        <translation>Kontakt und Bewegung in der Zeit</translation>
+        <translation>Kontakt und Zeitverlauf</translation>
     </message>
     <message>
         <source>PNG, pixels</source>
@@ -1430,15 +1430,15 @@
     </message>
     <message>
         <source>Export picture…</source>
-        <translation>Bild exportieren …</translation>
+        <translation>Bild exportieren…</translation>
     </message>
     <message>
         <source>Export film…</source>
-        <translation>Film exportieren …</translation>
+        <translation>Film exportieren…</translation>
     </message>
     <message>
         <source>Export table…</source>
-        <translation>Tabelle exportieren …</translation>
+        <translation>Tabelle exportieren…</translation>
     </message>
 </context>
 <context>
@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>Gallery…</source>
-        <translation>Galerie …</translation>
+        <translation>Galerie…</translation>
     </message>
 </context>
 <context>
@@ -1597,7 +1597,7 @@
     </message>
     <message>
         <source>Tick what may change; limits are optional. All points are computed on the same random lines, and the weighted squares of what is left become least.</source>
-        <translation>Kreuzen Sie an, was sich ändern darf; Grenzen sind freigestellt. Alle Punkte werden auf denselben zufälligen Linien gerechnet, und die gewichteten Quadrate der Abweichungen werden am kleinsten.</translation>
+        <translation>Ankreuzen, was sich ändern darf; Grenzen sind freigestellt. Alle Punkte werden auf denselben zufälligen Linien gerechnet, und die gewichteten Quadrate der Abweichungen werden am kleinsten.</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -1850,11 +1850,11 @@
     <name>asperity::ImportCommands</name>
     <message>
         <source>Open surface…</source>
-        <translation>Oberfläche öffnen …</translation>
+        <translation>Oberfläche öffnen…</translation>
     </message>
     <message>
         <source>Open material…</source>
-        <translation>Material öffnen …</translation>
+        <translation>Material öffnen…</translation>
     </message>
     <message>
         <source>Open surface</source>
@@ -2210,6 +2210,10 @@
     <message>
         <source>&amp;Begin</source>
         <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Show the notes for &amp;teachers, with answers</source>
+        <translation>Hinweise für &amp;Lehrende zeigen, mit Antworten</translation>
     </message>
     <message>
         <source>&amp;Open file…</source>
@@ -2588,7 +2592,7 @@
     </message>
     <message>
         <source>Open material…</source>
-        <translation>Material öffnen …</translation>
+        <translation>Material öffnen…</translation>
     </message>
 </context>
 <context>
@@ -2603,7 +2607,7 @@
     </message>
     <message>
         <source>&amp;Save and use…</source>
-        <translation>&amp;Speichern und verwenden …</translation>
+        <translation>&amp;Speichern und verwenden…</translation>
     </message>
     <message>
         <source>Open material</source>
@@ -3102,7 +3106,7 @@
     </message>
     <message>
         <source>A few tips carry everything, and friction falls although sliding is faster.</source>
-        <translation>Wenige Spitzen tragen alles, und die Reibung fällt, obwohl schneller geglitten wird.</translation>
+        <translation>Wenige Kuppen tragen alles, und die Reibung fällt, obwohl schneller geglitten wird.</translation>
     </message>
     <message>
         <source>Contact moves to the front of the summit when you raise the velocity.</source>
@@ -3798,7 +3802,7 @@
     </message>
     <message>
         <source>The rubber has time to come back behind every summit, and friction grows in proportion to the velocity.</source>
-        <translation>Der Gummi hat Zeit, hinter jedem Gipfel zurückzukehren, und die Reibung wächst proportional zur Geschwindigkeit.</translation>
+        <translation>Das Gummi hat Zeit, hinter jedem Gipfel zurückzukehren, und die Reibung wächst proportional zur Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Double the velocity: the coefficient of friction doubles.</source>
@@ -3822,7 +3826,7 @@
     </message>
     <message>
         <source>A single summit shows why: the rubber is too slow to touch its trailing side, so it pushes only from the front.</source>
-        <translation>Ein einzelner Gipfel zeigt, warum: Der Gummi ist zu langsam, um seine Rückseite zu berühren, und drückt daher nur von vorn.</translation>
+        <translation>Ein einzelner Gipfel zeigt, warum: Das Gummi ist zu langsam, um seine Rückseite zu berühren, und drückt daher nur von vorn.</translation>
     </message>
     <message>
         <source>Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
@@ -3834,11 +3838,11 @@
     </message>
     <message>
         <source>Faster still, only the tips of the highest summits touch, and they are smooth: friction falls again.</source>
-        <translation>Noch schneller berühren nur die Spitzen der höchsten Gipfel, und die sind glatt: Die Reibung fällt wieder.</translation>
+        <translation>Noch schneller berühren nur die Kuppen der höchsten Gipfel, und die sind glatt: Die Reibung fällt wieder.</translation>
     </message>
     <message>
         <source>Raise the elements: finer tips move the fall to higher velocities.</source>
-        <translation>Die Zahl der Elemente erhöhen: Feinere Spitzen verschieben den Abfall zu höheren Geschwindigkeiten.</translation>
+        <translation>Die Zahl der Elemente erhöhen: Feinere Kuppen verschieben den Abfall zu höheren Geschwindigkeiten.</translation>
     </message>
     <message>
         <source>Full contact</source>
@@ -3846,7 +3850,7 @@
     </message>
     <message>
         <source>Under a high load the rubber fills every valley, and friction is known exactly.</source>
-        <translation>Unter hoher Last füllt der Gummi jedes Tal, und die Reibung ist exakt bekannt.</translation>
+        <translation>Unter hoher Last füllt das Gummi jedes Tal, und die Reibung ist exakt bekannt.</translation>
     </message>
     <message>
         <source>Raise the velocity until the first valleys open: there the straight line ends.</source>
@@ -3865,8 +3869,8 @@
         <translation>Rundgang: weiter</translation>
     </message>
     <message>
-        <source>New here? A tour of six steps shows what there is to see.</source>
-        <translation>Neu hier? Ein Rundgang in sechs Schritten zeigt, was es zu sehen gibt.</translation>
+        <source>New here? A tour of six steps shows what there is to see. Lessons are under Help.</source>
+        <translation>Neu hier? Ein Rundgang in sechs Schritten zeigt, was es zu sehen gibt. Lektionen stehen unter Hilfe.</translation>
     </message>
     <message>
         <source>Take the tour</source>

@@ -292,7 +292,7 @@
     </message>
     <message>
         <source>error of the coefficient of friction</source>
-        <translation>Fehler des Reibungskoeffizienten</translation>
+        <translation>Fehler der Reibungszahl</translation>
     </message>
     <message>
         <source>error of the velocity</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>complete contact</source>
-        <translation>vollständiger Kontakt</translation>
+        <translation>Vollkontakt</translation>
     </message>
     <message>
         <source>half-space, with long-range elasticity</source>
@@ -489,6 +489,10 @@
     <message>
         <source>Read-only file system</source>
         <translation>das Dateisystem ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>p. 2, Eq. (3)</source>
+        <translation>S. 2, Gl. (3)</translation>
     </message>
     <message>
         <source>p. 2, Eqs. (1) and (2)</source>
@@ -664,7 +668,7 @@
     </message>
     <message>
         <source>%1 needs steady sliding, not %2</source>
-        <translation>%1 braucht stetiges Gleiten, nicht %2</translation>
+        <translation>%1 braucht stationäres Gleiten, nicht %2</translation>
     </message>
     <message>
         <source>%1 points of complete contact. Against the slope of the spectrum the difference is %2: the resolution of the line, which falls with accuracy.oversampling.</source>
@@ -984,7 +988,7 @@
     </message>
     <message>
         <source>is steady, where nothing changes in time; asperity motion is of start, step, oscillation and reversal</source>
-        <translation>ist stetig, und nichts ändert sich mit der Zeit; asperity motion ist für start, step, oscillation und reversal</translation>
+        <translation>ist stationär, und nichts ändert sich mit der Zeit; asperity motion ist für start, step, oscillation und reversal</translation>
     </message>
     <message>
         <source>n is %1 on the resolved line, which falls on as v^(-1/2). The level is one node&apos;s own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated. %2</source>
@@ -1972,7 +1976,7 @@
     </message>
     <message>
         <source>For a surface that is rougher on the summits than on the slopes the rms slope would decrease with indentation</source>
-        <translation>Bei einer Oberfläche, die auf den Gipfeln rauer ist als an den Hängen, nähme die quadratisch gemittelte Steigung mit der Eindrückung ab</translation>
+        <translation>Bei einer Oberfläche, die auf den Gipfeln rauer ist als an den Hängen, nähme die quadratisch gemittelte Steigung mit der Eindringung ab</translation>
     </message>
     <message>
         <source>rms slope in contact at the smallest force over that at the largest, with surface.summit_correlation = 2</source>
@@ -2908,7 +2912,7 @@
     </message>
     <message>
         <source>rms slope of the equivalent line %1</source>
-        <translation>rms-Steigung der gleichwertigen Linie %1</translation>
+        <translation>RMS-Steigung der gleichwertigen Linie %1</translation>
     </message>
     <message>
         <source>noise</source>
@@ -2956,7 +2960,7 @@
     </message>
     <message>
         <source>the rms slope of the line is above 0.3: the model takes slopes for small, and beyond this its friction is an estimate</source>
-        <translation>die rms-Steigung der Linie liegt über 0,3: Das Modell nimmt Steigungen als klein an, darüber ist seine Reibung eine Schätzung</translation>
+        <translation>die RMS-Steigung der Linie liegt über 0,3: Das Modell nimmt Steigungen als klein an, darüber ist seine Reibung eine Schätzung</translation>
     </message>
     <message>
         <source>few contacts carry the load: results depend on the single summits of this line and on its length</source>
@@ -3124,7 +3128,7 @@
     </message>
     <message>
         <source>Which side of the measured surface touches the rubber: its summits (the line is the heights turned over, because the lowest points of a line touch first) or its valleys (the heights as they stand).</source>
-        <translation>Welche Seite der gemessenen Oberfläche den Gummi berührt: ihre Gipfel (die Linie sind die umgedrehten Höhen, weil die tiefsten Punkte einer Linie zuerst berühren) oder ihre Täler (die Höhen, wie sie sind).</translation>
+        <translation>Welche Seite der gemessenen Oberfläche das Gummi berührt: ihre Gipfel (die Linie sind die umgedrehten Höhen, weil die tiefsten Punkte einer Linie zuerst berühren) oder ihre Täler (die Höhen, wie sie sind).</translation>
     </message>
     <message>
         <source>kind of spectrum</source>
@@ -3288,7 +3292,7 @@
     </message>
     <message>
         <source>the line is the isotropic equivalent, C_line = pi q C2; its rms slope is %1 times that of the surface as measured</source>
-        <translation>die Linie ist die isotrop gleichwertige, C_line = pi q C2; ihre rms-Steigung ist %1-mal die der Oberfläche wie gemessen</translation>
+        <translation>die Linie ist die isotrop gleichwertige, C_line = pi q C2; ihre RMS-Steigung ist %1-mal die der Oberfläche wie gemessen</translation>
     </message>
     <message>
         <source>one period of the line is %1 long, twice the profile</source>
@@ -4340,7 +4344,7 @@
     </message>
     <message>
         <source>Where the rubber is used at %1</source>
-        <translation>Wo der Gummi bei %1 gebraucht wird</translation>
+        <translation>Wo das Gummi bei %1 gebraucht wird</translation>
     </message>
     <message>
         <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact; below per decade of frequency, q² C1 G'', over its largest value.</source>
@@ -4364,7 +4368,7 @@
     </message>
     <message>
         <source>Beyond the measured frequencies: more than a tenth of the loss rests on frequencies at which the rubber was not measured.</source>
-        <translation>Jenseits der gemessenen Frequenzen: mehr als ein Zehntel des Verlusts beruht auf Frequenzen, bei denen der Gummi nicht gemessen wurde.</translation>
+        <translation>Jenseits der gemessenen Frequenzen: mehr als ein Zehntel des Verlusts beruht auf Frequenzen, bei denen das Gummi nicht gemessen wurde.</translation>
     </message>
     <message>
         <source>another shift table</source>
@@ -4668,11 +4672,11 @@
     </message>
     <message>
         <source>rms slope in contact</source>
-        <translation>rms-Steigung im Kontakt</translation>
+        <translation>RMS-Steigung im Kontakt</translation>
     </message>
     <message>
         <source>friction over rms slope</source>
-        <translation>Reibung durch rms-Steigung</translation>
+        <translation>Reibung durch RMS-Steigung</translation>
     </message>
     <message>
         <source>dimensionless velocity</source>
@@ -4715,8 +4719,8 @@
         <translation>Exponent d ln μ / d ln p</translation>
     </message>
     <message>
-        <source>share of a decade</source>
-        <translation>Anteil einer Dekade</translation>
+        <source>share of friction per decade</source>
+        <translation>Anteil der Reibung je Dekade</translation>
     </message>
     <message>
         <source>Friction over %1 and %2</source>
@@ -4764,15 +4768,15 @@
     </message>
     <message>
         <source>a map has the same lines in every cell; give accuracy.scheme and ensemble.realizations instead of a target</source>
-        <translation>eine Karte hat in jeder Zelle dieselben Linien; geben Sie statt eines Ziels accuracy.scheme und ensemble.realizations an</translation>
+        <translation>eine Karte hat in jeder Zelle dieselben Linien; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
     </message>
     <message>
         <source>all cut-offs have the same lines; give accuracy.scheme and ensemble.realizations instead of a target</source>
-        <translation>alle Grenzwellenlängen haben dieselben Linien; geben Sie statt eines Ziels accuracy.scheme und ensemble.realizations an</translation>
+        <translation>alle Grenzwellenlängen haben dieselben Linien; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
     </message>
     <message>
         <source>differences need the same lines on both sides; give accuracy.scheme and ensemble.realizations instead of a target</source>
-        <translation>Differenzen brauchen auf beiden Seiten dieselben Linien; geben Sie statt eines Ziels accuracy.scheme und ensemble.realizations an</translation>
+        <translation>Differenzen brauchen auf beiden Seiten dieselben Linien; statt eines Ziels accuracy.scheme und ensemble.realizations angeben</translation>
     </message>
     <message>
         <source>has no short waves to remove; a random line, a profile, a spectrum or a measured surface has</source>
@@ -4787,8 +4791,8 @@
         <translation>Reibung über der kurzwelligen Grenze</translation>
     </message>
     <message>
-        <source>Above: the same lines without their waves shorter than λ. Below: the part of all friction that a decade of wavelengths makes, at the waves of each step.</source>
-        <translation>Oben: dieselben Linien ohne ihre Wellen kürzer als λ. Unten: der Anteil der gesamten Reibung, den eine Dekade der Wellenlängen macht, bei den Wellen jeder Stufe.</translation>
+        <source>Friction of the same lines without their waves shorter than λ, and the share of it that the waves of one decade of wavelengths make.</source>
+        <translation>Reibung derselben Linien ohne ihre Wellen kürzer als λ, und der Anteil daran, den die Wellen einer Dekade der Wellenlängen machen.</translation>
     </message>
     <message>
         <source>What friction depends on</source>
@@ -4799,8 +4803,8 @@
         <translation>Die Reibung ändert sich hier mit keinem Parameter.</translation>
     </message>
     <message>
-        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error.</source>
-        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler.</translation>
+        <source>At %1 m/s: by how many per cent friction changes where a parameter changes by one per cent. Lines: one standard error. Pale: smaller than its error.</source>
+        <translation>Bei %1 m/s: um wie viel Prozent sich die Reibung ändert, wo sich ein Parameter um ein Prozent ändert. Linien: ein Standardfehler. Blass: kleiner als der eigene Fehler.</translation>
     </message>
     <message>
         <source>axis</source>
@@ -4996,7 +5000,7 @@
     </message>
     <message>
         <source>a study slides steadily; it cannot be varied</source>
-        <translation>in einer Studie gleitet die Linie stetig; das kann nicht variiert werden</translation>
+        <translation>in einer Studie gleitet die Linie stationär; das kann nicht variiert werden</translation>
     </message>
     <message>
         <source>a study needs a stated accuracy, not a target</source>
@@ -5663,7 +5667,7 @@
     </message>
     <message>
         <source>At 393 K the rubber relaxes about 15 times as fast as at 343 K, and the plateau is reached only at a higher velocity. The constants are those of a measured filled rubber: C1 4.41, C2 137.64 K, T_r 343.15 K.</source>
-        <translation>Bei 393 K relaxiert der Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C1 4,41; C2 137,64 K; T_r 343,15 K.</translation>
+        <translation>Bei 393 K relaxiert das Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C1 4,41; C2 137,64 K; T_r 343,15 K.</translation>
     </message>
     <message>
         <source>At half time the line slides twice as fast: friction jumps at once with the viscous forces, then relaxes as contact shrinks. The predicted rate is 1/tau + v/l with l the length of a contact; on a rough line it is a guide.</source>
@@ -5671,7 +5675,7 @@
     </message>
     <message>
         <source>At half time the line stops, and friction does not vanish with the velocity: contact is still one-sided and pushes back, at once with about half of the force and within a relaxation time with none. Meanwhile the line sinks in as the rubber creeps around its summits, which is why the next start is harder.</source>
-        <translation>Nach der halben Zeit bleibt die Linie stehen, und die Reibung verschwindet nicht mit der Geschwindigkeit: Der Kontakt ist noch einseitig und drückt zurück, sofort mit etwa der halben Kraft und nach einer Relaxationszeit nicht mehr. Inzwischen sinkt die Linie ein, während der Gummi um ihre Gipfel kriecht; deshalb ist das nächste Anfahren schwerer.</translation>
+        <translation>Nach der halben Zeit bleibt die Linie stehen, und die Reibung verschwindet nicht mit der Geschwindigkeit: Der Kontakt ist noch einseitig und drückt zurück, sofort mit etwa der halben Kraft und nach einer Relaxationszeit nicht mehr. Inzwischen sinkt die Linie ein, während das Gummi um ihre Gipfel kriecht; deshalb ist das nächste Anfahren schwerer.</translation>
     </message>
     <message>
         <source>At half time the line turns back into the dents it has just left. Friction first falls short and then settles at the value of the mirrored line, which for one line is not quite the same.</source>
@@ -5679,7 +5683,7 @@
     </message>
     <message>
         <source>Cold rubber</source>
-        <translation>Kalter Gummi</translation>
+        <translation>Kaltes Gummi</translation>
     </message>
     <message>
         <source>Contact shifts to the leading side as the velocity grows, while the indentation falls. Friction has a maximum where the way slid in a relaxation time is 1.4 contact half-widths at rest, and falls again.</source>
@@ -5695,7 +5699,7 @@
     </message>
     <message>
         <source>Elastic rubber has no friction</source>
-        <translation>Elastischer Gummi hat keine Reibung</translation>
+        <translation>Elastisches Gummi hat keine Reibung</translation>
     </message>
     <message>
         <source>Figure 1: contact of a rough line and a viscoelastic elastomer</source>
@@ -5723,7 +5727,7 @@
     </message>
     <message>
         <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm weaker and the peak sinks.</source>
-        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist der Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
+        <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist das Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
     </message>
     <message>
         <source>One contact has one length, so friction relaxes along a single exponential at the rate 1/tau + v/l, to about one per cent. On rough lines many contacts overlap and only the guide remains.</source>
@@ -5731,11 +5735,11 @@
     </message>
     <message>
         <source>Only leading sides of summits are in contact: the rubber acts like a viscous fluid, and friction is the slope of the line there, times about 1.4. Change the modulus or the force: little happens.</source>
-        <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Der Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
+        <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Das Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
     </message>
     <message>
         <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Refine the elements: with the nodal scheme the level stays, with a resolved line friction goes on falling.</source>
-        <translation>Nur die höchsten Gipfel berühren noch, mit Spitzen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
+        <translation>Nur die höchsten Gipfel berühren noch, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
     </message>
     <message>
         <source>Oscillation through rest</source>
@@ -5803,19 +5807,19 @@
     </message>
     <message>
         <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
-        <translation>Gipfel der Linie drücken sich in den Gummi, der hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+        <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
-        <translation>Die Last ist so hoch, dass der Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
+        <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
     </message>
     <message>
         <source>The rubber no longer quite keeps up, and contact begins to leave the trailing sides of the summits. Within a decade of velocity the straight line bends into the plateau.</source>
-        <translation>Der Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
+        <translation>Das Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
     </message>
     <message>
         <source>The rubber slides down a straight flank, so pressure is even on it and falls off behind the tip. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
-        <translation>Der Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
+        <translation>Das Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
         <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
@@ -5835,7 +5839,7 @@
     </message>
     <message>
         <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
-        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn der Gummi erinnert sich, woher er kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
+        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn das Gummi erinnert sich, woher es kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
     </message>
     <message>
         <source>Two arms and a dashpot</source>
@@ -5843,7 +5847,7 @@
     </message>
     <message>
         <source>Warm rubber</source>
-        <translation>Warmer Gummi</translation>
+        <translation>Warmes Gummi</translation>
     </message>
     <message>
         <source>Waves longer than a millimetre are all equally strong, so the line looks like many alike summits instead of one landscape. At the same rms height its slope is far larger, and so is friction.</source>
@@ -5851,7 +5855,7 @@
     </message>
     <message>
         <source>Without a dashpot of its own the rubber answers at once with its stiff modulus and then relaxes. Friction first shoots to more than twice its steady value, then falls with the contact as the line is lifted.</source>
-        <translation>Ohne eigenen Dämpfer antwortet der Gummi sofort mit seinem steifen Modul und relaxiert dann. Die Reibung schießt erst auf mehr als das Doppelte ihres stationären Werts und fällt dann mit dem Kontakt, während sich die Linie hebt.</translation>
+        <translation>Ohne eigenen Dämpfer antwortet das Gummi sofort mit seinem steifen Modul und relaxiert dann. Die Reibung schießt erst auf mehr als das Doppelte ihres stationären Werts und fällt dann mit dem Kontakt, während sich die Linie hebt.</translation>
     </message>
     <message>
         <source>Without memory every summit is pushed as much forward as back, and friction is exactly zero at any velocity. What remains in a measurement is the local friction of the interface.</source>
@@ -5863,7 +5867,7 @@
     </message>
     <message>
         <source>A single summit, seen closely: the rubber is pushed down in front of it and is still on its way up behind, so only the leading side is touched. Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>
-        <translation>Ein einzelner Gipfel, aus der Nähe: Vor ihm wird der Gummi hinabgedrückt, hinter ihm ist er noch auf dem Weg nach oben, daher wird nur die Vorderseite berührt. Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
+        <translation>Ein einzelner Gipfel, aus der Nähe: Vor ihm wird das Gummi hinabgedrückt, hinter ihm ist es noch auf dem Weg nach oben, daher wird nur die Vorderseite berührt. Die Geschwindigkeit auf 0,001 m/s senken: Der Kontakt wird auf beiden Seiten gleich, und die Reibung verschwindet.</translation>
     </message>
     <message>
         <source>Pressed in and at rest</source>
@@ -5871,7 +5875,7 @@
     </message>
     <message>
         <source>Nothing slides, so there is no friction: the line rests on the summits that reach deepest, and the rubber between them stays flat. Raise the force: contacts grow in number and in length.</source>
-        <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und der Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
+        <translation>Nichts gleitet, daher gibt es keine Reibung: Die Linie ruht auf den Gipfeln, die am tiefsten reichen, und das Gummi dazwischen bleibt eben. Die Kraft erhöhen: Die Kontakte wachsen an Zahl und Länge.</translation>
     </message>
     <message>
         <source>Tyre on asphalt</source>
@@ -5907,15 +5911,15 @@
     </message>
     <message>
         <source>Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths of some millimetres are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm), the pressure is that of a car tyre, and the height, the moduli near the glass transition and the width of 2 mm that turns pressure into force are an example; shorter waves, with which slopes are not small any more, are left out.</source>
-        <translation>Jeder Stein wird nur an seiner Vorderseite berührt: Der Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
+        <translation>Jeder Stein wird nur an seiner Vorderseite berührt: Das Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
     </message>
     <message>
         <source>Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides, at some centimetres a second it is met from the front alone. Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1); the height, low enough that slopes stay small, and the rubber with its one relaxation time are an example.</source>
-        <translation>Ändern Sie die Geschwindigkeit: Langsam füllt der Gummi die Täler hinter jeder Spitze und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde wird er nur von vorn getroffen. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und der Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
+        <translation>Die Geschwindigkeit ändern: Langsam füllt das Gummi die Täler hinter jedem Gipfel und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde wird es nur von vorn getroffen. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und das Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
     </message>
     <message>
         <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
-        <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der der Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
+        <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der das Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
     </message>
     <message>
         <source>Roughness</source>
@@ -5943,7 +5947,7 @@
     </message>
     <message>
         <source>The contacts of one period climb together less than a tenth of the rms height: results depend on single summits and on the period.</source>
-        <translation>Die Kontakte einer Periode steigen zusammen um weniger als ein Zehntel der rms-Höhe: Ergebnisse hängen von einzelnen Gipfeln und von der Periode ab.</translation>
+        <translation>Die Kontakte einer Periode steigen zusammen um weniger als ein Zehntel der RMS-Höhe: Ergebnisse hängen von einzelnen Gipfeln und von der Periode ab.</translation>
     </message>
     <message>
         <source>Friction of the one line that the picture shows, at every velocity of the curve.</source>
@@ -5963,7 +5967,7 @@
     </message>
     <message>
         <source>The state that the picture shows. Drag it, or use the arrow keys, and the picture follows.</source>
-        <translation>Der Zustand, den das Bild zeigt. Ziehen Sie ihn oder nehmen Sie die Pfeiltasten: Das Bild folgt.</translation>
+        <translation>Der Zustand, den das Bild zeigt. Mit der Maus oder den Pfeiltasten verschieben: Das Bild folgt.</translation>
     </message>
     <message>
         <source>The motion at this moment, beside the curve of steady sliding.</source>
@@ -5983,11 +5987,11 @@
     </message>
     <message>
         <source>Coefficient of friction: what deforming the elastomer costs, over the normal force.</source>
-        <translation>Reibungskoeffizient: was die Verformung des Elastomers kostet, durch die Normalkraft.</translation>
+        <translation>Reibungszahl: was die Verformung des Elastomers kostet, durch die Normalkraft.</translation>
     </message>
     <message>
         <source>Coefficient of friction over the rms slope of the line.</source>
-        <translation>Reibungskoeffizient durch die rms-Steigung der Linie.</translation>
+        <translation>Reibungszahl durch die RMS-Steigung der Linie.</translation>
     </message>
     <message>
         <source>Share of the line&apos;s length that touches the elastomer.</source>
@@ -6031,7 +6035,7 @@
     </message>
     <message>
         <source>The contact carries the normal force, which gives the indentation.</source>
-        <translation>Der Kontakt trägt die Normalkraft; daraus folgt die Eindrückung.</translation>
+        <translation>Der Kontakt trägt die Normalkraft; daraus folgt die Eindringung.</translation>
     </message>
     <message>
         <source>Tangential force: pressure on slopes.</source>
@@ -6063,7 +6067,7 @@
     </message>
     <message>
         <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it.</source>
-        <translation>Das Gesetz der Veröffentlichung: Es verbindet langsames Gleiten, vollständigen Kontakt und Plateau; Bereich IV enthält es nicht.</translation>
+        <translation>Das Gesetz der Veröffentlichung: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht.</translation>
     </message>
     <message>
         <source>The law without dimensions.</source>

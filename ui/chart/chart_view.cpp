@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -46,6 +47,23 @@ double notches(const QWheelEvent& event) {
   return event.angleDelta().y() / 120.0;
 }
 
+/// Calls back after a widget has got another size, once its layout is done.
+class RoomWatch : public QObject {
+ public:
+  RoomWatch(QObject& parent, std::function<void()> changed)
+      : QObject(&parent), changed_(std::move(changed)) {}
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Resize)
+      QMetaObject::invokeMethod(this, changed_, Qt::QueuedConnection);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  std::function<void()> changed_;
+};
+
 }  // namespace
 
 ChartView::ChartView(QWidget* parent)
@@ -71,6 +89,11 @@ ChartView::ChartView(QWidget* parent)
   view_->setFocusPolicy(Qt::NoFocus);
   view_->viewport()->setFocusPolicy(Qt::NoFocus);
   view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles gestures
+  // The choosers and the legend change the room of the charts, too: with other texts, or more
+  // lines.
+  view_->installEventFilter(new RoomWatch(*this, [this] {
+    if (view_->scene()->sceneRect().size() != QSizeF(view_->size())) showAll();
+  }));
   setMouseTracking(true);
   connect(legend_, &ChartLegend::unpinWanted, this, &ChartView::unpinWanted);
   connect(legend_, &ChartLegend::pointedAt, this,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "ui/draw/fonts.h"
 #include "ui/draw/theme.h"
@@ -194,8 +195,9 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 std::string symbolOf(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
   const std::size_t space = name.rfind(' ');
-  // "relative error of mu" is not mu.
-  if (space != name.npos && name.substr(0, space).ends_with(" of")) return {};
+  // "relative error of mu" is not mu, in neither language.
+  const std::string_view before = std::string_view(name).substr(0, std::min(space, name.size()));
+  if (before.ends_with(" of") || before.ends_with(" von")) return {};
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }
 

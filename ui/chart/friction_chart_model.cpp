@@ -321,10 +321,8 @@ std::optional<DiagramMarker> FrictionChartModel::marker() const {
       axes_ == CurveAxes::Physical ? marker_ : dimensionlessMarker_;
   if (!marker || markedKey_ != sweptKey_) return std::nullopt;
   marker->isFaded = isMarkFaded_;
-  if (concealed_) {
-    marker->y = std::numeric_limits<double>::quiet_NaN();
-    marker->trace.clear();
-  }
+  // The state itself stays: its friction is read above the contact, and a guess begins there.
+  if (concealed_) marker->trace.clear();
   if (isMarkFaded_)
     marker->name = "before the change";
   else if (!marker->isFixed && curve_ && isOneLine(*curve_))

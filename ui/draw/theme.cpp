@@ -83,6 +83,8 @@ void removeColours(DrawList& list) {
   toGrey(list.background);
   for (DrawLayer& layer : list.layers) {
     for (DrawVertex& vertex : layer.triangles) toGrey(vertex.colour);
+    for (DrawField& field : layer.fields)
+      for (Rgba& colour : field.colours) toGrey(colour);
     for (DrawLine& line : layer.lines)
       for (DrawVertex& vertex : line.vertices) toGrey(vertex.colour);
   }

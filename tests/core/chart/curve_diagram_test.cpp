@@ -258,6 +258,48 @@ TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
               testing::HasSubstr("without forces is not shown: it has no column of normal force"));
 }
 
+/// Equal steps stand in equal distances; a chosen scale and chosen ends are taken.
+TEST(CurveDiagram, TheHorizontalAxisIsAsTheSweepOrAsChosen) {
+  Scene scene = smallScene();
+  CurveSet set;
+  set.present = {{}, scene, {}};
+  EXPECT_EQ(curveSheet(set).diagrams.front().x.scale, AxisScale::Logarithmic);
+  scene.sweep.key = "surface.hurst";
+  scene.sweep.from = 0.3;
+  scene.sweep.to = 0.9;
+  scene.sweep.scale = SweepScale::Linear;
+  set.present = {{}, scene, {}};
+  EXPECT_EQ(curveSheet(set).diagrams.front().x.scale, AxisScale::Linear);
+  set.xScale = AxisScale::Logarithmic;
+  set.xFrom = 0.2;
+  set.xTo = 1;
+  const DiagramAxis axis = curveSheet(set).diagrams.front().x;
+  EXPECT_EQ(axis.scale, AxisScale::Logarithmic);
+  EXPECT_EQ(axis.from, 0.2);
+  EXPECT_EQ(axis.to, 1);
+}
+
+TEST(CurveDiagram, ShiftedVelocitiesAreCalledReduced) {
+  CurveSet set;
+  set.present = {{}, smallScene(), {}};
+  set.isReduced = true;
+  EXPECT_THAT(curveSheet(set).diagrams.front().x.title.english(),
+              testing::StartsWith("reduced sliding velocity a_T v at "));
+}
+
+/// The name of a scene, such as "friction over velocity", may be wrong of another axis.
+TEST(CurveDiagram, OverAnotherKeyTheTitleSaysWhatIsShown) {
+  Scene scene = smallScene();
+  scene.title = "My tyre";
+  CurveSet set;
+  set.present = {{}, scene, {}};
+  EXPECT_EQ(curveSheet(set).title.english(), "My tyre");
+  scene.sweep.key = "load.normal_force";
+  set.present = {{}, scene, {}};
+  EXPECT_EQ(curveSheet(set).title.english(), "Friction over normal force");
+  EXPECT_THAT(curveSheet(set).subtitle.english(), testing::StartsWith("My tyre; L = "));
+}
+
 TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
   const Scene scene = smallScene();
   CurveSet set;
@@ -267,15 +309,19 @@ TEST(CurveDiagram, AFamilyHasNamesOrARamp) {
     set.pinned.push_back(curveOf(scene, "F = " + std::to_string(i), i));
     set.pinned.back().ofFamily = i;
   }
-  EXPECT_FALSE(curveSheet(set).diagrams.front().ramp);
+  const Diagram few = curveSheet(set).diagrams.front();
+  EXPECT_FALSE(few.ramp);
+  // The own curve is not one of them, and no region is its alone.
+  EXPECT_EQ(few.series.size(), 5U);
+  EXPECT_TRUE(few.spans.empty());
   EXPECT_THAT(curveSetCsv(set), testing::StartsWith("series,normal_force,velocity,mu,"));
   set.pinned.push_back(curveOf(scene, "F = 5", 5));
   set.pinned.back().ofFamily = 5;
   const Diagram many = curveSheet(set).diagrams.front();
   ASSERT_TRUE(many.ramp);
   EXPECT_EQ(many.ramp->to.english(), "5 N");
-  EXPECT_EQ(many.series[1].ramp, 0);
-  EXPECT_EQ(many.series[6].ramp, 1);
+  EXPECT_EQ(many.series[0].ramp, 0);
+  EXPECT_EQ(many.series[5].ramp, 1);
 }
 
 }  // namespace

@@ -154,6 +154,8 @@ TEST(LessonAnswers, TextsSpeakOfValues) {
   EXPECT_EQ(withValues("No, {answer}, not {given}: {twice} {other} {", prediction, answer, given,
                        "en", text),
             "No, 2, not more: 0.5m {other} {");
+  const LessonAnswer part{{0.25, ""}, {}, 1, {}};
+  EXPECT_EQ(withValues("{answer%} of it", prediction, part, given, "en", text), "25\u00A0% of it");
 }
 
 }  // namespace

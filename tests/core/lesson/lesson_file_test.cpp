@@ -39,6 +39,19 @@ TEST(LessonFile, IsTheSameAfterWriting) {
   EXPECT_EQ(lesson.digest.size(), 64U);
 }
 
+TEST(LessonFile, ACurveIsShownHiddenOrHiddenThroughout) {
+  for (const auto& [word, hides, hidesAfter] : {std::tuple("shown", false, false),
+                                                {"hidden", true, false},
+                                                {"hidden_throughout", true, true}}) {
+    Json json = sampleLesson();
+    json["steps"][0]["show"]["curve"] = word;
+    const Lesson lesson = lessonOf(json);
+    EXPECT_EQ(lesson.steps[0].show.hidesCurve, hides);
+    EXPECT_EQ(lesson.steps[0].show.hidesCurveAfter, hidesAfter);
+    EXPECT_EQ(readLesson(writeLesson(lesson), "again.json").steps[0].show, lesson.steps[0].show);
+  }
+}
+
 TEST(LessonFile, ControlsAreFreeLockedOrHidden) {
   const LessonStep step = lessonOf(sampleLesson()).steps[0];
   EXPECT_EQ(step.controls.of("sliding.velocity"), ControlState::Free);

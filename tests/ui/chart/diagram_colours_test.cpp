@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
+
+#include "ui/draw/draw_list.h"
+#include "ui/draw/theme.h"
 
 namespace asperity {
 namespace {
@@ -91,6 +95,23 @@ TEST(DiagramColours, TheRampRisesInLightness) {
         EXPECT_GT(seen(vision, rampColour((k + 1) / 20.0, *theme))[0],
                   seen(vision, rampColour(k / 20.0, *theme))[0])
             << k;
+}
+
+/// A map printed in grey, as are lines, texts and the ground.
+TEST(DiagramColours, GreyPicturesHaveGreyFields) {
+  DrawList list;
+  DrawLayer layer;
+  layer.fields.push_back(
+      {{0, 1}, {0, 1}, {fieldColour(0), fieldColour(0.3), fieldColour(0.6), fieldColour(1)}});
+  list.layers.push_back(layer);
+  removeColours(list);
+  const std::vector<Rgba>& colours = list.layers[0].fields[0].colours;
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    EXPECT_EQ(colours[i].r, colours[i].g);
+    EXPECT_EQ(colours[i].g, colours[i].b);
+    if (i == 0) continue;
+    EXPECT_GT(colours[i].r, colours[i - 1].r);  // lighter where the value is larger
+  }
 }
 
 TEST(DiagramColours, BearAnyNumber) {

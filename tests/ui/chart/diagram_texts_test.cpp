@@ -12,6 +12,7 @@
 #include "core/run/transient_diagram.h"
 #include "tests/ui/chart/sample_sheets.h"
 #include "tests/ui/contact/tidy_texts.h"
+#include "ui/chart/diagram_axes.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/shapes.h"
@@ -337,6 +338,13 @@ TEST(DiagramTexts, OfStripsKeepUnitsAndPowersOfTenAtAnySize) {
     EXPECT_GT(shown, 150) << code;
   }
   useLanguage("en");
+}
+
+/// A low diagram has the symbol in place of a name that is too long.
+TEST(DiagramTexts, TheSymbolOfAnErrorIsNotThatOfTheQuantity) {
+  EXPECT_EQ(symbolOf("coefficient of friction \u03BC"), "\u03BC");
+  EXPECT_EQ(symbolOf("relative error of \u03BC"), "");
+  EXPECT_EQ(symbolOf("relativer Fehler von \u03BC"), "");
 }
 
 }  // namespace

@@ -165,5 +165,35 @@ TEST_F(AccessibilityTest, TabGoesThroughThePanelFromTopToBottom) {
   EXPECT_GE(row, 5);
 }
 
+/// Keys as they come from the keyboard: the window's shortcuts are asked first.
+TEST_F(AccessibilityTest, TheControlWithTheFocusHasItsKeys) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  const auto key = [&](Qt::Key pressed, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(window_.windowHandle(), pressed, modifiers);
+  };
+  const bool isPlaying = session().isPlaying();
+  auto& pace = control<QAbstractButton>("keepPace");
+  const bool keeps = pace.isChecked();
+  pace.setFocus();
+  key(Qt::Key_Space);
+  EXPECT_NE(pace.isChecked(), keeps);
+  auto& essentials = control<QAbstractButton>("showEssentials");
+  essentials.setFocus();
+  key(Qt::Key_Return);
+  EXPECT_TRUE(essentials.isChecked());
+  auto& slider = control<ValueSlider>("slider:load.normal_force");
+  const int value = slider.value();
+  slider.setFocus();
+  key(Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_GT(slider.value(), value);
+  key(Qt::Key_Home);
+  EXPECT_EQ(slider.value(), slider.minimum());
+  EXPECT_EQ(session().isPlaying(), isPlaying);
+  // Elsewhere the key is the window's.
+  window_.canvas().setFocus();
+  key(Qt::Key_Space);
+  EXPECT_NE(session().isPlaying(), isPlaying);
+}
+
 }  // namespace
 }  // namespace asperity

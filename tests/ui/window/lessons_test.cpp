@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
@@ -80,6 +81,71 @@ TEST_F(LessonsTest, AsksRevealsAndFreesWhatTheStepSays) {
   EXPECT_EQ(session().scene().sliding.velocity, 2e-4);
   EXPECT_TRUE(control<QWidget>("row:sliding.velocity").isEnabled());
   EXPECT_EQ(lessons().results().right(), 1);
+}
+
+/// By real keys, which are offered to the window's shortcuts first: the space bar pauses.
+TEST_F(LessonsTest, AChoiceIsMadeAndCheckedByKeysAlone) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  lessons().start(lessonOf(sampleLesson()));
+  const bool isPlaying = session().isPlaying();
+  auto& first = control<QRadioButton>("lessonChoice:0");
+  auto& second = control<QRadioButton>("lessonChoice:1");
+  ASSERT_TRUE(first.hasFocus());
+  const auto heightOf = [&](QWidget& one) { return one.mapTo(&window_, QPoint()).y(); };
+  ASSERT_TRUE(waitFor([&] { return heightOf(second) > heightOf(first); }));
+  const auto key = [&](Qt::Key pressed) { QTest::keyClick(window_.windowHandle(), pressed); };
+  key(Qt::Key_Down);
+  EXPECT_TRUE(second.hasFocus());
+  EXPECT_TRUE(second.isChecked());
+  key(Qt::Key_Up);
+  EXPECT_TRUE(first.isChecked());
+  second.setFocus();
+  key(Qt::Key_Space);
+  EXPECT_TRUE(second.isChecked());
+  EXPECT_EQ(session().isPlaying(), isPlaying);
+  key(Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget(), &button("lessonShow"));  // the first step has no "Back"
+  key(Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget(), &button("lessonNext"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_EQ(lessons().results().right(), 1);
+  EXPECT_EQ(session().isPlaying(), isPlaying);
+}
+
+TEST_F(LessonsTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  lessons().start(lessonOf(sampleLesson()));
+  control<QRadioButton>("lessonChoice:0").click();
+  button("lessonShow").setFocus();
+  QTest::keyClick(window_.windowHandle(), Qt::Key_Return);
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_FALSE(lessons().results().of(0)->given.isGiven());
+}
+
+TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_));
+  lessons().start(lessonOf(sampleLesson()), 1);
+  ASSERT_TRUE(waitFor([&] { return control<QLineEdit>("lessonNumber").isVisible(); }));
+  control<QLabel>("lessonQuestion").setFocus();
+  const auto tab = [&] { QTest::keyClick(window_.windowHandle(), Qt::Key_Tab); };
+  tab();
+  EXPECT_TRUE(control<QLineEdit>("lessonNumber").hasFocus());
+  tab();
+  EXPECT_TRUE(button("lessonBack").hasFocus());
+}
+
+/// A later step may ask for what the curve would show.
+TEST_F(LessonsTest, ACurveStaysHiddenWhereTheStepSaysSo) {
+  for (const bool throughout : {false, true}) {
+    Json json = sampleLesson();
+    json["steps"][0]["show"]["curve"] = throughout ? "hidden_throughout" : "hidden";
+    lessons().start(lessonOf(json));
+    click("lessonShow");
+    ASSERT_TRUE(waitForAnswer());
+    ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
+    ASSERT_TRUE(waitFor([&] { return showsCurve() == !throughout; }));
+  }
 }
 
 TEST_F(LessonsTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
@@ -270,7 +336,11 @@ TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   EXPECT_EQ(names.count(), static_cast<int>(shippedLessons().size()));
   names.setCurrentRow(1);
   EXPECT_EQ(list.chosen(), "load_and_friction");
-  EXPECT_TRUE(list.findChild<QLabel*>("lessonAbout")->text().contains("15 minutes"));
+  const auto said = [&] { return list.findChild<QLabel*>("lessonAbout")->text(); };
+  EXPECT_TRUE(said().contains("15 minutes"));
+  EXPECT_FALSE(said().contains("A good question for the class"));  // answers are for teachers
+  list.findChild<QCheckBox*>("lessonNotes")->click();
+  EXPECT_TRUE(said().contains("A good question for the class"));
   QTest::keyClick(&names, Qt::Key_Return);
   ASSERT_TRUE(lessons().isRunning());
   EXPECT_EQ(lessons().lesson()->name, "load_and_friction");
@@ -308,6 +378,15 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   EXPECT_EQ(read.steps[0].scene.load.normalForce, 0.005);
   EXPECT_EQ(read.steps[1].scene.load.normalForce, 0.007);
   EXPECT_TRUE(editor.mayClose());
+}
+
+TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  emit editor.tryWanted(lessonOf(sampleLesson()), 1);
+  EXPECT_EQ(lessons().step(), 1);
+  EXPECT_FALSE(editor.isVisible());
+  lessons().end();
+  EXPECT_TRUE(editor.isVisible());
 }
 
 /// Reordering keeps the scene that each step shows.
@@ -365,6 +444,10 @@ TEST(LessonTexts, MarkupBecomesHtmlAndNothingElseDoes) {
   EXPECT_EQ(richText("See:\n- one\n- *two*"),
             "<p>See:</p><ul><li>one</li><li><i>two</i></li></ul>");
   EXPECT_EQ(richText("<b>x</b>"), "<p>&lt;b&gt;x&lt;/b&gt;</p>");
+  // A number stays with its unit; other words may be parted.
+  EXPECT_EQ(richText("H = 0.7"), QStringLiteral("<p>H\u00A0=\u00A00.7</p>"));
+  EXPECT_EQ(richText("at 3 mm/s, 70 °C, 40 lines"),
+            QStringLiteral("<p>at 3\u00A0mm/\u2060s, 70\u00A0°C, 40 lines</p>"));
 }
 
 TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
@@ -384,6 +467,18 @@ TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
   EXPECT_TRUE(teachers.contains("<p>One.</p>"));
   EXPECT_GT(teachers.count("<img"), students.count("<img"));
   EXPECT_EQ(handoutHtml(lesson, options), teachers);
+}
+
+/// A choice needs no chart, and a curve that is to be guessed is not printed.
+TEST(Handouts, AnEmptyChartStandsWhereAPointIsDrawn) {
+  Json json = sampleLesson();
+  json["steps"][0]["show"]["curve"] = "hidden";
+  json["steps"][1]["prediction"] = {{"kind", "point"}, {"question", "Where?"}, {"x", 0.1}};
+  const QByteArray html = handoutHtml(lessonOf(json), {});
+  EXPECT_EQ(html.count("an empty chart of friction"), 1);
+  EXPECT_GT(html.indexOf("an empty chart of friction"), html.indexOf("Second"));
+  EXPECT_LT(html.indexOf("an empty chart of friction"), html.indexOf("Where?"));
+  EXPECT_FALSE(html.contains("alt=\"the friction curve"));
 }
 
 TEST(Handouts, PdfIsWholeAndTheSameEveryTime) {

@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "core/scene/sweep.h"
 #include "ui/draw/png_file.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
 #include "ui/window/figures/diagram_view.h"
 
@@ -63,7 +65,12 @@ InfluencePage::InfluencePage(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addLayout(row);
-  column->addWidget(view_, 1);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(view_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  column->addWidget(scroll, 1);
   connect(choice_, &QComboBox::currentIndexChanged, this, [this] {
     showTexts();
     compute();
@@ -71,6 +78,13 @@ InfluencePage::InfluencePage(QWidget* parent)
   connect(view_, &DiagramView::saved, this, &InfluencePage::saved);
   connect(view_, &DiagramView::failed, this, &InfluencePage::failed);
   keepTranslated(*this, [this] { showTexts(); });
+}
+
+/// Returns the height in which the names of all bars can be read.
+int InfluencePage::heightFor(const DiagramSheet& sheet) const {
+  const int line = fontMetrics().height();
+  const auto bars = static_cast<int>(sheet.diagrams.front().bars.size());
+  return bars > 0 ? (bars + 4) * line : 0;
 }
 
 void InfluencePage::showTexts() {
@@ -81,6 +95,7 @@ void InfluencePage::showTexts() {
                      ? tr("friction without the waves shorter than a cut-off, at this velocity")
                      : tr("per cent of friction for a per cent of each parameter, here and now"));
   view_->setAccessibleName(choice_->currentText());
+  view_->setToolTip(translatedText(note_));
 }
 
 bool InfluencePage::isOfWaves() const {
@@ -116,13 +131,23 @@ void InfluencePage::compute() {
     shown_ = scene;
     shownWaves_ = ofWaves;
     const char* verb = ofWaves ? "cutoff" : "sensitivity";
+    // The window says above what is shown of which scene; the room is for the names of the bars.
+    DiagramSheet shown = result.sheet;
+    shown.title = shown.subtitle = shown.note = {};
+    note_ = result.sheet.note;
+    view_->setToolTip(translatedText(note_));
+    view_->setMinimumHeight(heightFor(shown));
     view_->show(
-        [sheet = result.sheet] { return sheet; },
+        [shown] { return shown; },
         {verb, [scene, verb] { return pictureOrigin(verb, scene); },
-         [scene, verb, table = result.table] { return provenanceComment(verb, scene) + table; }});
+         [scene, verb, table = result.table] { return provenanceComment(verb, scene) + table; },
+         [sheet = result.sheet] { return sheet; }});
   };
   const auto fail = [this](const QString& reason) {
     shown_.reset();
+    note_ = {};
+    view_->setToolTip({});
+    view_->setMinimumHeight(0);
     view_->show([reason]() -> DiagramSheet { throw std::runtime_error(reason.toStdString()); });
   };
   work_.request(

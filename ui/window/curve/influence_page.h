@@ -7,6 +7,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/base/message.h"
+#include "core/chart/diagram.h"
 #include "core/scene/scene.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -40,6 +42,7 @@ class InfluencePage : public QWidget {
   void showTexts();
   void compute();
   bool isOfWaves() const;
+  int heightFor(const DiagramSheet& sheet) const;
 
   QComboBox* choice_;
   QLabel* hint_;
@@ -47,6 +50,7 @@ class InfluencePage : public QWidget {
   std::optional<Scene> scene_;
   std::optional<Scene> shown_;  // what the diagram belongs to, with `shownWaves_`
   bool shownWaves_ = false;
+  Message note_{};       // of the diagram
   BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 

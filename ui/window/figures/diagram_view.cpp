@@ -187,7 +187,7 @@ void DiagramView::save(const QString& file) {
 
 void DiagramView::copy() {
   files_.request(
-      [maker = maker_, theme = theme_](const BackgroundWork::Run&) {
+      [maker = export_.sheet ? export_.sheet : maker_, theme = theme_](const BackgroundWork::Run&) {
         const DiagramSheet sheet = sheetOf(maker);
         return renderImage(contextOfThread(), composeDiagrams(sheet, printOptions(sheet, theme)));
       },

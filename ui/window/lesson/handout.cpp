@@ -39,7 +39,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kContactWidth = 1500, kContactHeight = 520, kChartWidth = 1300, kChartHeight = 820;
+constexpr int kContactWidth = 1500, kContactHeight = 420, kChartWidth = 1300, kChartHeight = 600;
 constexpr float kPictureScale = 2;
 // Pixels at 96 per inch: within the column of A4, whose margins are 8 mm of the writer and 20 mm
 // of QTextDocument::print().
@@ -101,14 +101,16 @@ class HandoutMaker {
             .arg(plainText(step.title).toHtmlEscaped()));
     add(richText(shown(step.text)));
     addContact(step.scene);
-    addChart(step, step.scene, isHidden(step));
+    if (isDrawnInto(step) || !step.show.hidesCurve) addChart(step, step.scene, isDrawnInto(step));
     if (!step.prediction) return;
     addQuestion(*step.prediction);
     if (options_.forTeacher) addAnswer(step);
   }
 
-  /// Whether the students are to guess what the curve is, or draw it.
-  static bool isHidden(const LessonStep& step) { return step.show.hidesCurve; }
+  /// Whether the students draw their answer into an empty chart.
+  static bool isDrawnInto(const LessonStep& step) {
+    return step.prediction && step.prediction->kind == PredictionKind::Point;
+  }
 
   /// A contact is shown where it differs from the one before.
   void addContact(const Scene& given) {
@@ -131,11 +133,12 @@ class HandoutMaker {
                utf(Words::tr("the contact of the rough line and the rubber")));
   }
 
+  /// A chart is shown where it differs from the one before; an empty one where it is drawn into.
   void addChart(const LessonStep& step, const Scene& scene, bool isHidden) {
-    if (step.show.tab != "curve" || (isHidden && !step.prediction)) return;
+    if (step.show.tab != "curve") return;
     const QString key = QString::number(isHidden) + QString::fromStdString(step.show.quantity);
-    const bool isNew = !chart_ || !(sceneOf(*chart_) == sceneOf(scene)) || key != chartKey_ ||
-                       !step.show.beside.empty();
+    const bool isNew = isHidden || !chart_ || !(sceneOf(*chart_) == sceneOf(scene)) ||
+                       key != chartKey_ || !step.show.beside.empty();
     if (!isNew) return;
     chart_ = scene;
     chartKey_ = key;
@@ -224,7 +227,8 @@ class HandoutMaker {
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>");
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
-    if (step.show.hidesCurve) addChart(step, step.revealedScene, false);
+    if (step.show.hidesCurve && !step.show.hidesCurveAfter)
+      addChart(step, step.revealedScene, false);
   }
 
   const Lesson& lesson_;

@@ -1,5 +1,6 @@
 #include "ui/window/lesson/lesson_list.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -60,8 +61,14 @@ LessonList::LessonList(QWidget* parent)
   scroll->setFrameShape(QFrame::NoFrame);
   auto* halves = new QHBoxLayout;
   halves->setSpacing(16);
+  // The notes have answers in them, which students shall not read by chance.
+  notes_ = new QCheckBox;
+  notes_->setObjectName("lessonNotes");
+  auto* right = new QVBoxLayout;
+  right->addWidget(scroll, 1);
+  right->addWidget(notes_);
   halves->addWidget(list_, 4);
-  halves->addWidget(scroll, 6);
+  halves->addLayout(right, 6);
   status_->setObjectName("lessonStatus");
   status_->setWordWrap(true);
   status_->setMinimumHeight(fontMetrics().lineSpacing());
@@ -91,6 +98,7 @@ LessonList::LessonList(QWidget* parent)
   resize(kUsual.boundedTo(room - QSize(kAround, kAround)));
 
   connect(list_, &QListWidget::currentRowChanged, this, &LessonList::showChosen);
+  connect(notes_, &QCheckBox::toggled, this, &LessonList::showChosen);
   connect(list_, &QListWidget::itemActivated, this, &LessonList::begin);
   connect(start_, &QPushButton::clicked, this, &LessonList::begin);
   connect(open_, &QPushButton::clicked, this, &LessonList::askFile);
@@ -112,6 +120,7 @@ void LessonList::showTexts() {
     const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(i)];
     list_->item(i)->setText(QStringLiteral("%1. ").arg(i + 1) + plainText(lesson.title));
   }
+  notes_->setText(tr("Show the notes for &teachers, with answers"));
   start_->setText(tr("&Begin"));
   open_->setText(tr("&Open file…"));
   handout_->setText(tr("&Handout…"));
@@ -131,10 +140,12 @@ void LessonList::showChosen() {
     button->setEnabled(row >= 0 && !(button == handout_ && isSaving_));
   if (row < 0) return about_->clear();
   const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(row)];
-  about_->setText("<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
-                  tr("%1 minutes, %2 steps").arg(lesson.minutes).arg(lesson.steps.size()) + "</p>" +
-                  richText(shown(lesson.goal)) + "<h4>" + tr("For teachers") + "</h4>" +
-                  richText(shown(lesson.notes)));
+  QString html = "<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
+                 tr("%1 minutes, %2 steps").arg(lesson.minutes).arg(lesson.steps.size()) + "</p>" +
+                 richText(shown(lesson.goal));
+  if (notes_->isChecked() && !lesson.notes.empty())
+    html += "<h4>" + tr("For teachers") + "</h4>" + richText(shown(lesson.notes));
+  about_->setText(html);
 }
 
 void LessonList::begin() {

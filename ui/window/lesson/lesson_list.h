@@ -7,6 +7,7 @@
 
 #include "ui/window/tasks/background_work.h"
 
+class QCheckBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -39,6 +40,7 @@ class LessonList : public QDialog {
   void begin();
 
   QListWidget* list_;
+  QCheckBox* notes_;
   QLabel *about_, *status_;
   QPushButton *start_, *open_, *handout_, *edit_, *close_;
   bool isSaving_ = false;

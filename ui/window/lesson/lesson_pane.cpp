@@ -37,6 +37,16 @@ QString choiceStyle(const QPalette& palette) {
            name(QPalette::Mid));
 }
 
+/// A choice. An arrow key chooses the one to which it goes, though none was chosen before.
+class ChoiceButton : public QRadioButton {
+ protected:
+  void keyPressEvent(QKeyEvent* event) override {
+    QRadioButton::keyPressEvent(event);
+    auto* reached = qobject_cast<QRadioButton*>(window()->focusWidget());
+    if (reached && reached != this && reached->group() == group()) reached->setChecked(true);
+  }
+};
+
 /// A choice whose text may take several lines, as a radio button's own text cannot.
 class ChoiceLine : public QWidget {
  public:
@@ -228,7 +238,7 @@ void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage
   choices_ = new QButtonGroup(input_);
   for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
     const int number = static_cast<int>(i);
-    auto* button = new QRadioButton;
+    auto* button = new ChoiceButton;
     button->setObjectName(QStringLiteral("lessonChoice:%1").arg(number));
     QString text = plainText(prediction.choices[i].text);
     if (page.answer) {
@@ -247,6 +257,11 @@ void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage
     connect(button, &QRadioButton::toggled, this, &LessonPane::showButtons);
   }
   inputPlace_->addWidget(input_);
+  QWidget* before = question_;
+  for (QAbstractButton* button : choices_->buttons()) {
+    setTabOrder(before, button);
+    before = button;
+  }
 }
 
 void LessonPane::addNumber(const LessonPage& page) {
@@ -269,6 +284,7 @@ void LessonPane::addNumber(const LessonPage& page) {
     if (next_->isEnabled()) next_->click();
   });
   inputPlace_->addWidget(input_);
+  setTabOrder(question_, number_);
 }
 
 /// Returns what was chosen or typed; empty where nothing can be read.

@@ -14,7 +14,15 @@ namespace {
 QString inlineHtml(const QString& text) {
   static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
   static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
+  // A quantity stays on one line: "3 mm/s" breaks neither at the blank nor at the slash.
+  static const QRegularExpression unit(
+      QStringLiteral(R"((\d) ((?:[GMkcmµn]?(?:m|s|N|Pa|K|W|J|g)|°C|%)(?:/(?:s|m))?)(?![\w/]))"));
   QString html = text.toHtmlEscaped();
+  html.replace(unit, QStringLiteral("\\1\u00A0\\2"));
+  html.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
+  // Nor do the two sides of "H = 0.7" and "T − T₀" part.
+  for (const char16_t sign : {u'=', u'−'})
+    html.replace(QString(u' ') + sign + ' ', QString(QChar::Nbsp) + sign + QChar::Nbsp);
   html.replace(strong, QStringLiteral("<b>\\1</b>"));
   html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
   return html;

@@ -201,6 +201,10 @@ LessonList& Lessons::showList() {
 
 LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   for (LessonEditor* open : parts_.window.findChildren<LessonEditor*>()) {
+    if (!open->isVisible()) {  // it stepped aside
+      open->show();
+      return *open;
+    }
     if (!open->mayClose()) return *open;
     delete open;
   }
@@ -214,8 +218,13 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   };
   auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
   editor->setAttribute(Qt::WA_DeleteOnClose);
-  connect(editor, &LessonEditor::tryWanted, this,
-          [this](const Lesson& edited, int step) { start(edited, step); });
+  connect(editor, &LessonEditor::tryWanted, this, [this, editor](const Lesson& edited, int step) {
+    // The editor steps aside for the lesson, and comes back when that ends.
+    start(edited, step);
+    editor->hide();
+    connect(
+        this, &Lessons::ended, editor, [editor] { editor->show(); }, Qt::SingleShotConnection);
+  });
   editor->show();
   return *editor;
 }
@@ -362,7 +371,7 @@ void Lessons::holdControls(const Scene& scene) {
 void Lessons::showChart() {
   const LessonStep& step = present();
   const LessonView& view = step.show;
-  const bool hides = view.hidesCurve && (!isRevealed() || !step.prediction);
+  const bool hides = view.hidesCurve && (!isRevealed() || !step.prediction || view.hidesCurveAfter);
   beside_.cancel();
   parts_.tabs.plot().fit();
   parts_.session.editCurve([&](FrictionChartModel& plot) {

@@ -133,7 +133,7 @@ void PredictionPoint::sayPlace() {
 void PredictionPoint::paintEvent(QPaintEvent*) {
   if (!hasAxes()) return;
   const QPointF value = point_.value_or(middle());
-  const QPointF at = pixelOf(value);
+  QPointF at = pixelOf(value);
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -142,6 +142,11 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const double top = pixelOf({value.x(), valueOf(diagram.y.scale, range.y.to)}).y();
   const double bottom = pixelOf({value.x(), valueOf(diagram.y.scale, range.y.from)}).y();
+  // A guess may lie beyond the axis of the curve, which is shown once it is made.
+  const QString arrow = at.y() < top      ? QStringLiteral("↑")
+                        : at.y() > bottom ? QStringLiteral("↓")
+                                          : QString();
+  at.setY(std::clamp(at.y(), top, bottom));
   if (!isDecided_) {
     painter.setPen(QPen(colour, 1.2, Qt::DashLine));
     painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), bottom));
@@ -149,9 +154,12 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(colour, hasFocus() ? 3 : 2));
   painter.setBrush(point_ && !isDecided_ ? colour : QColor(Qt::transparent));
   painter.drawEllipse(at, kReach, kReach);
-  const QString text = isDecided_ ? tr("your answer")
-                       : point_   ? QString::fromStdString(quantity(point_->y(), diagram.y.unit, 2))
-                                  : tr("drag me");
+  const QString height =
+      point_ ? QString::fromStdString(quantity(point_->y(), diagram.y.unit, 2)) : tr("drag me");
+  const QString decided =
+      tr("your answer") +
+      (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
+  const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
   const double width = metrics.horizontalAdvance(text);
   const bool isLeft = at.x() + 2 * kReach + width > rect().right() - 8;

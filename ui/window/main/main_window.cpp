@@ -45,6 +45,7 @@
 #include "ui/window/main/commands.h"
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/exports.h"
+#include "ui/window/main/focus_keys.h"
 #include "ui/window/main/last_session.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
@@ -136,6 +137,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   connectFrames();
   connectTime();
   connectCurve();
+  new FocusKeys(*this);
   appearance_->setColours(Colours::System);
   showScene(scene);
   setMinimumSize(kLeastWindow);

@@ -10,7 +10,6 @@
 #include <QFont>
 #include <QLocale>
 #include <QSettings>
-#include <QStyleFactory>
 #include <QTimer>
 #include <QWindow>
 #include <cstdio>
@@ -34,6 +33,7 @@
 #include "ui/window/main/session.h"
 #include "ui/window/main/tour.h"
 #include "ui/window/main/window_layout.h"
+#include "ui/window/main/window_style.h"
 
 namespace asperity {
 
@@ -96,7 +96,7 @@ void prepareApplication(QApplication& application) {
   QApplication::setApplicationName(QStringLiteral("asperity"));
   QApplication::setApplicationDisplayName({});
   QApplication::setApplicationVersion(QStringLiteral(ASPERITY_VERSION));
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new WindowStyle);
   systemIsDark();  // called while the palette is still the desktop's
   loadFonts();
   QFont font = application.font();

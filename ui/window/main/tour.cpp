@@ -197,8 +197,12 @@ void Tour::addTo(Commands& commands) {
 
 void Tour::offer() {
   if (QSettings().value(kOffered).toBool()) return;
-  hint_.showOffer([] { return tr("New here? A tour of six steps shows what there is to see."); },
-                  [] { return tr("Take the tour"); });
+  hint_.showOffer(
+      [] {
+        return tr(
+            "New here? A tour of six steps shows what there is to see. Lessons are under Help.");
+      },
+      [] { return tr("Take the tour"); });
 }
 
 void Tour::start() {

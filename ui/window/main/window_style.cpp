@@ -1,0 +1,41 @@
+#include "ui/window/main/window_style.h"
+
+#include <QPainter>
+#include <QStyleOption>
+#include <algorithm>
+
+namespace asperity {
+
+WindowStyle::WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
+                                QPainter* painter, const QWidget* widget) const {
+  if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck)
+    return QProxyStyle::drawPrimitive(element, option, painter, widget);
+  const bool isEnabled = option->state & State_Enabled, hasFocus = option->state & State_HasFocus;
+  const bool isOn = option->state & State_On, isPartly = option->state & State_NoChange;
+  const QPalette& colours = option->palette;
+  const QColor accent = colours.color(QPalette::Active, QPalette::Highlight);
+  const QColor faint = colours.color(isEnabled ? QPalette::PlaceholderText : QPalette::Mid);
+  const bool isFilled = isEnabled && (isOn || isPartly);
+  const double side = std::min({option->rect.width(), option->rect.height(), 14});
+  QRectF box(0, 0, side - 1, side - 1);
+  box.moveCenter(QRectF(option->rect).center());
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  painter->setPen(QPen(isFilled || hasFocus ? accent : faint, hasFocus ? 2 : 1.2));
+  painter->setBrush(isFilled ? accent : colours.color(QPalette::Base));
+  painter->drawRoundedRect(box, 3, 3);
+  const QColor ink = isFilled ? colours.color(QPalette::Active, QPalette::HighlightedText) : faint;
+  painter->setPen(QPen(ink, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const auto at = [&box](double x, double y) {
+    return QPointF(box.x() + x * box.width(), box.y() + y * box.height());
+  };
+  if (isOn)
+    painter->drawPolyline(QPolygonF{at(0.24, 0.52), at(0.43, 0.72), at(0.78, 0.3)});
+  else if (isPartly)
+    painter->drawLine(at(0.26, 0.5), at(0.74, 0.5));
+  painter->restore();
+}
+
+}  // namespace asperity

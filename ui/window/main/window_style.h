@@ -1,0 +1,17 @@
+// The look of controls where Qt's Fusion style cannot be read: its check boxes are black on black
+// in the dark. GUI thread. Cannot fail.
+#pragma once
+
+#include <QProxyStyle>
+
+namespace asperity {
+
+class WindowStyle : public QProxyStyle {
+ public:
+  WindowStyle();
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+};
+
+}  // namespace asperity
