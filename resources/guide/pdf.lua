@@ -42,7 +42,8 @@ function CodeBlock(block)
   for line in (block.text .. "\n"):gmatch("([^\n]*)\n") do
     local column = #(line:match("^%s+%S.-%s%s%s*%f[%S]") or line:match("^%s*"))
     if column > 40 then column = 30 end
-    while utf8.len(line) > WIDTH do
+    -- What begins at the margin is a command and stays one line.
+    while line:match("^%s") and utf8.len(line) > WIDTH do
       local head = line:sub(1, utf8.offset(line, WIDTH + 1) - 1):match("^(.+)%s")
       if not head or #head <= column then break end
       lines:insert(head)
