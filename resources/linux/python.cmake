@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= ${this_python}), python3 (<< ${next_python}), python3-numpy, python3-numpy-abi9")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "asperity")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-emcee, python3-openturns")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "jupyter-notebook, python3-emcee, python3-openturns")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)

@@ -32,7 +32,7 @@ def prepare(folder):
 def test_blocks_of_the_page(tmp_path):
     environment = prepare(tmp_path)
     found = blocks.blocks_of(PAGE)
-    assert found or os.path.basename(PAGE) in ("speed.md", "theory.md", "window.md"), "the page has no block"
+    assert found or os.path.basename(PAGE) in ("speed.md", "theory.md"), "the page has no block"
     for block in found:
         if block.language == "python" and environment.get("PYTHONPATH", "") == "":
             continue

@@ -49,6 +49,17 @@ def test_anchors_are_unique_and_links_find_them():
     assert all(target.startswith("https://") for target in outer), outer
 
 
+def test_installed_files_that_it_names_are_in_the_sources():
+    """What the packages install as examples, from where (resources/linux)."""
+    folders = {"asperity": "resources", "python3-asperity": "app/python/examples"}
+    named = set(re.findall(r"/usr/share/doc/([a-z0-9-]+)/examples/?([a-z_./]*)", TEXT))
+    assert {package for package, _ in named} == set(folders)
+    for package, path in named:
+        assert os.path.exists(os.path.join(ROOT, folders[package], path)), (package, path)
+    words = re.sub(r"\s+", " ", re.sub(r'"data:[^"]*"', "", TEXT))
+    assert "resources/" not in re.sub(r"in the sources: <code>[^<]*</code>", "", words)
+
+
 def test_pages_and_sections_have_anchors_of_their_own():
     """A heading without one would change its address with its words."""
     pages = [name for name in os.listdir(f"{ROOT}/resources/guide") if name.endswith(".md")]
