@@ -140,15 +140,20 @@ export ASPERITY=$program
 # More tasks than most machines have processors, so that some wait.
 job=$(sbatch --parsable --array=1-8 "$root/resources/cluster/study.slurm" study.json shards)
 say "job $job: 8 tasks"
-task_1() { pgrep -f -- "^$program study run .*--shard 1/8 " | head -n 1; }
-is_running() { [[ -n $(task_1) ]]; }
-is_ended() { ! is_running; }
+task=  # the process of task 1
+begins() {
+  for task in $(processes); do
+    if grep -qsxzF -- "1/8" "/proc/$task/cmdline"; then return 0; fi
+  done
+  return 1
+}
+is_ended() { ! grep -qsz . "/proc/$task/cmdline"; }  # that of a zombie is empty
 # The log of the store's transactions grows with each chunk of five simulations.
 log_size() { stat -c %s shards/shard_1.study-wal 2>/dev/null || printf 0; }
-wait_until 120 is_running || die "task 1 does not begin"
+wait_until 120 begins || die "task 1 does not begin"
 growths=0 size=0
 while ((growths < 6)); do
-  is_running || die "task 1 ended before it could be killed"
+  if is_ended; then die "task 1 ended before it could be killed"; fi
   now=$(log_size)
   if ((now > size)); then ((growths += 1)); size=$now; fi
   sleep 0.02
