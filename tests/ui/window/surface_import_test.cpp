@@ -15,9 +15,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <future>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/processor_time.h"
@@ -314,7 +316,6 @@ std::string squareFile(int points) {
 /// Opens a page of its own and returns the longest work of the window's thread for it.
 double longestWorkFor(const QString& file) {
   SurfaceImport page(Scene{}, file, lightTheme());
-  page.setAttribute(Qt::WA_DeleteOnClose, false);
   page.show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(&page));
   const LongestWork work;
@@ -347,6 +348,44 @@ TEST_F(SurfaceImportTest, ALargeFileCanBeStopped) {
   EXPECT_FALSE(page_->isReading());
   EXPECT_FALSE(page_->isReady());
   EXPECT_FALSE(page_->summary());
+}
+
+/// A page whose work cannot be stopped, but for a gate.
+class GatedPage : public ImportPage {
+ public:
+  GatedPage(std::shared_future<void> gate, QWidget* parent)
+      : ImportPage("gated.txt", "use", parent), gate_(std::move(gate)) {
+    restart();
+  }
+
+ protected:
+  void begin() override {
+    work_.request([gate = gate_](const BackgroundWork::Run&) { gate.wait(); }, [] {});
+  }
+  BackgroundWork& work() override { return work_; }
+
+ private:
+  std::shared_future<void> gate_;
+  BackgroundWork work_;
+};
+
+/// The window does not wait until the work of a page that is closed has stopped.
+TEST_F(SurfaceImportTest, AClosedPageGoesWhenItsWorkHasStopped) {
+  std::promise<void> gate;
+  const QPointer<ImportPage> gated = new GatedPage(gate.get_future().share(), &window_);
+  gated->open();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(gated));
+  QTest::keyClick(gated, Qt::Key_Escape);
+  EXPECT_FALSE(gated->isVisible());
+  QTest::qWait(100);  // its deletion would wait here for ever
+  ASSERT_FALSE(gated.isNull());
+  // Another page opens meanwhile.
+  openPage(sineFile());
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(gated.isNull());
+  gate.set_value();
+  EXPECT_TRUE(waitFor([&] { return gated.isNull(); }));
+  EXPECT_FALSE(page_.isNull());
 }
 
 TEST_F(SurfaceImportTest, ADroppedFileOpensThePage) {
