@@ -586,6 +586,12 @@ class CommandLine {
         "explain", "The plan: what runs, what does not run and why, and the expected cost",
         explain_.common, [this] { return runExplain(explain_); });
     command->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
+    CLI::Option* x = command->add_option(
+        "--x", explain_.x, "With --y: what 'asperity map' with these sides will cost");
+    CLI::Option* y = command->add_option("--y", explain_.y, "The other side of that map");
+    for (CLI::Option* side : {x, y}) side->type_name("KEY=FROM:TO:N");
+    x->needs(y);
+    y->needs(x);
   }
   void addColumns() {
     CLI::App* command =

@@ -141,6 +141,7 @@ struct FigureCommand {
 struct ExplainCommand {
   CommonOptions common;
   bool analyze = false;
+  std::string x, y;  // of a map whose cost is wanted: KEY=FROM:TO:N; empty: of none
 };
 
 struct OpenCommand {

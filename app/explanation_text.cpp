@@ -81,6 +81,20 @@ std::string mebibytes(double bytes) {
   return shortNumber(bytes / (1 << 20), 2) + " MiB";
 }
 
+std::string mapLines(const MapCost& map) {
+  const std::string columns = std::to_string(map.columns), rows = std::to_string(map.rows);
+  const std::string lines = fmt::format("{:.0f}", map.lines);
+  const std::string work =
+      map.different > 0
+          ? filled(Words::tr("%1 times %2 states, %3 of them different, on %4 lines each"),
+                   {columns, rows, std::to_string(map.different), lines})
+          : filled(Words::tr("%1 times %2 states on %3 lines each"), {columns, rows, lines});
+  return Words::tr("the map") + "\n" +
+         fmt::format("      {:<10}{}\n", Words::tr("time"),
+                     filled(Words::tr("%1 on %2 (%3)"),
+                            {timeText(map.seconds), threadsText(map.threads), work}));
+}
+
 }  // namespace
 
 std::string explanationText(const Explanation& explanation) {
@@ -126,6 +140,7 @@ std::string explanationText(const Explanation& explanation) {
             costLines(timeText(measured->seconds),
                       filled(Words::tr("%1 more than before"), {mebibytes(measured->memory)}),
                       measured->error);
+  if (explanation.map) text += mapLines(*explanation.map);
   return text;
 }
 

@@ -161,6 +161,13 @@ std::string explanationJson(const Explanation& explanation) {
     root["measured"] = {{"seconds", measured->seconds},
                         {"memory_bytes", measured->memory},
                         {"relative_error", budgetJson(measured->error)}};
+  if (const auto& map = explanation.map)
+    root["map"] = {{"columns", map->columns},
+                   {"rows", map->rows},
+                   {"different", map->different > 0 ? Json(map->different) : Json(nullptr)},
+                   {"lines", map->lines},
+                   {"seconds", map->seconds},
+                   {"threads", map->threads}};
   return root.dump(2) + "\n";
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/accuracy/map_cost.h"
 #include "core/accuracy/prediction.h"
 #include "core/friction/curve_point.h"
 #include "core/scene/plan.h"
@@ -35,6 +36,7 @@ struct Explanation {
   Message excitation{};
   std::optional<Prediction> predicted{};
   std::optional<Measurement> measured{};
+  std::optional<MapCost> map{};  // of a map over two parameters, where one is asked for
 };
 
 /// Returns the plan of `curve` for steady sliding, else of `render`, with the prediction of a

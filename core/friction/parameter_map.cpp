@@ -72,6 +72,29 @@ ParameterMap stageOf(const Scene& scene, const MapAxis& x, const MapAxis& y, std
   return map;
 }
 
+/// Throws InputError where there is no map of these sides.
+void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
+  if (x.range.row == y.range.row)
+    throw InputError("", std::string(y.key()),
+                     "is both sides of the map; they need two different keys");
+  const auto cells = static_cast<std::int64_t>(x.values.size() * y.values.size());
+  if (cells > kMostMapCells)
+    throw InputError("", std::string(y.key()),
+                     message("{} times {} points are more than {} cells", x.values.size(),
+                             y.values.size(), kMostMapCells));
+  if (choosesAccuracy(scene))
+    throw InputError("", "accuracy.target_relative_error",
+                     "a map has the same lines in every cell; give accuracy.scheme and "
+                     "ensemble.realizations instead of a target");
+}
+
+StateOptions workOf(const MapOptions& options) {
+  StateOptions work;
+  work.threads = options.threads;
+  work.stop = options.stop;
+  return work;
+}
+
 /// The slope at t of the parabola through three points.
 double parabolaSlope(const std::array<double, 3>& x, const std::array<double, 3>& y, double t) {
   const double first = (y[1] - y[0]) / (x[1] - x[0]);
@@ -179,23 +202,17 @@ ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int6
   return range;
 }
 
+ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
+                      const MapOptions& options) {
+  checkMap(scene, x, y);
+  const bool isCoarse = stage == MapStage::Coarse;
+  return stageOf(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, 1, workOf(options));
+}
+
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options) {
-  if (x.range.row == y.range.row)
-    throw InputError("", std::string(y.key()),
-                     "is both sides of the map; they need two different keys");
-  const auto cells = static_cast<std::int64_t>(x.values.size() * y.values.size());
-  if (cells > kMostMapCells)
-    throw InputError("", std::string(y.key()),
-                     message("{} times {} points are more than {} cells", x.values.size(),
-                             y.values.size(), kMostMapCells));
-  if (choosesAccuracy(scene))
-    throw InputError("", "accuracy.target_relative_error",
-                     "a map has the same lines in every cell; give accuracy.scheme and "
-                     "ensemble.realizations instead of a target");
-  StateOptions work;
-  work.threads = options.threads;
-  work.stop = options.stop;
+  checkMap(scene, x, y);
+  StateOptions work = workOf(options);
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
   const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
     if (!options.preview || options.stop.stop_requested()) return;

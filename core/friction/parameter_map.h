@@ -80,6 +80,13 @@ struct MapOptions {
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options = {});
 
+/// Parts of the work: at most 16 x 16 of the cells on one line, and all cells on one line.
+enum class MapStage { Coarse, OneLine };
+
+/// Computes such a part, at the resolution of the whole map. Throws as parameterMap.
+ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
+                      const MapOptions& options = {});
+
 /// The map's scene with other values of its two parameters; whole numbers are rounded. Throws
 /// InputError where a value is not allowed.
 Scene sceneAt(const ParameterMap& map, double x, double y);

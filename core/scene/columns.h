@@ -354,8 +354,9 @@ inline constexpr auto kColumns = std::to_array<Column>({
     // ---- a study: with these the keys that it varies and its outputs
     {"simulation", "", "Number of the simulation in the study, from 0 on.", "", "study"},
     {"output", "",
-     "The number of a curve that a row is about; curve.NAME for one of a whole curve.", "",
-     "study"},
+     "The number of a curve that a row is about; curve.NAME for one of a whole curve, fit.NAME for "
+     "what sums it up.",
+     "", "study"},
     {"sweep_value", "",
      "Value of the key over which the curve goes; empty at the scene's velocity.", "", "study"},
     {"value", "", "The number itself.", "", "study"},
@@ -382,6 +383,46 @@ inline constexpr auto kColumns = std::to_array<Column>({
     {"percentile_75", "", "Number below which 75 % of them are.", "", "study"},
     {"percentile_95", "", "Number below which 95 % of them are.", "", "study"},
     {"error", "", "Why the simulation could not be computed; empty where it could.", "", "study"},
+
+    {"fit.maximum", "",
+     "Largest mu of the curve over the sweep: of the parabola in ln x through the highest three "
+     "points on a logarithmic axis, else of the highest point.",
+     "", "study"},
+    {"fit.place_of_maximum", "",
+     "Value of the swept key there, in its SI unit; empty where the highest point is an end of the "
+     "curve.",
+     "", "study"},
+    {"fit.half_width", "",
+     "Decades of the swept key over which mu is above half its maximum; empty where the curve ends "
+     "before.",
+     "log10(x_2/x_1), mu(x_1) = mu(x_2) = mu_max/2", "study"},
+    {"fit.exponent", "",
+     "Exponent of the power law through all points of the curve, by least squares of logarithms.",
+     "mu ~ x^exponent", "study"},
+    {"fit.exponent_residual", "", "Rms distance of the points from that law, in ln mu.", "",
+     "study"},
+    {"fit.plateau", "",
+     "Mean of mu in region III; empty where the curve has none, and of regions only where the "
+     "elastomer has one relaxation time.",
+     "", "study"},
+    {"fit.begin_of_region_2", "m/s",
+     "Velocity from which on mu is 20 % below its line through region I; empty where the curve "
+     "does "
+     "not show it.",
+     "", "study"},
+    {"fit.begin_of_region_3", "m/s",
+     "Velocity at which 95 % of the maximum is reached; empty where the curve does not show it.",
+     "", "study"},
+    {"fit.begin_of_region_4", "m/s",
+     "Velocity at which mu falls below 95 % of its maximum; empty where the curve does not show "
+     "it.",
+     "", "study"},
+    {"fit.exponent_region_1", "",
+     "Exponent of the power law through the points in region I; empty with fewer than three.",
+     "mu ~ v^exponent", "study"},
+    {"fit.exponent_region_2", "", "The same in region II.", "mu ~ v^exponent", "study"},
+    {"fit.exponent_region_3", "", "The same in region III.", "mu ~ v^exponent", "study"},
+    {"fit.exponent_region_4", "", "The same in region IV.", "mu ~ v^exponent", "study"},
 
     // ---- batch: with these the keys that its sweeps vary
     {"name", "", "Name of the scene and of its files.", "", "batch"},

@@ -33,30 +33,46 @@ constexpr std::int64_t kMostSimulations = std::int64_t{1} << 40;
 constexpr std::int64_t kMostSobol = std::int64_t{1} << 32;
 constexpr std::int64_t kMostInChunk = 4096;
 constexpr std::string_view kRows = "rows";
-constexpr std::string_view kCurve = "curve.";
+constexpr std::string_view kCurve = "curve.", kFit = "fit.";
 
 constexpr NamedChoices<Sampling, 4> kSamplings{{{"grid", Sampling::Grid},
                                                 {"latin_hypercube", Sampling::LatinHypercube},
                                                 {"sobol", Sampling::Sobol},
                                                 {"saltelli", Sampling::Saltelli}}};
 
+std::vector<std::string_view> fitNames() {
+  std::vector<std::string_view> names;
+  for (const CurveFitEntry& entry : kCurveFits) names.push_back(entry.name);
+  return names;
+}
+
 StudyOutput readOutput(const Json& json) {
   if (!json.is_string()) refuseMember("outputs", "needs a list of names");
   StudyOutput output;
   output.name = json.get<std::string>();
+  const bool isFit = output.name.starts_with(kFit);
   output.isCurve = output.name.starts_with(kCurve);
   output.column = output.isCurve ? output.name.substr(kCurve.size()) : output.name;
-  std::vector<std::string_view> known = curveColumns();
+  std::vector<std::string_view> known = isFit ? fitNames() : curveColumns();
   std::erase_if(known, [](std::string_view name) { return name == "mu_low" || name == "mu_high"; });
-  if (std::ranges::find(known, output.column) != known.end()) return output;
+  const auto found = std::ranges::find(known, output.column);
+  if (found != known.end()) {
+    if (isFit) output.fit = static_cast<CurveFit>(found - known.begin());
+    return output;
+  }
   const std::string_view nearest = nearestOf(output.column, known);
-  refuseMember("outputs",
-               nearest.empty()
-                   ? message("'{}' is unknown; known are {}, and curve.NAME for a whole curve",
-                             shortened(output.name), fmt::format("{}", fmt::join(known, ", ")))
-                   : message("'{}' is unknown; the nearest known one is {}", shortened(output.name),
-                             output.isCurve ? std::string(kCurve) + std::string(nearest)
-                                            : std::string(nearest)));
+  const std::string all = fmt::format("{}", fmt::join(known, ", "));
+  if (isFit && nearest.empty())
+    refuseMember("outputs", message("'{}' is unknown; known are {}", shortened(output.name), all));
+  refuseMember(
+      "outputs",
+      nearest.empty()
+          ? message("'{}' is unknown; known are {}, curve.NAME for a whole curve, and fit.NAME for "
+                    "what sums it up",
+                    shortened(output.name), all)
+          : message("'{}' is unknown; the nearest known one is {}", shortened(output.name),
+                    output.isCurve ? std::string(kCurve) + std::string(nearest)
+                                   : std::string(nearest)));
 }
 
 /// About how many simulations take a second: as many as are lost at most where a process is killed.
@@ -195,6 +211,31 @@ class StudyReader {
         if (study_.space.column(c).key() == study_.base.sweep.key)
           refuseMember("space." + study_.base.sweep.key,
                        "is what the curve goes over, so it cannot be varied as well");
+    for (const StudyOutput& output : study_.outputs)
+      if (output.fit) checkFit(output);
+  }
+
+  /// A fit that the base scene's curve cannot have would be an empty column. Where kinds are varied
+  /// some simulations may have it.
+  void checkFit(const StudyOutput& output) const {
+    const std::size_t points = study_.curveValues().size();
+    if (points < kLeastFitted)
+      refuseMember("outputs",
+                   message("{} needs a curve of at least {} points; sweep.points gives {}",
+                           output.name, kLeastFitted, points));
+    const bool isOfRegions = kCurveFits[static_cast<std::size_t>(*output.fit)].isOfRegions;
+    if (!isOfRegions || study_.isSlow) return;
+    if (!study_.base.sweep.isOfVelocity())
+      refuseMember("outputs", message("{} needs a curve over velocity, not over {}", output.name,
+                                      study_.base.sweep.key));
+    const Elastomer& elastomer = study_.base.elastomer;
+    const bool hasArms =
+        elastomer.rheology == Rheology::StandardSolid || elastomer.rheology == Rheology::Prony;
+    if (hasArms && !elastomer.arms.empty())
+      refuseMember("outputs",
+                   message("{} needs an elastomer of one relaxation time, whose curve has "
+                           "regions I to IV",
+                           output.name));
   }
 
   void checkSteady() const {
@@ -261,14 +302,18 @@ A key's values are a list, a range, or {"distribution": "normal", "lognormal" or
 "FILE.csv" in space takes keys and values from the columns of a table. sampling is grid, or with
 "samples" and "seed" latin_hypercube, sobol or saltelli (for sensitivity indices: samples times the
 number of keys and two); a range then has no points. outputs are columns of a curve at the scene's
-velocity, and curve.COLUMN at every value of its sweep. "chunk": simulations stored at a time.)";
+velocity, curve.COLUMN at every value of its sweep, and what sums that curve up: fit.maximum,
+fit.place_of_maximum, fit.half_width, fit.exponent (the power of what the sweep goes over), and of
+one relaxation time fit.plateau, fit.begin_of_region_2 to 4, fit.exponent_region_1 to 4 ('asperity
+columns' says more). "chunk": simulations stored at a time.)";
 
 bool ParameterStudy::wantsPoint() const {
-  return std::ranges::any_of(outputs, [](const StudyOutput& one) { return !one.isCurve; });
+  return std::ranges::any_of(outputs, &StudyOutput::isOfPoint);
 }
 
 bool ParameterStudy::wantsCurve() const {
-  return std::ranges::any_of(outputs, &StudyOutput::isCurve);
+  return std::ranges::any_of(outputs,
+                             [](const StudyOutput& one) { return one.isCurve || one.fit; });
 }
 
 std::vector<double> ParameterStudy::curveValues() const {

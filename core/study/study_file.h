@@ -9,21 +9,27 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/study/curve_fits.h"
 #include "core/study/study_space.h"
 
 namespace asperity {
 
 /// A number wanted of every simulation: a column of its friction curve, at the scene's own velocity
-/// or (`curve.mu`) at every value of its sweep.
+/// or (`curve.mu`) at every value of its sweep; or one that sums up the whole curve
+/// (`fit.maximum`).
 struct StudyOutput {
-  std::string name;    // "mu", "curve.mu"
+  std::string name;    // "mu", "curve.mu", "fit.maximum"
   std::string column;  // "mu"
   bool isCurve = false;
+  std::optional<CurveFit> fit{};
+
+  bool isOfPoint() const { return !isCurve && !fit; }
 };
 
 struct ParameterStudy {
@@ -40,8 +46,8 @@ struct ParameterStudy {
   }
 
   bool wantsPoint() const;  // whether an output is at the scene's own velocity
-  bool wantsCurve() const;
-  /// The values of the key over which the curves go; empty where no output is a curve.
+  bool wantsCurve() const;  // for itself or for a fit
+  /// The values of the key over which the curves go; empty where no output needs a curve.
   std::vector<double> curveValues() const;
   /// Numbers stored of one simulation: one for an output, or one for each value of the curve.
   std::size_t numbers() const;

@@ -12,6 +12,7 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/steady_states.h"
 #include "core/scene/sweep.h"
+#include "core/study/curve_fits.h"
 
 namespace asperity {
 namespace {
@@ -30,7 +31,10 @@ int threadsOf(int wanted) {
 class ChunkWork {
  public:
   ChunkWork(const ParameterStudy& study, int threads, const std::stop_token& stop)
-      : study_(study), curveValues_(study.curveValues()) {
+      : study_(study),
+        curveValues_(study.curveValues()),
+        wantsFits_(std::ranges::any_of(
+            study.outputs, [](const StudyOutput& output) { return output.fit.has_value(); })) {
     options_.threads = threads;
     options_.stop = stop;
     for (const StudyOutput& output : study.outputs) columns_.push_back(curveColumn(output.column));
@@ -62,7 +66,8 @@ class ChunkWork {
         study_.space.pointInto(chunk_.first + i, point);
         Scene scene = study_.sceneAt(point);
         for (const double value : curveValues_) states_.push_back(asperity::sceneAt(scene, value));
-        if (study_.wantsPoint()) states_.push_back(std::move(scene));
+        if (study_.wantsPoint()) states_.push_back(scene);
+        if (wantsFits_) curveScenes_.push_back(std::move(scene));
         simulations_.push_back(i);
       } catch (const InputError& error) {
         states_.resize(before);
@@ -82,8 +87,7 @@ class ChunkWork {
       const SteadyStates slid = slideStates(states, options_);
       if (!slid.isComplete) return;
       for (std::int64_t i = begin; i < end; ++i)
-        take(simulations_[static_cast<std::size_t>(i)],
-             std::span(slid.points).subspan(static_cast<std::size_t>(i - begin) * each, each));
+        take(i, std::span(slid.points).subspan(static_cast<std::size_t>(i - begin) * each, each));
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -97,15 +101,21 @@ class ChunkWork {
     }
   }
 
-  /// Stores the numbers of a simulation.
-  void take(std::int64_t simulation, std::span<const CurvePoint> points) {
-    auto place = static_cast<std::size_t>(simulation);
+  /// Stores the numbers of a simulation, which is counted among those that can be.
+  void take(std::int64_t number, std::span<const CurvePoint> points) {
+    const auto index = static_cast<std::size_t>(number);
+    auto place = static_cast<std::size_t>(simulations_[index]);
+    CurveFitValues fits{};
+    if (wantsFits_)
+      fits = curveFits(curveScenes_[index], curveValues_, points.first(curveValues_.size()));
     const auto put = [&](double value) {
       chunk_.values[place] = value;
       place += static_cast<std::size_t>(chunk_.count);
     };
     for (std::size_t k = 0; k < study_.outputs.size(); ++k)
-      if (!study_.outputs[k].isCurve)
+      if (study_.outputs[k].fit)
+        put(fits[static_cast<std::size_t>(*study_.outputs[k].fit)]);
+      else if (!study_.outputs[k].isCurve)
         put(columns_[k](points.back()));
       else
         for (std::size_t v = 0; v < curveValues_.size(); ++v) put(columns_[k](points[v]));
@@ -119,11 +129,13 @@ class ChunkWork {
 
   const ParameterStudy& study_;
   const std::vector<double> curveValues_;
+  const bool wantsFits_;
   StateOptions options_;
   std::vector<std::function<double(const CurvePoint&)>> columns_;
   StudyChunk chunk_;
   std::vector<std::int64_t> simulations_;  // that can be, counted in the chunk
   std::vector<Scene> states_;
+  std::vector<Scene> curveScenes_;  // of the same simulations, where fits are wanted
 
   static std::function<double(const CurvePoint&)> curveColumn(const std::string& name) {
     return [name](const CurvePoint& point) { return curveValue(point, name); };

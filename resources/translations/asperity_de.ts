@@ -475,6 +475,18 @@
         <source>%1 minutes, %2 steps, %3 predictions</source>
         <translation>%1 Minuten, %2 Schritte, %3 Vorhersagen</translation>
     </message>
+    <message>
+        <source>%1 times %2 states, %3 of them different, on %4 lines each</source>
+        <translation>%1 mal %2 Zustände, davon %3 verschiedene, auf je %4 Linien</translation>
+    </message>
+    <message>
+        <source>%1 times %2 states on %3 lines each</source>
+        <translation>%1 mal %2 Zustände auf je %3 Linien</translation>
+    </message>
+    <message>
+        <source>the map</source>
+        <translation>die Karte</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>

@@ -5115,10 +5115,6 @@
         <translation>verlangt eine Liste von Namen</translation>
     </message>
     <message>
-        <source>'%1' is unknown; known are %2, and curve.NAME for a whole curve</source>
-        <translation>„%1“ ist unbekannt; bekannt sind %2, und curve.NAME für eine ganze Kurve</translation>
-    </message>
-    <message>
         <source>'%1' is unknown; the nearest known one is %2</source>
         <translation>„%1“ ist unbekannt; der nächste bekannte Name ist %2</translation>
     </message>
@@ -5585,6 +5581,22 @@
     <message>
         <source>μ with its sign</source>
         <translation>μ mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>'%1' is unknown; known are %2, curve.NAME for a whole curve, and fit.NAME for what sums it up</source>
+        <translation>„%1“ ist unbekannt; bekannt sind %2, curve.NAME für eine ganze Kurve und fit.NAME für das, was sie zusammenfasst</translation>
+    </message>
+    <message>
+        <source>%1 needs a curve of at least %2 points; sweep.points gives %3</source>
+        <translation>%1 braucht eine Kurve aus mindestens %2 Punkten; sweep.points ergibt %3</translation>
+    </message>
+    <message>
+        <source>%1 needs a curve over velocity, not over %2</source>
+        <translation>%1 braucht eine Kurve über der Geschwindigkeit, nicht über %2</translation>
+    </message>
+    <message>
+        <source>%1 needs an elastomer of one relaxation time, whose curve has regions I to IV</source>
+        <translation>%1 braucht ein Elastomer mit einer einzigen Relaxationszeit, dessen Kurve die Bereiche I bis IV hat</translation>
     </message>
 </context>
 <context>

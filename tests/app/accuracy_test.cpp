@@ -81,6 +81,36 @@ TEST_F(AccuracyCommandTest, ExplainsWhereFewSummitsCarryTheLoad) {
   EXPECT_TRUE(Json::parse(program.run(solid + " --json").out)["few_summits_above"].is_null());
 }
 
+TEST_F(AccuracyCommandTest, ExplainsWhatAMapCosts) {
+  const std::string map =
+      "explain s.json --set ensemble.realizations=3 --x sliding.velocity=1mm/s:1:8 "
+      "--y load.normal_force=1mN:100mN:6";
+  const Said said = program.run(map);
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("the map\n"));
+  EXPECT_THAT(said.out, HasSubstr("8 times 6 states, 48 of them different, on 3 lines each"));
+  const Json cost = Json::parse(program.run(map + " --json --threads 2").out)["map"];
+  EXPECT_EQ(cost["columns"], 8);
+  EXPECT_EQ(cost["rows"], 6);
+  EXPECT_EQ(cost["different"], 48);
+  EXPECT_EQ(cost["lines"], 3);
+  EXPECT_EQ(cost["threads"], 2);
+  EXPECT_GT(cost["seconds"].get<double>(), 0);
+  EXPECT_FALSE(Json::parse(program.run("explain s.json --json").out).contains("map"));
+  for (const auto& [options, says] :
+       {std::pair{"--x sliding.velocity=1:2:3", "--y"},
+        {"--y sliding.velocity=1:2:3", "--x"},
+        {"--x sliding.velocity=1:2:3 --y sliding.velocity=1:2:3", "both sides of the map"},
+        {"--x sliding.velocity=1:2 --y load.normal_force=1:2:3", "FROM:TO:N"},
+        {"--x sliding.velocity=1:2:3 --y load.normal_force=1:2:3 --set sliding.kind=start "
+         "--set sliding.duration=0.01",
+         "sliding.kind"}}) {
+    const Said refused = program.run(std::string("explain s.json ") + options);
+    EXPECT_EQ(refused.status, 2) << options;
+    EXPECT_THAT(refused.err, HasSubstr(says)) << options;
+  }
+}
+
 TEST_F(AccuracyCommandTest, ExplainsForMachinesAndMeasures) {
   const Said said = program.run("explain s.json --analyze --json --set ensemble.realizations=40");
   EXPECT_EQ(said.status, 0) << said.err;

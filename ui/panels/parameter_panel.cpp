@@ -105,6 +105,9 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       bar_(bar),
       nothing_(new QLabel),
       scroll_(new QScrollArea) {
+  // Set before there are rows: a style sheet is worked out anew for all widgets that are there, and
+  // for all that come to another parent. So the rows come into the panel last, too, all at once.
+  applyStyle();
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
   content->setFocusPolicy(Qt::ClickFocus);
@@ -119,7 +122,6 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   column->addWidget(nothing_);
   column->addStretch(1);
 
-  scroll_->setWidget(content);
   scroll_->setWidgetResizable(true);
   scroll_->setFocusPolicy(Qt::NoFocus);  // its rows take the focus
   scroll_->setFrameShape(QFrame::NoFrame);
@@ -142,9 +144,9 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
     });
   }
   layout->addWidget(scroll_, 1);
+  scroll_->setWidget(content);
   setMinimumWidth(kLeastWidth);
   content->installEventFilter(this);
-  applyStyle();
   followAxis();
   showTexts();
 }

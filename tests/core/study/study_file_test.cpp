@@ -42,6 +42,20 @@ TEST(StudyFile, ReadsAGrid) {
   EXPECT_EQ(scene.surface.hurst, 0.7);
 }
 
+TEST(StudyFile, AFitNeedsTheCurveAndIsOneNumber) {
+  const ParameterStudy study =
+      parse(R"("space":{"surface.hurst":[0.3,0.7]},"outputs":["fit.maximum","fit.exponent"])");
+  EXPECT_FALSE(study.wantsPoint());
+  EXPECT_TRUE(study.wantsCurve());
+  EXPECT_EQ(study.curveValues().size(), 41U);
+  EXPECT_EQ(study.numbers(), 2U);
+  EXPECT_EQ(study.outputs[1].fit, CurveFit::Exponent);
+  // Where kinds are varied some simulations may have regions.
+  EXPECT_TRUE(parse(R"("space":{"elastomer.rheology":["standard_solid","kelvin"]},)"
+                    R"("outputs":["fit.plateau"])")
+                  .isSlow);
+}
+
 TEST(StudyFile, AWordMakesScenesOfAnotherKind) {
   const ParameterStudy study =
       parse(R"("space":{"accuracy.scheme":["linear","cubic"],"surface.hurst":[0.5]})");
@@ -69,6 +83,7 @@ TEST(StudyFile, ItsCanonicalTextIsAStudyWithTheSameMeaning) {
         R"("sampling":"sobol","samples":100,"seed":7,"space":{"surface.hurst":{"from":0.1,"to":1},)"
         R"("load.normal_force":{"distribution":"lognormal","mean":0.01,"deviation":0.003,"to":1},)"
         R"("surface.rms_height":{"distribution":"uniform","from":1e-7,"to":1e-6}})",
+        R"("space":{"surface.hurst":[0.3,0.7]},"outputs":["fit.maximum","mu","fit.plateau"])",
         R"("space":{"accuracy.scheme":["linear","cubic"]},"outputs":["curve.mu"],"chunk":3)"}) {
     const ParameterStudy study = parse(members);
     const ParameterStudy again = readStudy(study.canonical, "x", {});
@@ -148,6 +163,19 @@ TEST(StudyFile, MistakesAreNamed) {
       {R"("space":{"surface.hurst":[0.5]},"outputs":["mu","mu"])", "named twice"},
       {R"("space":{"surface.hurst":[0.5]},"outputs":[])", "needs a list of names"},
       {R"("space":{"sliding.velocity":[0.5]},"outputs":["curve.mu"])", "what the curve goes over"},
+      {R"("space":{"surface.hurst":[0.5]},"outputs":["fit.exponnt"])", "known one is fit.exponent"},
+      {R"("space":{"surface.hurst":[0.5]},"outputs":["fit.zzzzzzzzzzzzzzzzzzzz"])",
+       "known are fit.maximum, "},
+      {R"("space":{"sliding.velocity":[0.5]},"outputs":["fit.maximum"])",
+       "what the curve goes over"},
+      {R"("set":{"sweep.points":2},"space":{"surface.hurst":[0.5]},"outputs":["fit.exponent"])",
+       "needs a curve of at least 3 points; sweep.points gives 2"},
+      {R"("set":{"sweep.key":"load.normal_force","sweep.from":0.01,"sweep.to":1},)"
+       R"("space":{"surface.hurst":[0.5]},"outputs":["fit.plateau"])",
+       "needs a curve over velocity, not over load.normal_force"},
+      {R"("set":{"elastomer.rheology":"standard_solid"},"space":{"surface.hurst":[0.5]},)"
+       R"("outputs":["fit.exponent_region_1"])",
+       "needs an elastomer of one relaxation time"},
       {R"("space":{"surface.hurst":[0.5]},"chunk":0)", "chunk: 0 is not a whole number"},
       {R"("scene":{"sliding":{"kind":"start"}},"space":{"surface.hurst":[0.5]})", "sliding.kind"},
       {R"("set":{"accuracy.target_relative_error":0.01},"space":{"surface.hurst":[0.5]})",

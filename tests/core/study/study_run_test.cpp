@@ -13,6 +13,7 @@
 #include "core/friction/ensemble.h"
 #include "core/scene/columns.h"
 #include "core/scene/sweep.h"
+#include "core/study/curve_fits.h"
 #include "core/study/study_merge.h"
 #include "core/study/study_table.h"
 #include "tests/core/temporary_folder.h"
@@ -179,6 +180,67 @@ TEST(StudyTable, LongHasARowForEachNumber) {
   const auto jsonRows = nlohmann::json::parse(tableOf(store, TableShape::Long, TableFormat::Json));
   EXPECT_EQ(jsonRows["rows"].size(), 8U);
   EXPECT_EQ(jsonRows["rows"][1]["value"], json["rows"][0]["contact_fraction_1"]);
+}
+
+/// Eqs. (5) to (8): in slow sliding friction is proportional to velocity, whatever the line.
+TEST(StudyRun, FitsOfSlowSlidingHaveTheExponentOfVelocity) {
+  const ParameterStudy study = readStudy(
+      R"({"schema":"asperity-study/1","set":{"surface.elements":200,"ensemble.realizations":2,)"
+      R"("sweep.points":7,"sweep.velocity_from":1e-9,"sweep.velocity_to":1e-6},)"
+      R"("space":{"surface.hurst":[0.3,0.7,1],"load.normal_force":[0.001,0.1]},)"
+      R"("outputs":["fit.exponent","mu","fit.maximum","curve.mu","fit.begin_of_region_2"]})",
+      "s.json", {});
+  const TemporaryFolder folder;
+  StudyStore store(folder / "s", study, {});
+  runStudy(store);
+  EXPECT_FALSE(store.hasFailures());
+  std::int64_t compared = 0;
+  store.eachChunk([&](const StudyChunk& chunk) {
+    for (std::int64_t i = 0; i < chunk.count; ++i, ++compared) {
+      EXPECT_NEAR(chunk.at(0, i), 1, 1e-3);
+      EXPECT_EQ(chunk.at(2, i), chunk.at(9, i));  // the last of seven points
+      EXPECT_TRUE(std::isnan(chunk.at(10, i)));
+    }
+    return true;
+  });
+  EXPECT_EQ(compared, 6);
+  EXPECT_THAT(tableOf(store), testing::HasSubstr("surface.hurst,load.normal_force,fit.exponent,mu,"
+                                                 "fit.maximum,mu_1,"));
+}
+
+/// The numbers of a study are those of each simulation's own curve.
+TEST(StudyRun, FitsAreThoseOfEachCurve) {
+  std::string outputs;
+  for (const CurveFitEntry& entry : kCurveFits)
+    outputs += (outputs.empty() ? "\"" : ",\"") + entry.name.text() + "\"";
+  const ParameterStudy study = readStudy(
+      R"({"schema":"asperity-study/1","set":{"surface.elements":200,"ensemble.realizations":3,)"
+      R"("sweep.points":33,"sweep.velocity_to":1e5},"chunk":2,)"
+      R"("space":{"elastomer.relaxation_time":[1e-4,1e-2],"surface.hurst":[0.4,0.8]},"outputs":[)" +
+          outputs + "]}",
+      "s.json", {});
+  const TemporaryFolder folder;
+  StudyStore store(folder / "s", study, {});
+  runStudy(store);
+  std::vector<double> point(2);
+  int known = 0;
+  store.eachChunk([&](const StudyChunk& chunk) {
+    for (std::int64_t i = 0; i < chunk.count; ++i) {
+      study.space.pointInto(chunk.first + i, point);
+      const Scene scene = study.sceneAt(point);
+      const CurveFitValues own =
+          curveFits(scene, sweepValues(scene), frictionCurve(scene, {}).points);
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        EXPECT_EQ(std::isnan(own[k]), std::isnan(chunk.at(k, i))) << kCurveFits[k].name.text();
+        if (std::isnan(own[k])) continue;
+        EXPECT_NEAR(own[k], chunk.at(k, i), 1e-5 * std::abs(own[k]) + 1e-9)
+            << kCurveFits[k].name.text();
+        ++known;
+      }
+    }
+    return true;
+  });
+  EXPECT_GE(known, 4 * 11);
 }
 
 TEST(StudyBudget, CountsWhatThereIsToDo) {

@@ -16,11 +16,11 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 
 #include "core/scene/scene_file.h"
+#include "tests/ui/window/event_watch.h"
 #include "ui/language/language.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/window/curve/comparison_commands.h"
@@ -41,6 +41,7 @@ namespace {
 using namespace asperity;
 
 constexpr int kPatience = 60000;  // ms
+constexpr double kBusy = 5e-3;    // s of the processor for one event
 
 struct Wish {
   QString folder;
@@ -90,21 +91,14 @@ class Photographer {
     std::printf("%s\n", qPrintable(page.complaint()));
   }
   void surface(const QString& file) {
-    // How long the window answers nobody, and how often the bar moves.
-    QElapsedTimer whole, since;
-    qint64 longest = 0;
-    QTimer pulse;
-    QObject::connect(&pulse, &QTimer::timeout, [&] {
-      const qint64 gap = since.restart();
-      if (gap > 40) std::printf("%lld ms: waited %lld ms\n", whole.elapsed(), gap);
-      longest = std::max(longest, gap);
-    });
+    auto& watched = static_cast<WatchedApplication&>(*qApp);
+    watched.takeBusy(0);
+    QElapsedTimer whole;
     whole.start();
-    since.start();
-    pulse.start(1);
+    const double begin = threadSeconds();
     SurfaceImport& page = window_->imports().openSurface(file);
-    std::printf("the page stands after %lld ms\n", whole.elapsed());
-    since.restart();
+    std::printf("the page stands after %lld ms, %.0f ms of the processor\n", whole.elapsed(),
+                1e3 * (threadSeconds() - begin));
     int moves = 0;
     QObject::connect(page.findChild<QProgressBar*>("importProgress"), &QProgressBar::valueChanged,
                      [&](int value) {
@@ -112,9 +106,9 @@ class Photographer {
                        if (wish_.quick) std::printf("%lld ms: %d\n", whole.elapsed(), value);
                      });
     wait(page, "surfaceSpectrum");
-    pulse.stop();
-    std::printf("%s: %lld ms, the window waited at most %lld ms, %d steps of progress\n",
-                qPrintable(file), whole.elapsed(), longest, moves);
+    std::printf("%s: %lld ms, %d steps of progress\n", qPrintable(file), whole.elapsed(), moves);
+    for (const BusyEvent& event : watched.takeBusy(kBusy))
+      std::printf("%.1f ms of the processor: %s\n", 1e3 * event.seconds, qPrintable(event.name));
     save(page, "surface_" + QFileInfo(file).completeBaseName());
     delete &page;
   }
@@ -193,7 +187,7 @@ class Photographer {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+  WatchedApplication application(argc, argv);
   const QTemporaryDir settings;  // never the user's own
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
   prepareApplication(application);

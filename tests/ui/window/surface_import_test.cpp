@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractEventDispatcher>
 #include <QComboBox>
 #include <QFile>
+#include <QHash>
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
@@ -13,11 +15,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <future>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/processor_time.h"
 #include "core/friction/ensemble.h"
 #include "core/surface/line_source.h"
 #include "qt_application.h"
@@ -249,6 +254,138 @@ TEST_F(SurfaceImportTest, ReadingCanBeStopped) {
   click("importStop");  // reads it again
   ASSERT_TRUE(waitForPage());
   EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+}
+
+/// Counts how often each widget's style is worked out, which is most of what a page costs to build.
+class StyleChanges : public QObject {
+ public:
+  StyleChanges() { qApp->installEventFilter(this); }
+  int of(const QObject* widget) const { return counts_.value(widget); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::StyleChange) ++counts_[watched];
+    return false;
+  }
+
+ private:
+  QHash<const QObject*, int> counts_;
+};
+
+TEST_F(SurfaceImportTest, EveryWidgetOfThePageIsStyledOnce) {
+  const QString file = sineFile();
+  const StyleChanges changes;
+  openPage(file);
+  const QList<QWidget*> widgets = page_->findChildren<QWidget*>();
+  int all = 0;
+  for (const QWidget* widget : widgets) all += changes.of(widget);
+  EXPECT_GT(widgets.size(), 150);
+  EXPECT_LT(all, 1.25 * static_cast<double>(widgets.size()));
+}
+
+/// The longest time that the window's thread works between two waits, in time of its processor.
+class LongestWork : public QObject {
+ public:
+  LongestWork() {
+    const QAbstractEventDispatcher* events = QAbstractEventDispatcher::instance();
+    connect(events, &QAbstractEventDispatcher::awake, this, [this] { begin_ = threadSeconds(); });
+    connect(events, &QAbstractEventDispatcher::aboutToBlock, this,
+            [this] { longest_ = std::max(longest_, threadSeconds() - begin_); });
+  }
+  double seconds() const { return longest_; }
+
+ private:
+  double begin_ = threadSeconds(), longest_ = 0;
+};
+
+/// A square topography in Gwyddion's simple form, with heights of some micrometres over 1 mm.
+std::string squareFile(int points) {
+  const std::string header = "Gwyddion Simple Field 1.0\nXRes = " + std::to_string(points) +
+                             "\nYRes = " + std::to_string(points) +
+                             "\nXReal = 1e-3\nYReal = 1e-3\nXYUnits = m\nZUnits = m\n";
+  std::string bytes = header + std::string(4 - header.size() % 4, '\0');
+  std::vector<float> row(static_cast<std::size_t>(points));
+  for (int y = 0; y < points; ++y) {
+    for (int x = 0; x < points; ++x)
+      row[static_cast<std::size_t>(x)] = static_cast<float>((x * 7919 + y * 104729) % 1009) * 1e-9F;
+    bytes.append(reinterpret_cast<const char*>(row.data()), row.size() * sizeof(float));
+  }
+  return bytes;
+}
+
+/// Opens a page of its own and returns the longest work of the window's thread for it.
+double longestWorkFor(const QString& file) {
+  SurfaceImport page(Scene{}, file, lightTheme());
+  page.show();
+  EXPECT_TRUE(QTest::qWaitForWindowExposed(&page));
+  const LongestWork work;
+  const auto& spectrum = *page.findChild<DiagramView*>("surfaceSpectrum");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return page.isReady() && spectrum.isPainted(); }, 60000))
+      << page.complaint().toStdString();
+  return work.seconds();
+}
+
+/// Reading 4096 x 4096 heights, their picture and their values are made elsewhere.
+TEST_F(SurfaceImportTest, ALargeFileDoesNotKeepTheWindowsThread) {
+  const QString small = write("small.gsf", squareFile(64));
+  const QString large = write("large.gsf", squareFile(4096));
+  const double usual = longestWorkFor(small);
+  const double least = std::min(longestWorkFor(large), longestWorkFor(large));
+  EXPECT_LT(least, 2 * usual + 0.02);
+}
+
+/// Stopped in the middle of 4096 x 4096 heights nothing more of them arrives.
+TEST_F(SurfaceImportTest, ALargeFileCanBeStopped) {
+  openPage(write("large.gsf", squareFile(4096)));
+  auto& progress = inPage<QProgressBar>("importProgress");
+  ASSERT_TRUE(waitFor([&] { return progress.value() > 0 || !page_->isReading(); }));
+  ASSERT_TRUE(page_->isReading());
+  click("importStop");
+  EXPECT_FALSE(page_->isReading());
+  const int reached = progress.value();
+  QTest::qWait(300);
+  EXPECT_EQ(progress.value(), reached);
+  EXPECT_FALSE(page_->isReading());
+  EXPECT_FALSE(page_->isReady());
+  EXPECT_FALSE(page_->summary());
+}
+
+/// A page whose work cannot be stopped, but for a gate.
+class GatedPage : public ImportPage {
+ public:
+  GatedPage(std::shared_future<void> gate, QWidget* parent)
+      : ImportPage("gated.txt", "use", parent), gate_(std::move(gate)) {
+    restart();
+  }
+
+ protected:
+  void begin() override {
+    work_.request([gate = gate_](const BackgroundWork::Run&) { gate.wait(); }, [] {});
+  }
+  BackgroundWork& work() override { return work_; }
+
+ private:
+  std::shared_future<void> gate_;
+  BackgroundWork work_;
+};
+
+/// The window does not wait until the work of a page that is closed has stopped.
+TEST_F(SurfaceImportTest, AClosedPageGoesWhenItsWorkHasStopped) {
+  std::promise<void> gate;
+  const QPointer<ImportPage> gated = new GatedPage(gate.get_future().share(), &window_);
+  gated->open();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(gated));
+  QTest::keyClick(gated, Qt::Key_Escape);
+  EXPECT_FALSE(gated->isVisible());
+  QTest::qWait(100);  // its deletion would wait here for ever
+  ASSERT_FALSE(gated.isNull());
+  // Another page opens meanwhile.
+  openPage(sineFile());
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(gated.isNull());
+  gate.set_value();
+  EXPECT_TRUE(waitFor([&] { return gated.isNull(); }));
+  EXPECT_FALSE(page_.isNull());
 }
 
 TEST_F(SurfaceImportTest, ADroppedFileOpensThePage) {

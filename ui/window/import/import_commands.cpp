@@ -65,7 +65,7 @@ void ImportCommands::askMaterial() {
 
 void ImportCommands::closePages() {
   for (QDialog* page : parts_.window.findChildren<QDialog*>(Qt::FindDirectChildrenOnly))
-    if (qobject_cast<ImportPage*>(page)) delete page;
+    if (qobject_cast<ImportPage*>(page) && page->isVisible()) page->reject();
 }
 
 SurfaceImport& ImportCommands::openSurface(const QString& file) {

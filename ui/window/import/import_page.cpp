@@ -30,7 +30,6 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       stop_(new QToolButton),
       accept_(new QPushButton(accept)),
       cancel_(new QPushButton(tr("&Cancel"))) {
-  setAttribute(Qt::WA_DeleteOnClose);
   auto* name = new QLabel(QFileInfo(file).fileName());
   name->setObjectName("importFile");
   name->setToolTip(QDir::toNativeSeparators(file));
@@ -82,7 +81,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   all->addLayout(foot);
   const QSize room = (parent ? parent->screen() : screen())->availableSize();
   resize(kUsual.boundedTo(room - QSize(kAround, 2 * kAround)));
-  connect(this, &QDialog::finished, this, [this] { cancelWork(); });
+  connect(this, &QDialog::finished, this, &ImportPage::endSoon);
 }
 
 QString ImportPage::complaint() const {
@@ -118,9 +117,16 @@ void ImportPage::setState(State state) {
 
 void ImportPage::pressStop() {
   if (state_ == State::Stopped) return restart();
-  cancelWork();
+  work().cancel();
   complaint_->setText(tr("Reading was stopped"));
   setState(State::Stopped);
+}
+
+/// The page goes when the worker has come to this request: then nothing runs any more for which its
+/// destructor would wait. A transform of a large surface, for one, cannot be stopped in its middle.
+void ImportPage::endSoon() {
+  work().cancel();
+  work().request([](const BackgroundWork::Run&) {}, [this] { deleteLater(); });
 }
 
 /// Return in an entry ends the entry, not the page.

@@ -1,6 +1,8 @@
 // What the pages of the window that read a file of a person have in common: the name of the file,
 // progress that can be stopped, one line that says what is wrong, and the buttons that take or
-// leave the result. The work runs in the background; the newest choices win. GUI thread.
+// leave the result. The work runs in the background; the newest choices win. A page that is closed
+// disappears at once and deletes itself when its work has stopped, so that the window never waits
+// for it. GUI thread.
 #pragma once
 
 #include <QDialog>
@@ -42,8 +44,8 @@ class ImportPage : public QDialog {
   void showProgress(double part);
   /// Ends the reading, with what is wrong; empty: it can be accepted.
   void finish(const QString& complaint);
-  /// Cancels the work of the derived class.
-  virtual void cancelWork() = 0;
+  /// The work of the derived class.
+  virtual BackgroundWork& work() = 0;
 
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -51,6 +53,7 @@ class ImportPage : public QDialog {
   enum class State { Reading, Shown, Wrong, Stopped };
   void setState(State state);
   void pressStop();
+  void endSoon();
 
   QString file_;
   State state_ = State::Reading;

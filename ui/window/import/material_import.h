@@ -50,7 +50,7 @@ class MaterialImport : public ImportPage {
 
  protected:
   void begin() override;
-  void cancelWork() override { work_.cancel(); }
+  BackgroundWork& work() override { return work_; }
 
  private:
   struct Preview;

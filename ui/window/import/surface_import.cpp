@@ -87,7 +87,7 @@ SurfaceImport::SurfaceImport(const Scene& scene, const QString& file, const Them
   setObjectName("surfaceImport");
   setWindowTitle(tr("Open surface"));
   useSurface(scene_, file.toStdString());
-  panel_ = new ParameterPanel(scene_, groups());
+  panel_ = new ParameterPanel(scene_, groups(), this);
   connect(panel_, &ParameterPanel::sceneEdited, this, [this](const Scene& edited) {
     scene_ = edited;
     restart();

@@ -36,7 +36,7 @@ class SurfaceImport : public ImportPage {
 
  protected:
   void begin() override;
-  void cancelWork() override { work_.cancel(); }
+  BackgroundWork& work() override { return work_; }
 
  private:
   struct Preview;

@@ -1,0 +1,52 @@
+#include "core/accuracy/map_cost.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/accuracy/pilot.h"
+#include "core/base/processor_time.h"
+#include "core/friction/study.h"
+
+namespace asperity {
+namespace {
+
+constexpr double kMostTrial = 0.5;  // s, of one line in all cells
+
+struct Trial {
+  ParameterMap map;
+  double seconds = 0;  // of the processor
+
+  double cells() const { return static_cast<double>(map.points.size()); }
+};
+
+Trial tried(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
+            const std::stop_token& stop) {
+  MapOptions options;
+  options.threads = 1;
+  options.stop = stop;
+  const double begin = threadSeconds();
+  Trial trial{mapStage(stage, scene, x, y, options)};
+  if (!trial.map.isComplete) throw StudyStopped{};
+  trial.seconds = threadSeconds() - begin;
+  return trial;
+}
+
+}  // namespace
+
+MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int threads,
+                   const std::stop_token& stop) {
+  MapCost cost{x.values.size(), y.values.size()};
+  cost.threads =
+      threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const auto cells = static_cast<double>(cost.columns * cost.rows);
+  Trial trial = tried(MapStage::Coarse, scene, x, y, stop);
+  // Which cells are equal is known only where all are tried.
+  if (trial.cells() < cells && trial.seconds * cells / trial.cells() < kMostTrial)
+    trial = tried(MapStage::OneLine, scene, x, y, stop);
+  if (trial.cells() == cells) cost.different = trial.map.computed;
+  cost.lines = static_cast<double>(planPilot(scene, cost.threads).run.lines);
+  cost.seconds = trial.seconds * cells / trial.cells() * cost.lines / cost.threads;
+  return cost;
+}
+
+}  // namespace asperity
