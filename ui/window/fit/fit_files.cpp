@@ -33,7 +33,7 @@ QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted)
   if (error || !std::filesystem::is_directory(folder))
     throw InputError(folder, "", "is not a folder and cannot be made one");
   const FitReport report = fitReport(fitted, folder);
-  nlohmann::ordered_json origin = provenance("fit", fitted.fit.scene);
+  nlohmann::ordered_json origin = fitProvenance(fitted.start, fitted.fit);
   origin["picture"] = {{"size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
                        {"scale", 1.0F},
                        {"theme", "print"},
