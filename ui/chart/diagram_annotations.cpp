@@ -86,6 +86,7 @@ class Clearance {
   bool isClear(const Box& box, const std::optional<Place>& target) const {
     const Box wide = grown(box, air_);
     const auto from = target ? exitOf(box, *target) : std::nullopt;
+    if (target && !from) return false;  // there would be no arrow
     for (const Place& other : targets_)
       if (crosses(other, other, wide)) return false;
     return std::ranges::none_of(placed_, [&](const PlacedLabel& other) {
