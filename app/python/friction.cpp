@@ -212,8 +212,7 @@ struct FitOfScene {
 
   /// The options as the program has them for the file fit.json.
   std::string answer() const {
-    Json options = {{"vary", varied.size() == 1 ? Json(varied.front()) : Json(varied)}};
-    if (!hasProfiles) options["no_profiles"] = true;
+    Json options = fitOptions(varied, hasProfiles);
     options["file"] = "fit";
     const ProvenanceOptions given(hasFiles ? std::move(options) : Json());
     return fitAnswer(scene, fit, varied);

@@ -220,6 +220,7 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
                      "a fit needs the same lines everywhere, not a target");
   FittedCurve fitted;
   fitted.start = scene;
+  fitted.hasProfiles = options.hasProfiles;
   fitted.fit = fitFriction(scene, data, parameters, options);
   CurveOptions curve;
   curve.threads = options.threads;
@@ -241,6 +242,12 @@ Json fitProvenance(const Scene& start, const Fit& fit) {
   root["start"] = Json::parse(writeScene(start));
   root["scene"] = std::move(fitted);
   return root;
+}
+
+Json fitOptions(const std::vector<std::string>& varied, bool hasProfiles) {
+  Json options = {{"vary", varied.size() == 1 ? Json(varied.front()) : Json(varied)}};
+  if (!hasProfiles) options["no_profiles"] = true;
+  return options;
 }
 
 std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied) {

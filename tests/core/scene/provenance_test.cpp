@@ -135,9 +135,10 @@ TEST(Provenance, RefusesFilesWithoutAScene) {
 
 TEST(Provenance, TheInnermostOptionsOfTheThreadStandBeforeTheScene) {
   EXPECT_FALSE(provenance("curve", awkwardScene()).contains("options"));
-  const ProvenanceOptions outer({{"size", "4x3"}});
+  using Json = nlohmann::ordered_json;
+  const ProvenanceOptions outer(Json{{"size", "4x3"}});
   {
-    const ProvenanceOptions inner({{"size", "2x2"}, {"file", "fit"}});
+    const ProvenanceOptions inner(Json{{"size", "2x2"}, {"file", "fit"}});
     const std::string text = provenance("fit", awkwardScene()).dump();
     EXPECT_THAT(text, HasSubstr(R"("options":{"size":"2x2","file":"fit"},"scene":)"));
     std::thread([] {
