@@ -18,6 +18,7 @@
 #include "core/chart/curve_words.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/parameters.h"
+#include "core/scene/provenance.h"
 #include "core/scene/range.h"
 #include "core/scene/scene_file.h"
 #include "ui/window/main/scene_library.h"
@@ -99,6 +100,14 @@ Message variedInWords(const BatchItem& item) {
   return listed(parts);
 }
 
+/// Makes the title of an item that has its scene and what is varied in it.
+void giveTitle(BatchItem& item) {
+  item.title = item.ownTitle;
+  if (const Message varied = variedInWords(item); !varied.empty())
+    item.title = message("{}; {}", item.title, varied);
+  item.scene.title = item.title.english();
+}
+
 /// Spreads one entry out into its items.
 class Entry {
  public:
@@ -150,11 +159,8 @@ class Entry {
       item.scene = sceneWith(assignments);
       if (!item.scene.surface.file.empty())
         item.inputs.push_back(item.scene.folder / item.scene.surface.file);
-      if (item.scene.title.empty()) item.scene.title = name_;
-      item.title = item.scene.title;
-      if (const Message varied = variedInWords(item); !varied.empty())
-        item.title = message("{}; {}", item.title, varied);
-      item.scene.title = item.title.english();
+      item.ownTitle = item.scene.title.empty() ? name_ : item.scene.title;
+      giveTitle(item);
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
       item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
     } catch (const InputError& error) {
@@ -282,6 +288,58 @@ Batch readBatch(std::string_view json, const std::filesystem::path& file) {
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(file.string()) : error;
   }
+}
+
+nlohmann::ordered_json itemJson(const BatchItem& item) {
+  Json json = {{"name", item.name}};
+  if (item.error.empty()) {
+    json["show"] = item.show;
+    json["title"] = item.ownTitle;
+  }
+  Json& varied = json["varied"] = Json::object();
+  for (const auto& [key, value] : item.varied) varied[key] = value;
+  if (!item.error.empty()) json["error"] = item.error.english();
+  return json;
+}
+
+namespace {
+
+BatchItem itemFrom(const Json& said, const Scene& scene) {
+  checkMembers(said, "entry", {"name", "show", "title", "varied", "error", "inputs", "scene"});
+  BatchItem item;
+  item.name = textIn(said, "name");
+  // A name out of somebody's file must not lead out of the folder.
+  if (item.name.empty() || item.name.find_first_of("./") != std::string::npos)
+    refuseMember("name", message("'{}' is no name of a scene", shortened(item.name)));
+  item.show = textIn(said, "show");
+  item.ownTitle = textIn(said, "title");
+  item.error = Message::name(textIn(said, "error"));
+  if (const auto varied = said.find("varied"); varied != said.end() && varied->is_object())
+    for (const auto& [key, value] : varied->items()) {
+      knownParameter(key);
+      item.varied.emplace_back(key, assigned(value));
+    }
+  item.scene = scene;
+  if (!item.error.empty()) return item;
+  layoutFrom(item.show, "show");
+  giveTitle(item);
+  return item;
+}
+
+}  // namespace
+
+Batch batchOf(const FoundScene& found) {
+  Batch batch;
+  const Json& options = found.options;
+  if (found.parts.empty()) {
+    if (!options.contains("entry")) refuseMember("entry", "is missing");
+    batch.items.push_back(itemFrom(options["entry"], found.scene));
+    return batch;
+  }
+  batch.title = textIn(options, "title", "Batch");
+  for (const FoundScene& part : found.parts)
+    batch.items.push_back(itemFrom(part.origin, part.scene));
+  return batch;
 }
 
 }  // namespace asperity

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,7 @@ struct BatchItem {
   std::string show;                                         // layout of the picture
   Scene scene;
   std::vector<std::filesystem::path> inputs;  // files from which the item is read
+  std::string ownTitle;                       // title of the scene without them
   Message title;                              // title of the scene, and its values in the sweep
   Message error;                              // one sentence; empty: the item can run
 };
@@ -42,5 +44,14 @@ extern const char* const kBatchFormat;
 Batch readBatch(const std::filesystem::path& file);
 /// Reads the same from a text; `file` is named in errors and gives the folder of its scenes.
 Batch readBatch(std::string_view json, const std::filesystem::path& file);
+
+/// What an item is beside its scene, for the provenance of its files: {"name", "show", "title",
+/// "varied"}, or {"name", "varied", "error"}.
+nlohmann::ordered_json itemJson(const BatchItem& item);
+
+struct FoundScene;
+/// The batch of one item, or of all, that made a file. Throws InputError where the file does not
+/// say it.
+Batch batchOf(const FoundScene& found);
 
 }  // namespace asperity

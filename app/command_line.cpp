@@ -19,6 +19,7 @@
 #include "app/completions.h"
 #include "app/dictionary.h"
 #include "app/interruption.h"
+#include "app/output.h"
 #include "app/remake.h"
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
@@ -30,6 +31,7 @@
 #include "core/scene/scene_file.h"
 #include "core/study/study_file.h"
 #include "ui/language/language.h"
+#include "ui/language/words.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -115,9 +117,12 @@ class CommandLine {
     return selected_ ? selected_() : runWindowCommand(window_);
   }
 
-  /// The scene and the file's name of a remade file, which its command has instead of a scene file.
-  void setRemade(const Scene& scene) {
-    for (CommonOptions* common : allCommon_) common->remade = scene;
+  /// What a remade file says, which its command has instead of a scene file.
+  void setRemade(const Remake& remake) {
+    for (CommonOptions* common : allCommon_) {
+      if (remake.found) common->remade = remake.found;
+      common->isPart = !remake.part.empty();
+    }
   }
 
   /// Treats a first word that is neither an option, a command nor a file as a misspelt command.
@@ -489,15 +494,27 @@ class CommandLine {
         "of the command that made it replace its own");
     command->add_option("-o,--output", open_.output,
                         "With --remake: the new file (default: the file itself)");
+    command
+        ->add_option("--from", open_.from,
+                     "With --remake: the folder of the files that FILE was made from, or the store "
+                     "of its study (default: looked for beside FILE, in the folders above it and "
+                     "in the present one)")
+        ->type_name("PATH");
     command->allow_extras();
-    command->footer("With --json the scene is printed as a scene file, and no window opens.");
+    command->footer(
+        "With --json the scene is printed as a scene file, and no window opens.\n"
+        "Everything that says how it was made can be remade: what curve, map, sensitivity, cutoff, "
+        "motion, render and surface wrote, and each picture and table in a folder of fit, "
+        "material, "
+        "study analyse, batch, accuracy (whose run times are measured again) and figure.");
     command->callback([this, command] {
       open_.others = command->remaining();
       if (!open_.remakes && !open_.others.empty())
         throw CLI::ExtrasError(command->get_name(), open_.others);
       selected_ = [this] {
-        if (!open_.remakes && !open_.output.empty())
-          throw InputError("", "--output", "is of --remake");
+        for (const auto& [option, value] :
+             {std::pair{"--output", &open_.output}, {"--from", &open_.from}})
+          if (!open_.remakes && !value->empty()) throw InputError("", option, "is of --remake");
         return open_.remakes ? remake() : runOpen(open_);
       };
     });
@@ -647,20 +664,29 @@ class CommandLine {
 
   /// Runs the command that made the file on the file's own scene.
   int remake() {
-    FoundScene found = findScene(open_.common.scene);
-    const Remake remake = remakeOf(open_, found);
-    const std::string output = open_.output.empty() ? open_.common.scene : open_.output;
-    Scene scene = readScene(writeScene(found.scene), open_.common.scene, found.scene.folder,
-                            open_.common.assignments);
-    std::vector<char*> words;
+    Remake remake = remakeOf(open_);
+    std::optional<RemakeFolder> folder;
+    if (!remake.part.empty()) {
+      folder.emplace();
+      remake.words.insert(remake.words.end(), {"--output", folder->path().string()});
+    }
     std::string name = "asperity";
-    std::vector<std::string> own = remake.words;
-    words.push_back(name.data());
-    for (std::string& word : own) words.push_back(word.data());
+    std::vector<char*> words{name.data()};
+    for (std::string& word : remake.words) words.push_back(word.data());
     CommandLine again;
-    if (remake.folder.empty()) again.setRemade(scene);
+    again.setRemade(remake);
     const int status = again.run(static_cast<int>(words.size()), words.data());
-    if (status == kDone) finishRemake(remake, output);
+    if (status != kDone && !remake.isOfMany) return status;
+    if (folder) {
+      folder->take(remake);
+      printSummary(open_.common.json || remake.output == "-", open_.common.quiet,
+                   remake.output == "-" ? std::string() : wroteLine(remake.output));
+    }
+    if (remake.hasTimes)
+      printSummary(true, open_.common.quiet,
+                   filled(Words::tr("%1: run times, and what follows from them, are measured "
+                                    "again; all other numbers are the same"),
+                          {remake.output}));
     return status;
   }
 
@@ -722,7 +748,7 @@ std::string standardInput() {
 
 Scene sceneOf(const CommonOptions& options) {
   if (options.remade)
-    return readScene(writeScene(*options.remade), options.scene, options.remade->folder,
+    return readScene(writeScene(options.remade->scene), options.scene, options.remade->scene.folder,
                      options.assignments);
   if (options.scene.empty()) return readScene("{}", "--set", {}, options.assignments);
   if (options.scene == "-")

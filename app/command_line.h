@@ -30,8 +30,12 @@ struct CommonOptions {
   bool quiet = false;
   bool json = false;
   bool timing = false;
-  std::vector<GivenOption> given;    // that shape outputs
-  std::optional<Scene> remade = {};  // instead of the file `scene`, which names it in errors
+  std::vector<GivenOption> given;  // that shape outputs
+  // instead of the file `scene`, which names it in errors
+  std::optional<FoundScene> remade = {};
+  bool isPart = false;  // of a folder that is removed one file is wanted
+
+  bool hidesSummary() const { return quiet || isPart; }
 };
 
 struct CurveCommand {
@@ -148,6 +152,7 @@ struct OpenCommand {
   CommonOptions common;             // the scene is read from any file that contains one
   bool remakes = false;             // the file itself, instead of opening the window
   std::string output;               // of a remade file; empty: the file itself
+  std::string from;                 // folder of its inputs, or store; empty: is looked for
   std::vector<std::string> others;  // options of the command that made the file
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -128,16 +129,29 @@ void refuseEmptyWords(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) refuseEmptyWords(*command);
 }
 
-std::vector<GivenOption> givenOptions(const CLI::App& command) {
+bool shapesOutputs(std::string_view word) {
   // Measured friction and theories are part of the scene by then.
-  static constexpr std::array<std::string_view, 12> kShapeNothing{
-      "--output", "--set",    "--threads", "--quiet",  "--json", "--timing",
-      "--resume", "--remake", "--data",    "--theory", "--help", "--realizations-table"};
+  static constexpr std::array<std::string_view, 13> kShapeNothing{"output",
+                                                                  "set",
+                                                                  "threads",
+                                                                  "quiet",
+                                                                  "json",
+                                                                  "timing",
+                                                                  "resume",
+                                                                  "remake",
+                                                                  "from",
+                                                                  "data",
+                                                                  "theory",
+                                                                  "help",
+                                                                  "realizations-table"};
+  return std::ranges::find(kShapeNothing, word) == kShapeNothing.end();
+}
+
+std::vector<GivenOption> givenOptions(const CLI::App& command) {
   std::vector<GivenOption> given;
-  for (const CLI::Option* option : command.get_options()) {
+  for (const CLI::Option* option : spokenTo(command).get_options()) {
     const std::string word = option->get_positional() ? "" : nameOf(*option);
-    if (option->count() == 0 || !word.starts_with("--")) continue;
-    if (std::ranges::find(kShapeNothing, word) != kShapeNothing.end()) continue;
+    if (option->count() == 0 || !word.starts_with("--") || !shapesOutputs(word.substr(2))) continue;
     const bool isFlag = option->get_expected_max() == 0;
     given.push_back({word.substr(2), isFlag ? std::vector<std::string>{} : option->results(),
                      option->get_group()});
@@ -167,6 +181,13 @@ nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
     else
       options[key] = option.values;
   }
+  return options;
+}
+
+nlohmann::ordered_json optionsInFolder(const std::vector<GivenOption>& given,
+                                       const std::string& file) {
+  nlohmann::ordered_json options = optionsFor(given, file);
+  options["file"] = std::filesystem::path(file).stem().string();
   return options;
 }
 

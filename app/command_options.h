@@ -61,14 +61,21 @@ struct GivenOption {
 /// Groups of options in the help; each shapes outputs of one kind.
 inline constexpr const char *kPictureGroup = "Pictures", *kTableGroup = "Tables";
 
-/// Returns the options that were given to a command and shape its outputs: not the scene and what
-/// is set in it, the names of outputs, threads, or what is printed.
+/// Whether an option shapes outputs: not the scene and what is set in it, the names of outputs,
+/// threads, or what is printed. word: without dashes.
+bool shapesOutputs(std::string_view word);
+
+/// Returns the options that were given to a command (or its action) and shape its outputs.
 std::vector<GivenOption> givenOptions(const CLI::App& command);
 
 /// Returns the options that shape this output, for its provenance: {"columns": "a,b", "with":
 /// ["x", "y"], "regions": true}. An extension says whether it is a table (.csv, .json, "-" and
 /// none) or a picture.
 nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given, const std::string& output);
+
+/// The same for a file of a folder of outputs: "file" is its name without extension.
+nlohmann::ordered_json optionsInFolder(const std::vector<GivenOption>& given,
+                                       const std::string& file);
 
 /// Returns the parser's error in the words of this program. app: the app that parsed.
 InputError errorOf(const CLI::App& app, const CLI::ParseError& error);

@@ -5,6 +5,7 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "core/base/atomic_file.h"
+#include "core/scene/provenance.h"
 #include "ui/chart/diagram_picture.h"
 #include "ui/language/translated.h"
 
@@ -27,17 +28,22 @@ void OutputFolder::addSheet(const std::string& name, DiagramSheet sheet) {
   sheets_.push_back({name, std::move(sheet)});
 }
 
-void OutputFolder::write(const std::string& origin) const {
+void OutputFolder::write(const std::vector<GivenOption>& given,
+                         const std::function<nlohmann::ordered_json()>& origin) const {
   makeFolder(folder_);
   for (const Text& text : texts_) checkName(text.file);
   for (const Sheet& sheet : sheets_)
     for (const char* extension : kExtensions) checkName(pathOf(sheet.name + extension));
   HeadlessPictures pictures(settings_.backend);
   for (const Sheet& sheet : sheets_) {
+    const ProvenanceOptions options(optionsInFolder(given, sheet.name + kExtensions[0]));
+    nlohmann::ordered_json made = origin();
+    made["picture"] = settings_.json();
+    const PictureProperties properties =
+        settings_.properties(translated(sheet.sheet.title), provenanceLine(made));
     const DrawList picture = drawSheet(sheet.sheet, settings_);
     for (const char* extension : kExtensions)
-      pictures.write(pathOf(sheet.name + extension), picture,
-                     settings_.properties(translated(sheet.sheet.title), origin));
+      pictures.write(pathOf(sheet.name + extension), picture, properties);
   }
   pictures.finish();
   for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)

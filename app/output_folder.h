@@ -2,9 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "app/command_options.h"
 #include "app/picture_options.h"
 #include "core/chart/diagram.h"
 
@@ -21,8 +24,10 @@ class OutputFolder {
   void addSheet(const std::string& name, DiagramSheet sheet);
 
   /// Everything is known by now, so that only whole files stand in the folder. The first text,
-  /// which says what the others are, is the last to be written. `origin` stands in the pictures.
-  void write(const std::string& origin) const;
+  /// which says what the others are, is the last to be written. origin: makes the provenance of a
+  /// picture while the options that were given and the picture's name are those of provenances.
+  void write(const std::vector<GivenOption>& given,
+             const std::function<nlohmann::ordered_json()>& origin) const;
   /// One line for each file.
   std::string summary() const;
 

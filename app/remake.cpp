@@ -1,13 +1,20 @@
 #include "app/remake.h"
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "app/command_line.h"
 #include "app/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/regular_file.h"
+#include "core/base/text.h"
 #include "core/chart/figure_style.h"
+#include "core/scene/scene_file.h"
+#include "core/study/study_store.h"
 
 namespace asperity {
 namespace {
@@ -59,75 +66,279 @@ std::set<std::string> wordsOf(const std::vector<std::string>& given) {
   return words;
 }
 
-}  // namespace
+/// Removes a member that is a text.
+std::string taken(Json& object, const char* member) {
+  const auto found = object.find(member);
+  if (found == object.end()) return {};
+  std::string text = textOf(*found);
+  object.erase(member);
+  return text;
+}
 
-Remake remakeOf(const OpenCommand& command, const FoundScene& found) {
-  const std::string& file = command.common.scene;
+bool isOneOf(const std::string& word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+/// Returns the options of material.json, which stand in its origin: other files are made from it,
+/// and must not depend on how its pictures look.
+Json optionsOfMaterial(const Json& said) {
+  Json options = Json::object();
+  const Json given = said["origin"].value("options", Json::object());
+  for (const auto& [option, value] : given.items()) {
+    const bool isFlag = isOneOf(option, {"--vertical-shifts", "--liquid"});
+    options[option.substr(std::min<std::size_t>(2, option.size()))] = isFlag ? Json(true) : value;
+  }
+  for (const char* label : {"name", "source"})
+    if (said.contains(label) && said[label] != "") options[label] = textOf(said[label]);
+  options["file"] = "material";
+  return options;
+}
+
+/// Whether a result was made from measured moduli, and has no scene.
+bool isOfMeasurements(const FoundScene& found) {
+  const Json& origin = found.origin;
+  return origin.contains("origin") && origin["origin"].is_object() &&
+         origin["origin"].contains("file") && !origin.contains("scene");
+}
+
+/// Throws where a file of this origin cannot be made again.
+Json optionsOf(const FoundScene& found, const std::string& file) {
   if (!found.isCarried) throw InputError(file, "", "is a scene, not a result that can be remade");
-  static const std::set<std::string_view> single{"curve", "map", "motion", "render", "surface"};
-  const bool saysOptions = found.options.is_object();
-  if (!saysOptions && (single.contains(found.verb) || found.verb == "figure"))
+  if (!isOneOf(found.verb, {"accuracy", "batch", "curve", "cutoff", "figure", "fit", "map",
+                            "material", "motion", "render", "sensitivity", "study", "surface"}))
+    throw InputError(
+        file, "",
+        message("was made by 'asperity {}', whose files cannot be remade", shortened(found.verb)));
+  if (isOfMeasurements(found) && !found.origin.contains("options"))
+    return optionsOfMaterial(found.origin);
+  // A folder's file of an earlier version does not say which of them it is.
+  const bool isOfFolder = isOneOf(found.verb, {"accuracy", "batch", "fit", "material"});
+  if (!found.options.is_object() || (isOfFolder && !found.options.contains("file")) ||
+      (found.verb == "figure" && !found.options.contains("name")))
     throw InputError(file, "",
                      "does not say the options that made it, as files of the command line do since "
                      "this version; open it and save it again");
-  const bool isFigure = found.verb == "figure" && found.options.contains("name");
-  if (!single.contains(found.verb) && !isFigure)
-    throw InputError(file, "",
-                     message("was made by 'asperity {}', whose files are made together; run that "
-                             "again",
-                             shortened(found.verb)));
-  const std::string output = command.output.empty() ? file : command.output;
-  Json options = found.options;
-  if (found.verb == "render" && options.contains("frames") &&
-      (extensionOf(file) == ".png" || extensionOf(file) == ".svg"))
+  if (found.verb == "render" && found.options.contains("frames") && isPictureFile(file))
     throw InputError(file, "", "is one frame of a sequence; render the folder again");
-  Remake remake;
-  remake.words.push_back(found.verb);
-  std::string outputOption = "output";
-  if (isFigure) {
-    const std::string name = textOf(options["name"]);
-    options.erase("name");
-    remake.words.push_back(name);
-    remake.folder = output + ".remake";
-    remake.made = remake.folder / ("figure_" + name + extensionOf(output));
-    remake.words.insert(remake.words.end(), {"--output", remake.folder.string()});
-  } else {
-    remake.words.push_back(file);
-    if (options.contains("output_option")) {
-      outputOption = textOf(options["output_option"]);
-      options.erase("output_option");
-    }
-    remake.words.insert(remake.words.end(), {"--" + outputOption, output});
+  return found.options;
+}
+
+/// The store in which a study's results are: the one that the user names, or the first beside the
+/// file, above it or in the present folder that has as many of its simulations.
+fs::path storeOf(const FoundScene& found, const OpenCommand& command) {
+  const std::string& file = command.common.scene;
+  const std::string digest = textOf(found.origin.value("study_sha256", Json()));
+  const Json simulations = found.origin.value("simulations", Json());
+  const auto isOfStudy = [&](const StudyStore& store) { return store.study().digest == digest; };
+  const auto isSame = [&](const StudyStore& store) {
+    return isOfStudy(store) && Json(store.simulationsDone()) == simulations &&
+           (!found.origin.contains("chunks_sha256") ||
+            textOf(found.origin["chunks_sha256"]) == store.chunksDigest());
+  };
+  const auto changed = [&](const StudyStore& store) {
+    if (Json(store.simulationsDone()) == simulations)
+      return InputError(store.file().string(), "",
+                        message("has other simulations than {} was made from", shortened(file)));
+    return InputError(store.file().string(), "",
+                      message("has {} simulations now, and {} was made from {}",
+                              store.simulationsDone(), shortened(file), textOf(simulations)));
+  };
+  std::error_code ignored;
+  if (!command.from.empty() && !fs::is_directory(command.from, ignored)) {
+    const StudyStore store(command.from);
+    if (!isOfStudy(store))
+      throw InputError(command.from, "", message("is not the store of the study of {}", file));
+    if (!isSame(store)) throw changed(store);
+    return command.from;
   }
+  std::vector<fs::path> folders = foldersAround(file);
+  if (!command.from.empty()) folders = {command.from};
+  std::optional<InputError> nearest;
+  for (const fs::path& folder : folders)
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+      const fs::path place = folder / entry.path().filename();
+      try {
+        // The number of a store's kind, SQLite's application_id, stands in its first bytes.
+        if (!entry.is_regular_file(ignored) || !isStudyStore(RegularFile(place).read(0, 72)))
+          continue;
+        const StudyStore store(place);
+        if (isSame(store)) return place;
+        if (isOfStudy(store) && !nearest) nearest = changed(store);
+      } catch (const std::exception&) {
+        continue;  // it cannot be read, or is damaged
+      }
+    }
+  if (nearest) throw *nearest;
+  throw InputError(file, "--from",
+                   "the store of its study is neither beside it, nor above it, nor in the present "
+                   "folder; --from names it");
+}
+
+/// Throws where a file that the result was made from is missing: it would be made without it, or
+/// not at all.
+void needInputs(const FoundScene& found, const std::string& file) {
+  std::error_code ignored;
+  for (const InputFile& input : inputsOf(found))
+    if (!fs::exists(found.scene.folder / input.name, ignored))
+      throw InputError(file, input.key,
+                       message("{}, from which it was made, is not there; --from names its folder",
+                               shortened(input.name)));
+}
+
+/// Checks the name of the new file and the options for it before any work.
+void checkOutput(const Remake& remake, const OpenCommand& command,
+                 const std::vector<fs::path>& inputs) {
+  const bool isPicture = isPictureFile(command.common.scene);
+  if (remake.output != "-") checkNoInput(remake.output, inputs);
+  if (remake.part.empty()) return;  // the command checks it
+  const std::string extension = extensionOf(remake.output);
+  const bool isStandardOutput = remake.output == "-" && !isPicture;
+  const auto check = [&](std::initializer_list<std::string_view> known) {
+    if (std::ranges::find(known, extension) == known.end())
+      throw unknownExtension(remake.output, extension, known);
+  };
+  if (!isStandardOutput) {
+    if (remake.words.front() == "figure")
+      check({".csv", ".png", ".svg", ".pdf"});
+    else if (isPicture)
+      remake.words.front() == "batch" ? check({".png"}) : check({".png", ".svg", ".pdf"});
+    else
+      check({".csv", ".json"});
+    checkWritable(remake.output);
+  }
+  for (const std::string& word : wordsOf(command.others))
+    if (isOfPictures(word) == isTable(remake.output) && (isOfPictures(word) || word == "columns"))
+      throw InputError("", "--" + word,
+                       message("belongs to {}, and {} is none",
+                               isOfPictures(word) ? "pictures" : "tables", remake.output));
+}
+
+/// Adds what the command reads: the store of a study, measured moduli, the name of a figure, or
+/// else the file itself, whose scene the command gets. Returns the files that are read.
+std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::string& part,
+                                const OpenCommand& command) {
+  const std::string& file = command.common.scene;
+  const bool isMeasured = isOfMeasurements(found);
+  if ((found.verb == "study" || isMeasured || remake.isOfMany) &&
+      !command.common.assignments.empty())
+    throw InputError("", "--set", message("sets keys of a scene, and {} is not of one", file));
+  if (found.verb == "study") {
+    const fs::path store = storeOf(found, command);
+    remake.words.insert(remake.words.end(), {part.empty() ? "table" : "analyse", store.string()});
+    return {store};
+  }
+  needInputs(found, file);
+  for (const FoundScene& one : found.parts) needInputs(one, file);
+  std::vector<fs::path> inputs;
+  for (const InputFile& input : inputsOf(found)) inputs.push_back(found.scene.folder / input.name);
+  if (isMeasured || found.verb == "figure") {
+    remake.words.push_back(isMeasured ? inputs.front().string() : part);
+    return inputs;
+  }
+  remake.words.push_back(file);
+  if (found.verb == "fit" && found.origin.contains("start"))
+    found.scene = readScene(found.origin["start"].dump(), file, found.scene.folder);
+  if (!remake.isOfMany) {
+    const fs::path folder = found.scene.folder;
+    found.scene = readScene(writeScene(found.scene), file, folder, command.common.assignments);
+  }
+  remake.found = std::move(found);
+  return inputs;
+}
+
+/// Adds the options of the file, but for those that the user gives anew.
+void addOwnOptions(Remake& remake, const Json& options, const OpenCommand& command) {
+  const std::string& file = command.common.scene;
+  const bool isFigure = remake.words.front() == "figure";
   std::set<std::string> anew = wordsOf(command.others);
   if (!command.common.language.empty()) anew.insert("language");
-  const bool dropsPictures = isTable(output) && !isTable(file);
-  const bool isVector = extensionOf(output) == ".svg" || extensionOf(output) == ".pdf" ||
-                        extensionOf(output) == ".eps";
+  const bool dropsPictures = isTable(remake.output) && !isTable(file);
+  const bool isVector = isOneOf(extensionOf(remake.output), {".svg", ".pdf", ".eps"});
   for (const auto& [key, value] : options.items()) {
     const std::string word = dashed(key);
+    // The settings of a figure are all that its file says of its scene.
+    if (!shapesOutputs(word) && !(word == "set" && isFigure))
+      throw InputError(file, "options." + shortened(key), "is no option that shapes a file");
     const bool isReplaced = anew.contains(word) || (word == "scale" && anew.contains("dpi")) ||
                             (word == "dpi" && anew.contains("scale"));
     if (isReplaced || (dropsPictures && isOfPictures(word)) || (isVector && word == "backend"))
       continue;
     addOption(remake.words, word, value);
   }
-  remake.words.insert(remake.words.end(), command.others.begin(), command.others.end());
-  if (!command.common.language.empty())
-    remake.words.push_back("--language=" + command.common.language);
-  if (command.common.quiet) remake.words.emplace_back("--quiet");
-  if (command.common.json) remake.words.emplace_back("--json");
-  if (command.common.threads > 0)
-    remake.words.push_back("--threads=" + std::to_string(command.common.threads));
+  if (isFigure)  // in the scenes of others they are set already
+    for (const std::string& assignment : command.common.assignments)
+      addOption(remake.words, "set", assignment);
+}
+
+/// Adds what the user gives.
+void addGiven(Remake& remake, const OpenCommand& command) {
+  std::vector<std::string>& words = remake.words;
+  const CommonOptions& common = command.common;
+  words.insert(words.end(), command.others.begin(), command.others.end());
+  if (!common.language.empty()) words.push_back("--language=" + common.language);
+  if (common.quiet) words.emplace_back("--quiet");
+  if (common.json) words.emplace_back("--json");
+  if (common.threads > 0) words.push_back("--threads=" + std::to_string(common.threads));
+}
+
+}  // namespace
+
+Remake remakeOf(const OpenCommand& command) {
+  const std::string& file = command.common.scene;
+  std::error_code ignored;
+  const bool isFolder = fs::is_directory(command.from, ignored);
+  FoundScene found = findResult(file, isFolder ? command.from : std::string());
+  if (!command.from.empty() && !isFolder && found.verb != "study")
+    throw InputError("", "--from", message("{} is not a folder", shortened(command.from)));
+  Json options = optionsOf(found, file);
+  const std::string part = taken(options, found.verb == "figure" ? "name" : "file");
+  // A name out of somebody's file must not lead out of the folder.
+  if (part.find('/') != std::string::npos)
+    throw InputError(file, "options.file", message("'{}' is no file's name", shortened(part)));
+  if (found.verb == "batch")  // what the batch says of the scene, or of all, is read by itself
+    for (const char* own : {"entry", "title", "every", "lines"}) options.erase(own);
+
+  Remake remake;
+  remake.words = {found.verb};
+  remake.output = command.output.empty() ? file : command.output;
+  remake.isOfMany = !found.parts.empty();
+  remake.hasTimes = found.verb == "accuracy";
+  const std::vector<fs::path> inputs = addInputs(remake, found, part, command);
+  const bool isOfTable = taken(options, "output_option") == "realizations-table";
+  if (part.empty()) {
+    remake.words.insert(remake.words.end(),
+                        {isOfTable ? "--realizations-table" : "--output", remake.output});
+  } else {
+    const std::string prefix = remake.words.front() == "figure" ? "figure_" : "";
+    remake.part = prefix + part + extensionOf(remake.output == "-" ? file : remake.output);
+  }
+  checkOutput(remake, command, inputs);
+  addOwnOptions(remake, options, command);
+  addGiven(remake, command);
   return remake;
 }
 
-void finishRemake(const Remake& remake, const std::string& output) {
-  if (remake.folder.empty()) return;
-  std::error_code error;
-  fs::rename(remake.made, output, error);
-  if (error) throw InputError(output, "", "cannot be made from this figure");
-  fs::remove_all(remake.folder, error);
+RemakeFolder::RemakeFolder() {
+  std::string name = (fs::temp_directory_path() / "asperity-remake-XXXXXX").string();
+  if (!::mkdtemp(name.data()))
+    throw std::runtime_error(name.substr(0, name.rfind('/')) + ": no folder can be made there");
+  path_ = name;
+}
+
+RemakeFolder::~RemakeFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void RemakeFolder::take(const Remake& remake) const {
+  const fs::path made = path_ / remake.part;
+  std::error_code ignored;
+  if (!fs::exists(made, ignored))
+    throw InputError(remake.output, "",
+                     message("'asperity {}' writes no {}", remake.words.front(), remake.part));
+  constexpr std::size_t kLargest = std::size_t{1} << 31;
+  writeTable(remake.output, readRegularFile(made, kLargest));
 }
 
 }  // namespace asperity

@@ -1,8 +1,10 @@
 // A file made again from what it says of itself: its scene, the command that made it and the
-// options that shaped it become a command line. Main thread.
+// options that shaped it become a command line. A file out of a folder of outputs is made with the
+// whole folder, in a temporary place. Main thread.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,17 +15,36 @@ namespace asperity {
 struct OpenCommand;
 
 struct Remake {
-  std::vector<std::string> words;  // of the command line, without the program's name
-  std::filesystem::path folder{};  // where a command that makes many files writes them
-  std::filesystem::path made{};    // of them the one that is meant
+  std::vector<std::string> words;     // of the command line, without the program's name
+  std::optional<FoundScene> found{};  // what the command has instead of a scene file
+  std::string output;                 // the new file; "-": standard output
+  /// Of a command that writes a folder: the file that is meant, as it is called there. The command
+  /// line lacks the folder. Empty: the command writes one file.
+  std::string part{};
+  bool isOfMany = false;  // the file shows many scenes, of which some may fail
+  bool hasTimes = false;  // the file holds run times, which are never the same
 };
 
-/// Returns the command line that makes the file of `found` again, with the options of the user in
-/// place of its own. Throws InputError where the file does not say how it was made, or where it
-/// cannot be made alone.
-Remake remakeOf(const OpenCommand& command, const FoundScene& found);
+/// Returns the command line that makes the file again, with the options of the user in place of its
+/// own. Throws InputError where the file does not say how it was made, where something that it was
+/// made from is missing or has changed, and where the new file cannot be.
+Remake remakeOf(const OpenCommand& command);
 
-/// Moves the file that was meant to its place, and removes the others.
-void finishRemake(const Remake& remake, const std::string& output);
+/// A temporary folder, which is removed in the end.
+class RemakeFolder {
+ public:
+  /// Throws std::runtime_error.
+  RemakeFolder();
+  ~RemakeFolder();
+  RemakeFolder(const RemakeFolder&) = delete;
+  RemakeFolder& operator=(const RemakeFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  /// Writes the file that was meant to its place. Throws InputError where the command made none.
+  void take(const Remake& remake) const;
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace asperity

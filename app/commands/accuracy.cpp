@@ -51,8 +51,9 @@ WorkPrecision compute(const Scene& scene, const CommonOptions& common) {
 
 void writePictures(const AccuracyCommand& command, const WorkPrecision& comparison) {
   HeadlessPictures pictures;
-  const std::string origin = pictureOrigin("accuracy", comparison.scene);
   const auto write = [&](const DiagramSheet& sheet, const std::string& name) {
+    const ProvenanceOptions given(optionsInFolder(command.common.given, name + ".png"));
+    const std::string origin = pictureOrigin("accuracy", comparison.scene);
     const PictureSettings settings = pictureSettings(command.picture, printDefaults(sheet));
     const DrawList list = drawSheet(sheet, settings);
     for (const char* extension : {".png", ".svg", ".pdf"})
@@ -135,13 +136,15 @@ int runAccuracy(const AccuracyCommand& command) {
     checkNoInput(fileIn(command.output, name), inputsOf(command.common, scene));
   }
   const WorkPrecision comparison = compute(scene, command.common);
+  const ProvenanceOptions given(optionsInFolder(command.common.given, "accuracy.csv"));
   const std::string json = workPrecisionJson(comparison);
   writeFileAtomically(
       fileIn(command.output, "accuracy.csv"),
       columns.of(provenanceComment("accuracy", comparison.scene) + workPrecisionCsv(comparison)));
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
   writePictures(command, comparison);
-  printSummary(command.common.json, command.common.quiet, summaryOf(comparison, command.output));
+  printSummary(command.common.json, command.common.hidesSummary(),
+               summaryOf(comparison, command.output));
   if (command.common.json) fmt::print("{}", json);
   return kDone;
 }

@@ -63,7 +63,10 @@ Json numberOr(double value) {
 class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
-      : command_(command), batch_(readBatch(command.common.scene)) {
+      : command_(command), batch_(withSceneContext(command.common, [&] {
+          return command.common.remade ? batchOf(*command.common.remade)
+                                       : readBatch(command.common.scene);
+        })) {
     settings_ = readSettings();
     columns_ = ColumnChoice(command.columns, {"batch"});
     const bool hasChart = std::ranges::any_of(
@@ -90,14 +93,14 @@ class BatchRun {
     }
     finishPictures(pictures);
     // The small files with the results are written first: the sheets are large, and may fail.
-    const std::string made = provenanceLine(origin());
+    const std::string made = provenanceLine(origin("results.csv"));
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
     writeFileAtomically(fileIn("results.csv"),
                         "# asperity: " + made + "\n" + columns_.of(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // All scenes stand once in the table, and in the only sheet where there is one.
     const std::string ofSheets =
-        sheets_.size() == 1 ? made : provenanceLine(headerOf("results.csv"));
+        provenanceLine(sheets_.size() == 1 ? origin(names[0]) : headerOf("results.csv"));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
       pictures.write(fileIn(names[i]), sheets_[i], {batch_.title, ofSheets, settings_.scale});
     pictures.finish();
@@ -243,11 +246,17 @@ class BatchRun {
              const Frame& frame, HeadlessPictures& pictures) {
     const Scene& scene = result.item.scene;
     const std::string& name = result.item.name;
-    const ProvenanceOptions given(optionsFor(command_.common.given, ".png"));
+    const auto optionsOf = [&](const std::string& file) {
+      Json options = optionsFor(file);
+      options["entry"] = itemJson(result.item);
+      return options;
+    };
+    std::optional<ProvenanceOptions> given(std::in_place, optionsOf(name + ".png"));
     PictureComposer composer(settings_, content);
     composer.checkRoom(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    settings_.properties(shown.title, pictureOrigin("batch", scene)));
+    given.emplace(optionsOf(name + ".csv"));
     result.files = {name + ".png"};
     const std::vector<CurvePoint>& curve = content.curves.present.points;
     if (!curve.empty()) {
@@ -269,6 +278,15 @@ class BatchRun {
     result.files.push_back(name + ".json");
   }
 
+  /// Returns the options of a file, with the size of a picture at the end, whoever gave it.
+  Json optionsFor(const std::string& file) const {
+    Json options = optionsInFolder(command_.common.given, file);
+    options.erase("size");
+    if (file.ends_with(".png"))
+      options["size"] = command_.picture.size.empty() ? batch_.size : command_.picture.size;
+    return options;
+  }
+
   /// Digest of all that has an influence on the files of a scene.
   std::string keyOf(const BatchItem& item) const {
     const Json all = {{"version", ASPERITY_VERSION},
@@ -277,7 +295,7 @@ class BatchRun {
                       {"title", translated(item.title)},
                       {"picture", settings_.json()},
                       {"backend", static_cast<int>(settings_.backend)},
-                      {"options", optionsFor(command_.common.given, ".png")},
+                      {"options", optionsFor(item.name + ".png")},
                       {"origin", provenance("batch", item.scene)}};
     return sha256(all.dump());
   }
@@ -294,15 +312,21 @@ class BatchRun {
         {"schema", "asperity-batch-results/1"}, {"verb", "batch"}, {"version", ASPERITY_VERSION}};
   }
 
-  /// Returns the provenance of the files that show all scenes together.
-  Json origin() const {
+  /// Returns the provenance of a file that shows all scenes together.
+  Json origin(const std::string& file) const {
+    Json options = optionsFor(file);
+    options["title"] = batch_.title;
     Json origin = header();
+    origin["options"] = std::move(options);
     Json& scenes = origin["scenes"] = Json::array();
-    for (const BatchResult& result : results_)
-      if (result.item.error.empty())
-        scenes.push_back(
-            {{"name", result.item.name}, {"scene", Json::parse(writeScene(result.item.scene))}});
-    nameLanguage(origin);
+    for (const BatchResult& result : results_) {
+      Json& one = scenes.emplace_back(itemJson(result.item));
+      if (!result.item.error.empty()) continue;
+      const Json own = provenance("batch", result.item.scene);
+      for (const char* member : {"inputs", "scene"})
+        if (own.contains(member)) one[member] = own[member];
+    }
+    if (file.ends_with(".png")) nameLanguage(origin);
     return origin;
   }
 
@@ -331,7 +355,7 @@ class BatchRun {
       list.push_back(std::move(entry));
     }
     printSummary(
-        command_.common.json, command_.common.quiet,
+        command_.common.json, command_.common.hidesSummary(),
         (results_.size() == 1 ? filled(Words::tr("one scene, %1 failed"), {std::to_string(bad)})
                               : filled(Words::tr("%1 scenes, %2 failed"),
                                        {std::to_string(results_.size()), std::to_string(bad)})) +

@@ -21,6 +21,7 @@ int runCutoff(const SheetCommand& command) {
     };
     return frictionOverCutoff(scene, options);
   });
+  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   writeAnswer(command, settings,
               {provenance("cutoff", scene),
                cutoffCsv(points),

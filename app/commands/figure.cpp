@@ -182,7 +182,7 @@ int runFigure(const FigureCommand& command) {
   const Made made = makeFigures(command, names);
   const std::string claims = claimsJson(made.figures);
   writeFileAtomically(claimsFile(command), claims);
-  printSummary(command.common.json, command.common.quiet, summaryOf(command, made));
+  printSummary(command.common.json, command.common.hidesSummary(), summaryOf(command, made));
   if (command.common.json) fmt::print("{}", claims);
   return kDone;
 }

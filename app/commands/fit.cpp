@@ -64,15 +64,16 @@ int runFit(const FitCommand& command) {
     };
     FittedCurve fitted = fitWithCurve(scene, data, varied, options);
     fitted.varied = command.varied;
-    const FitReport report = fitReport(fitted, command.output);
+    const FitReport report = [&] {
+      const ProvenanceOptions given(optionsInFolder(command.common.given, "fit.json"));
+      return fitReport(fitted, command.output);
+    }();
     OutputFolder output(command.output, inputs, settings);
     for (const auto& [name, bytes] : report.texts)
       output.addText(name, name.ends_with(".csv") ? columns.amongThoseOf(bytes) : bytes);
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
-    nlohmann::ordered_json origin = provenance("fit", fitted.fit.scene);
-    origin["picture"] = settings.json();
-    output.write(provenanceLine(origin));
-    printSummary(command.common.json, command.common.quiet,
+    output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
+    printSummary(command.common.json, command.common.hidesSummary(),
                  summaryOf(fitted.fit) + output.summary());
     if (command.common.json) fmt::print("{}", report.texts.front().second);
     return kDone;

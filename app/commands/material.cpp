@@ -125,20 +125,28 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   const std::string json = materialJson(material);
   const ColumnChoice columns = columnsOf(command);
   OutputFolder output(command.output, {command.common.scene}, style);
+  const auto origin = [&material] {
+    nlohmann::ordered_json made = materialOrigin(material);
+    addOptions(made);
+    return made;
+  };
+  const auto addTable = [&](const char* name, const std::string& csv) {
+    const ProvenanceOptions given(optionsInFolder(command.common.given, name));
+    output.addText(name,
+                   columns.amongThoseOf("# asperity: " + provenanceLine(origin()) + "\n" + csv));
+  };
   output.addText("material.json", json);
-  output.addText("prony.csv", columns.amongThoseOf(pronyCsv(material)));
+  addTable("prony.csv", pronyCsv(material));
   if (material.isMeasured()) {
-    output.addText("isotherms.csv", columns.amongThoseOf(isothermsCsv(material)));
-    output.addText("shifts.csv", columns.amongThoseOf(shiftsCsv(material)));
+    addTable("isotherms.csv", isothermsCsv(material));
+    addTable("shifts.csv", shiftsCsv(material));
   }
   for (NamedSheet& sheet : materialSheets(material))
     output.addSheet(sheet.name, std::move(sheet.sheet));
-  nlohmann::ordered_json origin = materialOrigin(material);
-  origin["picture"] = style.json();
-  output.write(provenanceLine(origin));
+  output.write(command.common.given, origin);
   std::string text = material.name + "\n";
   for (const Message& line : materialSummary(material)) text += "  " + translated(line) + "\n";
-  printSummary(command.common.json, command.common.quiet, text + output.summary());
+  printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
   if (command.common.json) fmt::print("{}", json);
   return kDone;
 }
@@ -152,15 +160,16 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
   const Scene scene = sceneOf(command.common);
   return withSceneContext(command.common, [&] {
     const Excitation excitation = excitationOf(scene);
-    OutputFolder output(command.output, {command.common.scene}, style);
-    output.addText("excitation.csv",
-                   columnsOf(command).amongThoseOf(provenanceComment("material", scene) +
-                                                   excitationCsv(scene, excitation)));
+    OutputFolder output(command.output, inputsOf(command.common, scene), style);
+    {
+      const ProvenanceOptions given(optionsInFolder(command.common.given, "excitation.csv"));
+      output.addText("excitation.csv",
+                     columnsOf(command).amongThoseOf(provenanceComment("material", scene) +
+                                                     excitationCsv(scene, excitation)));
+    }
     output.addSheet("excitation", excitationSheet(scene, excitation));
-    nlohmann::ordered_json origin = provenance("material", scene);
-    origin["picture"] = style.json();
-    output.write(provenanceLine(origin));
-    printSummary(command.common.json, command.common.quiet,
+    output.write(command.common.given, [&] { return provenance("material", scene); });
+    printSummary(command.common.json, command.common.hidesSummary(),
                  translated(excitationInWords(scene, excitation)) + "\n" + output.summary());
     if (command.common.json) {
       nlohmann::ordered_json answer = provenance("material", scene);
@@ -177,8 +186,9 @@ int runMaterial(const MaterialCommand& command) {
   checkFolderName(command.output);
   const PictureSettings style = pictureSettings(command.picture, kPictures);
   columnsOf(command);
-  return isScene(command.common.scene) ? showInScene(command, style)
-                                       : makeFromMeasurements(command, style);
+  return command.common.remade || isScene(command.common.scene)
+             ? showInScene(command, style)
+             : makeFromMeasurements(command, style);
 }
 
 }  // namespace asperity

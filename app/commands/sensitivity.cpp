@@ -26,6 +26,7 @@ int runSensitivity(const SheetCommand& command) {
     };
     return exponentsOf(scene, sensitivities(scene, options));
   });
+  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   writeAnswer(command, settings,
               {provenance("sensitivity", scene), sensitivityCsv(exponents),
                sensitivityJson(scene, exponents), sensitivityText(exponents),

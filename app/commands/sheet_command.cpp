@@ -35,6 +35,7 @@ void writeAnswer(const SheetCommand& command, const PictureSettings& settings,
       continue;
     } else {
       nlohmann::ordered_json origin = answer.origin;
+      origin["options"] = optionsFor(command.common.given, output);
       origin["picture"] = settings.json();
       pictures.write(output, drawSheet(answer.sheet, settings),
                      settings.properties(translated(answer.sheet.title), provenanceLine(origin)));

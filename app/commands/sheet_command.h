@@ -9,7 +9,8 @@
 
 namespace asperity {
 
-/// An answer in all its forms. `csv` is without the line that says how it was made.
+/// An answer in all its forms, with the options of tables in `origin` and `json`. `csv` is without
+/// the line that says how it was made.
 struct SheetAnswer {
   nlohmann::ordered_json origin;  // provenance
   std::string csv, json;

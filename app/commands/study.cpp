@@ -261,6 +261,7 @@ int runStudyTable(const StudyCommand& command) {
   checkOutputs(command.outputs, {".csv", ".json"}, Without::PrintsTable);
   for (const std::string& output : command.outputs) checkNoInput(output, {command.study});
   std::int64_t rows = 0;
+  const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   const auto print = [](std::string_view bytes) {
     std::fwrite(bytes.data(), 1, bytes.size(), stdout);
   };
@@ -352,21 +353,26 @@ int runStudyAnalyse(const StudyCommand& command) {
   if (store.chunksDone() == 0)
     throw InputError(command.study, "", "has no result yet; 'asperity study run' computes them");
   const StudyAnalysis analysis = analyseStudy(store);
-  Json answer = studyProvenance(study);
+  const auto origin = [&store] { return studyProvenance(store); };
+  const auto originOf = [&](const char* name) {
+    const ProvenanceOptions given(optionsInFolder(command.common.given, name));
+    return origin();
+  };
+  Json answer = originOf("analysis.json");
   answer["analysis"] = analysisJson(study, analysis);
-  const std::string comment = "# asperity: " + provenanceLine(studyProvenance(study)) + "\n";
   OutputFolder output(command.output, {command.study}, settings);
   output.addText("analysis.json", answer.dump(2) + "\n");
+  const auto addTable = [&](const char* name, const std::string& csv) {
+    output.addText(name, "# asperity: " + provenanceLine(originOf(name)) + "\n" + csv);
+  };
   if (!analysis.outputs.empty()) {
-    output.addText("sensitivity.csv", comment + indicesCsv(study, analysis));
-    output.addText("effects.csv", comment + effectsCsv(study, analysis));
+    addTable("sensitivity.csv", indicesCsv(study, analysis));
+    addTable("effects.csv", effectsCsv(study, analysis));
   }
-  output.addText("percentiles.csv", comment + percentilesCsv(analysis));
+  addTable("percentiles.csv", percentilesCsv(analysis));
   for (NamedSheet& sheet : studySheets(study, analysis))
     output.addSheet(sheet.name, std::move(sheet.sheet));
-  Json origin = studyProvenance(study);
-  origin["picture"] = settings.json();
-  output.write(provenanceLine(origin));
+  output.write(command.common.given, origin);
   std::string text = filled(Words::tr("%1 of %2 simulations"),
                             {countText(analysis.simulations), countText(study.simulations())}) +
                      "\n";
@@ -383,7 +389,7 @@ int runStudyAnalyse(const StudyCommand& command) {
   }
   if (study.space.sampling() != Sampling::Saltelli)
     text += Words::tr("no Sobol indices: they need sampling saltelli") + "\n";
-  printSummary(command.common.json, command.common.quiet, text + output.summary());
+  printSummary(command.common.json, command.common.hidesSummary(), text + output.summary());
   if (command.common.json) fmt::print("{}\n", answer.dump(2));
   return kDone;
 }

@@ -142,7 +142,11 @@ py::dict motionColumnsOf(const MotionOfScene& found) {
 struct SurfaceOfScene {
   Scene scene;
   Line line;
+  bool isFirst = true;           // of the realizations, as the program writes it
   std::vector<double> position;  // m
+
+  /// The options of its tables; none where the program does not make them.
+  Json options() const { return isFirst ? Json::object() : Json(); }
   std::string json;
   Texts facts;
 };
@@ -158,6 +162,8 @@ std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t reali
   const auto found = std::make_shared<SurfaceOfScene>();
   found->scene = scene;
   found->line = source.make(realization);
+  found->isFirst = realization == 0;
+  const ProvenanceOptions given(found->options());
   found->json = surfaceJson(scene, source, found->line);
   for (std::size_t i = 0; i < found->line.nodes(); ++i)
     found->position.push_back(static_cast<double>(i) * found->line.spacing);
@@ -189,11 +195,16 @@ void addContact(py::module_& module) {
       .def("scene", [](const MotionOfScene& found) { return found.scene; })
       .def("csv",
            [](const MotionOfScene& found) {
+             const ProvenanceOptions own(Json::object());  // which has them all
              return "# asperity: " +
                     provenanceLine(motionProvenance("motion", found.scene, found.table)) + "\n" +
                     motionCsv(found.table);
            })
-      .def("json", [](const MotionOfScene& found) { return motionJson(found.scene, found.table); })
+      .def("json",
+           [](const MotionOfScene& found) {
+             const ProvenanceOptions own(Json::object());
+             return motionJson(found.scene, found.table);
+           })
       .def("mu_error", [](const MotionOfScene& found) { return found.table.muError; })
       .def("relative_error", [](const MotionOfScene& found) { return found.table.relativeError; });
   py::class_<SurfaceOfScene, std::shared_ptr<SurfaceOfScene>>(module, "Surface")
@@ -213,6 +224,7 @@ void addContact(py::module_& module) {
       .def("facts", [](const SurfaceOfScene& found) { return found.facts; })
       .def("csv",
            [](const SurfaceOfScene& found) {
+             const ProvenanceOptions given(found.options());
              return provenanceComment("surface", found.scene) + lineCsv(found.line);
            })
       .def("json", [](const SurfaceOfScene& found) { return found.json; });

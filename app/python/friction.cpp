@@ -207,12 +207,15 @@ struct FitOfScene {
   Fit fit;
   std::vector<FrictionData> data;
   Texts varied;
+  bool hasProfiles = true;
+  bool hasFiles = true;  // all its tables are files, so that it can be made again
 
-  Json answer() const {
-    Json root = provenance("fit", fit.scene);
-    root["vary"] = varied;
-    root["fit"] = fitJson(fit);
-    return root;
+  /// The options as the program has them for the file fit.json.
+  std::string answer() const {
+    Json options = fitOptions(varied, hasProfiles);
+    options["file"] = "fit";
+    const ProvenanceOptions given(hasFiles ? std::move(options) : Json());
+    return fitAnswer(scene, fit, varied);
   }
 };
 
@@ -233,20 +236,21 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
   const std::vector<VariedParameter> parameters = variedFrom(varied, scene);
   std::vector<FrictionData> data = readComparisonData(scene, read);
   for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));
-  return compute(
-      progress, [scene, data, varied, parameters, hasProfiles, threads](const Call& call) {
-        FitOptions options;
-        options.threads = threads;
-        options.stop = call.stop();
-        options.hasProfiles = hasProfiles;
-        options.progress = [&call](int evaluations, double) {
-          // The number of steps is not known beforehand: the rest shrinks by a part with each.
-          constexpr double kUsual = 50;
-          call.tell(1 - std::exp(-evaluations / kUsual));
-        };
-        return std::make_shared<FitOfScene>(
-            FitOfScene{scene, fitFriction(scene, data, parameters, options), data, varied});
-      });
+  const bool hasFiles = tables.empty();
+  return compute(progress, [scene, data, varied, parameters, hasProfiles, hasFiles,
+                            threads](const Call& call) {
+    FitOptions options;
+    options.threads = threads;
+    options.stop = call.stop();
+    options.hasProfiles = hasProfiles;
+    options.progress = [&call](int evaluations, double) {
+      // The number of steps is not known beforehand: the rest shrinks by a part with each.
+      constexpr double kUsual = 50;
+      call.tell(1 - std::exp(-evaluations / kUsual));
+    };
+    return std::make_shared<FitOfScene>(FitOfScene{
+        scene, fitFriction(scene, data, parameters, options), data, varied, hasProfiles, hasFiles});
+  });
 }
 
 }  // namespace
@@ -270,16 +274,18 @@ void addFriction(py::module_& module) {
       .def("is_target_met", [](const CurveOfScene& found) { return found.curve.isTargetMet; });
   py::class_<FitOfScene, std::shared_ptr<FitOfScene>>(module, "Fit")
       .def("scene", [](const FitOfScene& found) { return found.fit.scene; })
-      .def("json", [](const FitOfScene& found) { return found.answer().dump(2) + "\n"; })
+      .def("json", &FitOfScene::answer)
       .def("csv", [](const FitOfScene& found) { return fitCsv(found.fit, found.data); });
   py::class_<SensitivityOfScene, std::shared_ptr<SensitivityOfScene>>(module, "Sensitivity")
       .def("rows", &sensitivityRows)
       .def("scene", [](const SensitivityOfScene& found) { return found.scene; })
       .def("csv",
            [](const SensitivityOfScene& found) {
+             const ProvenanceOptions none(Json::object());
              return provenanceComment("sensitivity", found.scene) + sensitivityCsv(found.exponents);
            })
       .def("json", [](const SensitivityOfScene& found) {
+        const ProvenanceOptions none(Json::object());
         return sensitivityJson(found.scene, found.exponents);
       });
   py::class_<ParameterMap, std::shared_ptr<ParameterMap>>(module, "Map")

@@ -1,6 +1,7 @@
 // Materials from measured moduli for Python, with the options of `asperity material` as arguments.
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -167,7 +168,11 @@ bool isLabel(std::string_view name) {
   return name == "--name" || name == "--source";
 }
 
-MaterialChoices choicesOf(const std::vector<std::pair<std::string, std::string>>& options) {
+/// The options stand in the order of the program, whatever that of the arguments was.
+MaterialChoices choicesOf(std::vector<std::pair<std::string, std::string>> options) {
+  std::ranges::stable_sort(options, {}, [](const auto& option) {
+    return std::ranges::find(kRows, std::string_view(option.first), &Row::name) - kRows.begin();
+  });
   MaterialChoices choices;
   for (const auto& [name, value] : options) {
     const auto row = std::ranges::find(kRows, std::string_view(name), &Row::name);

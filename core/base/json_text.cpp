@@ -159,15 +159,15 @@ nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string
   return std::move(reader.root());
 }
 
-nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest,
-                                std::set<std::string>* others) {
+nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& name, int deepest) {
   Reader reader(deepest, &name);
   Json::sax_parse(text, &reader);
-  Json& root = reader.root();
+  return reader.root().is_object() ? std::move(reader.root()) : Json();
+}
+
+nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest) {
+  Json root = membersUpTo(text, name, deepest);
   if (!root.is_object()) return {};
-  if (others)
-    for (const auto& [key, value] : root.items())
-      if (key != name) others->insert(key);
   const auto found = root.find(name);
   return found == root.end() ? Json() : std::move(*found);
 }

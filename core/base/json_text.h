@@ -3,7 +3,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -19,9 +18,13 @@ bool beginsAsObject(std::string_view text);
 nlohmann::ordered_json parseJson(std::string_view text, int deepest,
                                  std::string_view wanted = "JSON in UTF-8 is needed");
 
+/// Returns the outermost object with its members up to this one, without reading what follows it;
+/// all of them where this one is not there, and null where the text is no object. Throws as
+/// parseJson.
+nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& name, int deepest);
+
 /// Returns the value of this member of the outermost object, without reading what follows it; null
-/// where there is none. `others`: receives the names of the members before it. Throws as parseJson.
-nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest,
-                                std::set<std::string>* others = nullptr);
+/// where there is none. Throws as parseJson.
+nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest);
 
 }  // namespace asperity

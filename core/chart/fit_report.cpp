@@ -219,6 +219,8 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
     throw InputError("", "accuracy.target_relative_error",
                      "a fit needs the same lines everywhere, not a target");
   FittedCurve fitted;
+  fitted.start = scene;
+  fitted.hasProfiles = options.hasProfiles;
   fitted.fit = fitFriction(scene, data, parameters, options);
   CurveOptions curve;
   curve.threads = options.threads;
@@ -232,17 +234,38 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
   return fitted;
 }
 
+Json fitProvenance(const Scene& start, const Fit& fit) {
+  Json root = provenance("fit", fit.scene);
+  // The scene that a window opens is the fitted one; what stands behind it is not read.
+  Json fitted = std::move(root["scene"]);
+  root.erase("scene");
+  root["start"] = Json::parse(writeScene(start));
+  root["scene"] = std::move(fitted);
+  return root;
+}
+
+Json fitOptions(const std::vector<std::string>& varied, bool hasProfiles) {
+  Json options = {{"vary", varied.size() == 1 ? Json(varied.front()) : Json(varied)}};
+  if (!hasProfiles) options["no_profiles"] = true;
+  return options;
+}
+
+std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied) {
+  Json answer = fitProvenance(start, fit);
+  answer["vary"] = varied;
+  answer["fit"] = fitJson(fit);
+  return answer.dump(2) + "\n";
+}
+
 FitReport fitReport(const FittedCurve& fitted, const std::string& folder) {
   const Fit& fit = fitted.fit;
   std::vector<FrictionData> data;
   for (const MeasuredCurve& measured : fitted.set.measured) data.push_back(measured.data);
-  Json answer = provenance("fit", fit.scene);
-  answer["vary"] = fitted.varied;
-  answer["fit"] = fitJson(fit);
   FitReport report;
-  report.texts = {{"fit.json", answer.dump(2) + "\n"},
+  report.texts = {{"fit.json", fitAnswer(fitted.start, fit, fitted.varied)},
                   {"fitted.scene.json", writeScene(seenFrom(folder, fit.scene))},
-                  {"fit.csv", provenanceComment("fit", fit.scene) + fitCsv(fit, data)}};
+                  {"fit.csv", "# asperity: " + provenanceLine(fitProvenance(fitted.start, fit)) +
+                                  "\n" + fitCsv(fit, data)}};
   report.sheets.push_back({"curve", fitSheet(fit, fitted.set)});
   if (!fit.profiles.empty()) report.sheets.push_back({"profiles", profileSheet(fit)});
   return report;

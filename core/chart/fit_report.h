@@ -31,11 +31,23 @@ DiagramSheet fitSheet(const Fit& fit, const CurveSet& set);
 /// The least sum of squares over each parameter: flat where the data leave it open.
 DiagramSheet profileSheet(const Fit& fit);
 
+/// The provenance of a fit: that of the fitted scene, and as "start" the scene that was fitted.
+nlohmann::ordered_json fitProvenance(const Scene& start, const Fit& fit);
+
+/// The options of the command `asperity fit` that make this fit, for its provenance. varied: as a
+/// user wrote them.
+nlohmann::ordered_json fitOptions(const std::vector<std::string>& varied, bool hasProfiles);
+
+/// The text of fit.json. varied: as a user wrote them.
+std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied);
+
 /// A fit with everything that its report shows.
 struct FittedCurve {
+  Scene start;  // that was fitted
   Fit fit;
   CurveSet set;                     // the curve of the fitted scene with the measured tables
   std::vector<std::string> varied;  // as a user wrote them: "KEY" or "KEY=LOW:HIGH"
+  bool hasProfiles = true;          // were wanted
 };
 
 /// Fits the scene to the tables that it names (readComparisonData) and computes the curve of the

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
 #include <system_error>
+#include <utility>
 
 #include "core/base/carried_text.h"
 #include "core/base/file_digest.h"
@@ -59,77 +59,126 @@ Json oversamplingOf(std::string_view verb, const Scene& scene) {
   return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
 }
 
-/// Calls `add` with key, name and SHA-256 for each file that the scene names. A file that cannot be
-/// read has no digest: the command that needs it reports the error.
-template <class Add>
-void eachInput(const Scene& scene, const Add& add) {
-  const auto digested = [&](const char* key, const std::string& name, const auto& digest) {
-    if (name.empty()) return;
-    Json found;
-    try {
-      found = digest();
-    } catch (const InputError&) {
-    }
-    add(key, name, std::move(found));
+constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from
+
+/// The files that a scene names, without their digests.
+std::vector<InputFile> filesOf(const Scene& scene) {
+  std::vector<InputFile> files;
+  const auto add = [&files](const char* key, const std::string& name) {
+    if (!name.empty()) files.push_back({key, name, {}});
   };
-  if (hasSurfaceFile(scene.surface))
-    digested("surface.file", scene.surface.file,
-             [&] { return sha256OfFile(scene.folder / scene.surface.file); });
-  const std::string& material = scene.elastomer.material;
+  if (hasSurfaceFile(scene.surface)) add("surface.file", scene.surface.file);
   if (scene.elastomer.rheology == Rheology::Prony)
-    digested("elastomer.material", material,
-             [&] { return sha256(readMaterialText(material, scene.folder).json); });
-  for (const DataFile& table : scene.comparison.data)
-    digested("comparison.data", table.file,
-             [&] { return sha256OfFile(scene.folder / table.file); });
+    add("elastomer.material", scene.elastomer.material);
+  for (const DataFile& table : scene.comparison.data) add("comparison.data", table.file);
+  return files;
+}
+
+bool isMaterial(const InputFile& file) {
+  return file.key == "elastomer.material";
+}
+
+/// A file that cannot be read has no digest: the command that needs it reports the error.
+std::string digestOf(const InputFile& file, const std::filesystem::path& folder) {
+  try {
+    return isMaterial(file) ? sha256(readMaterialText(file.name, folder).json)
+                            : sha256OfFile(folder / file.name);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 /// The files that a scene names, each with the SHA-256 of its content.
-Json inputsOf(const Scene& scene) {
+Json inputsJson(const Scene& scene) {
   Json inputs = Json::array();
-  eachInput(scene, [&](const char* key, const std::string& name, Json digest) {
-    inputs.push_back({{"key", key}, {"name", name}, {"sha256", std::move(digest)}});
-  });
+  for (const InputFile& file : filesOf(scene)) {
+    const std::string digest = digestOf(file, scene.folder);
+    inputs.push_back({{"key", file.key},
+                      {"name", file.name},
+                      {"sha256", digest.empty() ? Json() : Json(digest)}});
+  }
   return inputs;
 }
 
-/// Refuses a scene whose file has another content than the one that the result was made from. A
-/// missing file is reported by the command that needs it. A shipped material may have changed: the
-/// scene holds its values.
-void checkInputs(const Json& inputs, const Scene& scene) {
+std::string textIn(const Json& object, const char* member) {
+  if (!object.is_object() || !object.contains(member) || !object[member].is_string()) return {};
+  return object[member].get<std::string>();
+}
+
+/// Gives each file the digest that the result states for it.
+void addDigests(const Json& inputs, std::vector<InputFile>& files) {
   if (!inputs.is_array()) return;
-  eachInput(scene, [&](std::string_view key, const std::string& name, const Json& present) {
-    const bool isShipped = key == "elastomer.material" && materialFile(name, scene.folder).empty();
-    if (isShipped || !present.is_string()) return;
-    for (const Json& input : inputs) {
-      if (!input.is_object() || input.value("key", Json()) != Json(key) ||
-          input.value("name", Json()) != Json(name))
-        continue;
-      const Json made = input.value("sha256", Json());
-      if (made.is_string() && made != present)
-        throw InputError("", std::string(key),
-                         message("{}: it is another file now: its SHA-256 is {}, and the result "
-                                 "was made from {}",
-                                 name, shortened(present.get<std::string>()),
-                                 shortened(made.get<std::string>())));
-    }
-  });
+  for (InputFile& file : files)
+    for (const Json& input : inputs)
+      if (textIn(input, "key") == file.key && textIn(input, "name") == file.name)
+        file.sha256 = textIn(input, "sha256");
+}
+
+/// The first of the folders in which all files are what they were; else the first that has them
+/// all, of which it can be said what is wrong; else the first.
+std::filesystem::path folderOf(const std::vector<InputFile>& files,
+                               const std::vector<std::filesystem::path>& folders) {
+  std::error_code ignored;
+  for (const auto& folder : folders)
+    if (std::ranges::all_of(files, [&](const InputFile& file) {
+          return file.sha256.empty() ? std::filesystem::exists(folder / file.name, ignored)
+                                     : digestOf(file, folder) == file.sha256;
+        }))
+      return folder;
+  for (const auto& folder : folders)
+    if (std::ranges::all_of(files, [&](const InputFile& file) {
+          return std::filesystem::exists(folder / file.name, ignored);
+        }))
+      return folder;
+  return folders.front();
+}
+
+/// Refuses a result whose file has another content than the one that the result was made from. A
+/// missing file is reported by the command that needs it.
+void checkInputs(const std::vector<InputFile>& files, const std::filesystem::path& folder) {
+  for (const InputFile& file : files) {
+    const std::string present = file.sha256.empty() ? std::string() : digestOf(file, folder);
+    if (!present.empty() && present != file.sha256)
+      throw InputError("", file.key,
+                       message("{}: it is another file now: its SHA-256 is {}, and the result "
+                               "was made from {}",
+                               file.name, shortened(present), shortened(file.sha256)));
+  }
+}
+
+/// The scene of a result, or of one of its parts, with the folder of its files.
+FoundScene resultFrom(Json origin, const std::string& name,
+                      const std::vector<std::filesystem::path>& folders) {
+  FoundScene found;
+  found.isCarried = true;
+  found.verb = textIn(origin, "verb");
+  if (const auto scene = origin.find("scene"); scene != origin.end() && scene->is_object())
+    found.scene = readScene(scene->dump(), name, folders.front());
+  if (origin.contains("options")) found.options = origin["options"];
+  found.origin = std::move(origin);
+  const std::vector<InputFile> files = inputsOf(found);
+  found.scene.folder = folderOf(files, folders);
+  checkInputs(files, found.scene.folder);
+  return found;
 }
 
 /// Null where no object of ProvenanceOptions lives.
 Json& presentOptions() {
-  static Json options;
+  thread_local Json options;
   return options;
 }
 
 }  // namespace
 
-ProvenanceOptions::ProvenanceOptions(Json options) {
-  presentOptions() = std::move(options);
-}
+ProvenanceOptions::ProvenanceOptions(Json options)
+    : before_(std::exchange(presentOptions(), std::move(options))) {}
 
 ProvenanceOptions::~ProvenanceOptions() {
-  presentOptions() = nullptr;
+  presentOptions() = std::move(before_);
+}
+
+void addOptions(Json& provenance) {
+  if (!presentOptions().is_null()) provenance["options"] = presentOptions();
 }
 
 void addCurveOversampling(Json& provenance, const Scene& scene) {
@@ -145,8 +194,8 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
   root["oversampling_used"] = oversamplingOf(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
-  if (Json inputs = inputsOf(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
-  if (!presentOptions().is_null()) root["options"] = presentOptions();
+  if (Json inputs = inputsJson(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
+  addOptions(root);
   root["scene"] = Json::parse(writeScene(scene));
   return root;
 }
@@ -159,25 +208,53 @@ std::string provenanceComment(const std::string& verb, const Scene& scene) {
   return "# asperity: " + provenanceLine(provenance(verb, scene)) + "\n";
 }
 
-FoundScene findScene(std::string_view bytes, const std::string& name,
-                     const std::filesystem::path& folder) {
+std::vector<InputFile> inputsOf(const FoundScene& found) {
+  std::vector<InputFile> files = filesOf(found.scene);
+  // A shipped material may have changed: the scene holds its values.
+  std::erase_if(files, [&](const InputFile& file) {
+    return isMaterial(file) && materialFile(file.name, found.scene.folder).empty();
+  });
+  const Json& origin = found.origin;
+  if (!origin.is_object()) return files;
+  if (origin.contains("inputs")) addDigests(origin["inputs"], files);
+  if (const auto made = origin.find("origin"); made != origin.end()) {
+    const std::string name = std::filesystem::path(textIn(*made, "file")).filename().string();
+    if (!name.empty()) files.push_back({kMeasurements, name, textIn(*made, "sha256")});
+  }
+  return files;
+}
+
+std::vector<std::filesystem::path> foldersAround(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> folders{file.parent_path()};
+  while (folders.back().has_relative_path()) folders.push_back(folders.back().parent_path());
+  if (!folders.back().empty()) folders.emplace_back();  // the present one
+  return folders;
+}
+
+namespace {
+
+/// toRemake: a result without a scene of its own, or with many, is an answer, too.
+FoundScene found(std::string_view bytes, const std::string& name,
+                 const std::vector<std::filesystem::path>& folders, bool toRemake) {
   const bool isText = beginsAsObject(bytes);
   const std::string carried = isText ? std::string() : carriedText(bytes);
   const std::string_view json = isText ? bytes : carried;
   try {
-    std::set<std::string> others;
-    const Json scene = beginsAsObject(json) ? memberOf(json, "scene", kDeepest, &others) : Json();
-    if (scene.is_object()) {
-      FoundScene found{readScene(scene.dump(), name, folder), true};
-      if (others.contains("verb"))
-        if (const Json verb = memberOf(json, "verb", kDeepest); verb.is_string())
-          found.verb = verb.get<std::string>();
-      if (others.contains("options")) found.options = memberOf(json, "options", kDeepest);
-      if (others.contains("inputs")) checkInputs(memberOf(json, "inputs", kDeepest), found.scene);
-      return found;
-    }
-    if (others.contains("scenes"))
+    Json origin = beginsAsObject(json) ? membersUpTo(json, "scene", kDeepest) : Json();
+    if (!origin.is_object()) origin = Json::object();
+    const bool hasScene = origin.contains("scene") && origin["scene"].is_object();
+    const bool hasMany = origin.contains("scenes") && origin["scenes"].is_array();
+    if (hasScene) return resultFrom(std::move(origin), name, folders);
+    if (origin.contains("scenes") && !(toRemake && hasMany))
       throw InputError("", "", "shows many scenes; open the picture or the table of one of them");
+    if (toRemake && (hasMany || (origin.contains("origin") && origin["origin"].is_object()))) {
+      FoundScene result = resultFrom(std::move(origin), name, folders);
+      if (hasMany)
+        for (const Json& part : result.origin["scenes"])
+          result.parts.push_back(
+              resultFrom(part.is_object() ? part : Json::object(), name, folders));
+      return result;
+    }
   } catch (const InputError& error) {
     throw error.file().empty() ? error.in(name) : error;
   }
@@ -186,11 +263,26 @@ FoundScene findScene(std::string_view bytes, const std::string& name,
                      "holds no scene: it was not made by Asperity, or what it said of itself was "
                      "removed");
   if (bytes.size() > kLargestScene) throw InputError(name, "", "is larger than a scene may be");
-  return {readScene(bytes, name, folder), false};
+  FoundScene plain;
+  plain.scene = readScene(bytes, name, folders.front());
+  return plain;
+}
+
+}  // namespace
+
+FoundScene findScene(std::string_view bytes, const std::string& name,
+                     const std::filesystem::path& folder) {
+  return found(bytes, name, {folder}, false);
 }
 
 FoundScene findScene(const std::filesystem::path& file) {
-  return findScene(endsOf(RegularFile(file)), file.string(), file.parent_path());
+  return found(endsOf(RegularFile(file)), file.string(), foldersAround(file), false);
+}
+
+FoundScene findResult(const std::filesystem::path& file, const std::filesystem::path& from) {
+  std::vector<std::filesystem::path> folders = foldersAround(file);
+  if (!from.empty()) folders = {from};
+  return found(endsOf(RegularFile(file)), file.string(), folders, true);
 }
 
 Scene readProvenance(const std::filesystem::path& file) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/scene/scene.h"
 
@@ -23,15 +24,20 @@ nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
 
 /// The options of a run that shape its outputs, as words of the command line without their dashes:
 /// while an object lives, every provenance that is made has them as "options", from which the same
-/// file can be made again. Made on the main thread, one at a time, while no other thread makes a
-/// provenance.
+/// file can be made again. For what its thread makes; the innermost of several counts.
 class ProvenanceOptions {
  public:
   explicit ProvenanceOptions(nlohmann::ordered_json options);
   ~ProvenanceOptions();
   ProvenanceOptions(const ProvenanceOptions&) = delete;
   ProvenanceOptions& operator=(const ProvenanceOptions&) = delete;
+
+ private:
+  nlohmann::ordered_json before_;
 };
+
+/// Adds the options of the living object, if there is one, to a provenance of another kind.
+void addOptions(nlohmann::ordered_json& provenance);
 
 /// Adds "curve_oversampling_used", if it is another number, to the provenance of a result with a
 /// curve and a single line, as a batch may have.
@@ -53,14 +59,32 @@ struct FoundScene {
   // What a result says of its making, to make it again; empty and null where it does not say it.
   std::string verb{};
   nlohmann::ordered_json options{};
+  nlohmann::ordered_json origin{};  // all that the result says, up to its scene
+  std::vector<FoundScene> parts{};  // of a result of many scenes, in its order
 };
 
+/// A file that a result was made from: "comparison.data", "data.csv", its SHA-256 (empty: unknown).
+struct InputFile {
+  std::string key, name, sha256;
+};
+
+/// The files that a result was made from and that are still needed to make it again.
+std::vector<InputFile> inputsOf(const FoundScene& found);
+
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),
-/// or in a scene file. Relative file names in the scene refer to the file's folder. At most the
-/// first and the last 8 MiB are read, and the time grows linearly with them. Throws InputError
-/// where the file cannot be read or contains no scene, and where a surface that the scene names has
-/// another content than the one that the result was made from.
+/// or in a scene file. Relative file names in the scene refer to the file's folder, or to the first
+/// folder above it, or the present one, in which all of them are what the result was made from. At
+/// most the first and the last 8 MiB are read, and the time grows linearly with them. Throws
+/// InputError where the file cannot be read or contains no scene, and where a file that the scene
+/// names has another content than the one that the result was made from.
 FoundScene findScene(const std::filesystem::path& file);
+
+/// The same of a result that is to be made again, which may also be of many scenes (`parts`) or of
+/// none, as a material is. from: the folder of the files that it was made from; empty: as above.
+FoundScene findResult(const std::filesystem::path& file, const std::filesystem::path& from = {});
+
+/// The folders in which the inputs of a result are looked for, in this order.
+std::vector<std::filesystem::path> foldersAround(const std::filesystem::path& file);
 
 /// Finds the scene in the bytes of a file; `name` is named in errors.
 FoundScene findScene(std::string_view bytes, const std::string& name,

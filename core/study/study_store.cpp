@@ -150,6 +150,15 @@ void StudyStore::Close::operator()(sqlite3* connection) const {
   sqlite3_close_v2(connection);
 }
 
+bool isStudyStore(std::string_view beginning) {
+  constexpr std::size_t kPlace = 68, kBytes = 4;  // of application_id, its highest byte first
+  if (beginning.size() < kPlace + kBytes || !beginning.starts_with("SQLite format 3")) return false;
+  std::uint32_t application = 0;
+  for (const char byte : beginning.substr(kPlace, kBytes))
+    application = application << 8 | static_cast<unsigned char>(byte);
+  return application == kApplication;
+}
+
 StudyStore::StudyStore(const fs::path& file, const ParameterStudy& study, const Shard& shard)
     : file_(file) {
   checkWritable(file);
@@ -351,6 +360,13 @@ std::int64_t StudyStore::chunksDone() const {
 
 std::int64_t StudyStore::simulationsDone() const {
   return number("SELECT coalesce(sum(count), 0) FROM chunks");
+}
+
+std::string StudyStore::chunksDigest() const {
+  std::string numbers;
+  Statement statement(*this, "SELECT number FROM chunks ORDER BY number");
+  while (statement.step()) numbers += fmt::format("{},", statement.whole(0));
+  return sha256(numbers);
 }
 
 double StudyStore::secondsSpent() const {

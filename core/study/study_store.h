@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,9 @@ struct StudyChunk {
   }
 };
 
+/// Whether a file that begins with these 72 bytes is the store of a study.
+bool isStudyStore(std::string_view beginning);
+
 class StudyStore {
  public:
   enum class Access { Read, Write };
@@ -76,6 +80,9 @@ class StudyStore {
   std::int64_t chunksWanted() const;
   std::int64_t chunksDone() const;
   std::int64_t simulationsDone() const;
+  /// SHA-256 of the numbers of the chunks that are there: which simulations an unfinished store
+  /// has.
+  std::string chunksDigest() const;
   double secondsSpent() const;  // of all chunks together
   bool isWhole() const { return chunksDone() == chunksWanted(); }
   bool has(std::int64_t chunk) const;

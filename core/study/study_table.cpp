@@ -24,7 +24,8 @@ class TableWriter {
  public:
   TableWriter(const StudyStore& store, TableShape shape, TableFormat format,
               const std::function<void(std::string_view)>& write)
-      : study_(store.study()),
+      : store_(store),
+        study_(store.study()),
         isLong_(shape == TableShape::Long),
         isJson_(format == TableFormat::Json),
         hasErrors_(store.hasFailures()),
@@ -38,7 +39,7 @@ class TableWriter {
   }
 
   void begin() {
-    const Json origin = studyProvenance(study_);
+    const Json origin = studyProvenance(store_);
     if (isJson_) {
       std::string text = origin.dump(2);
       text.resize(text.size() - 2);  // the closing brace and the line end before it
@@ -161,6 +162,7 @@ class TableWriter {
     buffer_.clear();
   }
 
+  const StudyStore& store_;
   const ParameterStudy& study_;
   bool isLong_, isJson_, hasErrors_;
   const std::function<void(std::string_view)>& write_;
@@ -183,7 +185,8 @@ std::vector<std::string> numberNames(const ParameterStudy& study) {
   return names;
 }
 
-Json studyProvenance(const ParameterStudy& study) {
+Json studyProvenance(const StudyStore& store) {
+  const ParameterStudy& study = store.study();
   const Json canonical = Json::parse(study.canonical);
   Json keys = Json::array();
   for (std::size_t c = 0; c < study.space.columns(); ++c)
@@ -195,8 +198,10 @@ Json studyProvenance(const ParameterStudy& study) {
       {"version", ASPERITY_VERSION},
       {"seed", hasRandomPhases(study.base.surface) ? Json(study.base.surface.seed) : Json()},
       {"study_sha256", study.digest},
-      {"keys", std::move(keys)},
-      {"sampling", canonical["sampling"]}};
+      {"simulations", store.simulationsDone()}};
+  if (origin["simulations"] != study.simulations()) origin["chunks_sha256"] = store.chunksDigest();
+  origin["keys"] = std::move(keys);
+  origin["sampling"] = canonical["sampling"];
   if (canonical.contains("samples")) {
     origin["samples"] = canonical["samples"];
     origin["sampling_seed"] = canonical["seed"];
@@ -205,6 +210,7 @@ Json studyProvenance(const ParameterStudy& study) {
   if (study.wantsCurve())
     origin["curve"] = {{"key", study.base.sweep.key}, {"values", study.curveValues()}};
   if (canonical.contains("inputs")) origin["inputs"] = canonical["inputs"];
+  addOptions(origin);
   origin["scene"] = canonical["scene"];
   return origin;
 }

@@ -21,8 +21,9 @@ std::int64_t writeStudyTable(const StudyStore& store, TableShape shape, TableFor
                              const std::function<void(std::string_view bytes)>& write);
 
 /// What a table and other results of a study say of their origin: the provenance of the base scene
-/// with the keys, the sampling, the outputs and the SHA-256 of the study.
-nlohmann::ordered_json studyProvenance(const ParameterStudy& study);
+/// with the keys, the sampling, the outputs and the SHA-256 of the study, and how many of its
+/// simulations the store has (and which, where some are missing).
+nlohmann::ordered_json studyProvenance(const StudyStore& store);
 
 /// The names of the numbers of a simulation in a wide table: "mu", and for a curve "mu_1" and on.
 std::vector<std::string> numberNames(const ParameterStudy& study);

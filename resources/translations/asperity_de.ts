@@ -4440,5 +4440,9 @@
         <source>%1 minutes, %2 steps, %3 predictions</source>
         <translation>%1 Minuten, %2 Schritte, %3 Vorhersagen</translation>
     </message>
+    <message>
+        <source>%1: run times, and what follows from them, are measured again; all other numbers are the same</source>
+        <translation>%1: Laufzeiten, und was aus ihnen folgt, sind neu gemessen; alle anderen Zahlen sind dieselben</translation>
+    </message>
 </context>
 </TS>

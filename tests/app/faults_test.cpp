@@ -73,6 +73,8 @@ class FaultsTest : public ProgramTest {
       start(arguments);
       runAndKill(arguments);
       for (const auto& [name, bytes] : files()) {
+        // From what a killed batch has noted, the same command goes on.
+        if (name == ".asperity_batch_progress") continue;
         ASSERT_EQ(whole.count(name), 1U) << name << " is no file of " << arguments;
         EXPECT_TRUE(isWhole(name, bytes, whole.at(name))) << name << " of " << arguments;
       }

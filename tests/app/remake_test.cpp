@@ -77,8 +77,8 @@ TEST_F(RemakeTest, RefusesWhatCannotBeRemade) {
   expectRefused("open s.json --remake", 2, "is a scene");
   expectRefused("open s.json --size 5x5", 2, "unknown option");
   expectRefused("open s.json -o x.png", 2, "--output: is of --remake");
-  run("accuracy s.json -o acc --set sweep.points=2 --set ensemble.realizations=2");
-  expectRefused("open acc/accuracy.csv --remake", 2, "made together");
+  program.folder.write("e.json", program.run("explain s.json --json").out);
+  expectRefused("open e.json --remake", 2, "'asperity explain', whose files cannot be remade");
 }
 
 TEST_F(RemakeTest, SizesOnPaper) {

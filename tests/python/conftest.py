@@ -3,7 +3,6 @@
 import csv
 import json
 import os
-import re
 import subprocess
 
 import pytest
@@ -50,11 +49,6 @@ def assert_equal_columns(table, text):
         assert len(values) == len(cells)
         for value, cell in zip(values, cells):
             assert (value != value) if cell == "" else value == float(cell), name
-
-
-def without_options(text):
-    """An answer without the record of the command line's options, which Python has not."""
-    return re.sub(r',\s*"options":\s*\{[^{}]*\}', "", text)
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 import pytest
-from conftest import MOVING, ROOT, SMALL, assert_equal_columns, complaint, run, without_options
+from conftest import MOVING, ROOT, SMALL, assert_equal_columns, complaint, run
 
 import asperity
 
@@ -23,6 +23,18 @@ SCENES = {
 }
 
 
+def remade(file, *options):
+    """Asserts that the program makes a file again from itself, byte for byte."""
+    again = file.with_name("again" + file.suffix)
+    run("open", file, "--remake", "-o", again, "--quiet", *options)
+    assert again.read_bytes() == file.read_bytes()
+
+
+def test_a_realization_that_the_program_does_not_write_is_not_remade(tmp_path):
+    asperity.surface({}, realization=2).save(tmp_path / "s.csv")
+    assert "does not say the options" in complaint("open", tmp_path / "s.csv", "--remake")
+
+
 @pytest.mark.parametrize("name", SCENES)
 def test_curve(name, scene_file, tmp_path):
     values = {**SMALL, **SCENES[name]}
@@ -32,8 +44,7 @@ def test_curve(name, scene_file, tmp_path):
     run("curve", file, "--quiet", "-o", tmp_path / "a.csv", "-o", tmp_path / "a.json")
     assert curve.to_csv() == (tmp_path / "a.csv").read_text()
     assert curve.to_json() == (tmp_path / "a.json").read_text()
-    run("open", tmp_path / "a.csv", "--remake", "-o", tmp_path / "c.csv", "--quiet")
-    assert (tmp_path / "c.csv").read_text() == curve.to_csv()
+    remade(tmp_path / "a.csv")
     curve.save(tmp_path / "b.csv")
     assert (tmp_path / "b.csv").read_text() == curve.to_csv()
     assert curve.scene == asperity.Scene(values)
@@ -65,8 +76,11 @@ def test_motion(options, scene_file, tmp_path):
     motion = asperity.march(MOVING, **options)
     assert_equal_columns(motion, run("motion", file, *words))
     run("motion", file, *words, "--quiet", "-o", tmp_path / "m.csv", "-o", tmp_path / "m.json")
-    assert without_options(motion.to_csv()) == without_options((tmp_path / "m.csv").read_text())
-    assert without_options(motion.to_json()) == without_options((tmp_path / "m.json").read_text())
+    assert motion.to_csv() == (tmp_path / "m.csv").read_text()
+    assert motion.to_json() == (tmp_path / "m.json").read_text()
+    for name in ("p.csv", "p.json", "p.svg"):
+        motion.save(tmp_path / name)
+        remade(tmp_path / name)
 
 
 def test_motion_of_steady_sliding_is_refused(scene_file):
@@ -82,9 +96,12 @@ def test_surface_of_a_scene(values, scene_file, tmp_path):
     surface = asperity.surface(values)
     run("surface", file, "-o", tmp_path / "s.csv", "-o", tmp_path / "s.json", "--quiet")
     assert_equal_columns(surface, (tmp_path / "s.csv").read_text())
-    assert without_options(surface.to_csv()) == without_options((tmp_path / "s.csv").read_text())
-    assert surface.data == {**json.loads(without_options((tmp_path / "s.json").read_text()))}
+    assert surface.to_csv() == (tmp_path / "s.csv").read_text()
+    assert surface.data == {**json.loads((tmp_path / "s.json").read_text())}
     assert surface.statistics["points"] == len(surface.height) == len(surface.slope)
+    for name in ("p.csv", "p.json", "p.png"):
+        surface.save(tmp_path / name)
+        remade(tmp_path / name)
 
 
 def test_surface_of_a_measured_file(tmp_path):
@@ -95,8 +112,10 @@ def test_surface_of_a_measured_file(tmp_path):
     surface = asperity.surface(file)
     run("surface", file, "-o", tmp_path / "s.csv", "-o", tmp_path / "s.json", "--quiet")
     assert_equal_columns(surface, (tmp_path / "s.csv").read_text())
-    assert without_options(surface.to_json()) == without_options((tmp_path / "s.json").read_text())
+    assert surface.to_json() == (tmp_path / "s.json").read_text()
     assert surface.facts
+    surface.save(tmp_path / "p.csv")
+    remade(tmp_path / "p.csv")
     changed = asperity.surface(file, surface={"form": "parabola"})
     assert changed.scene["surface.form"] == "parabola"
 
@@ -111,19 +130,23 @@ def test_surface_of_a_broken_file_says_what_the_program_says(tmp_path):
 
 
 @pytest.mark.parametrize("options", [{}, {"reference_temperature": "20C", "terms": 12},
-                                     {"shift": "table", "leave_out": ["-10C"], "name": "My rubber"}])
+                                     {"shift": "table", "leave_out": ["-10C"], "name": "My rubber"},
+                                     {"liquid": True, "vertical_shifts": True, "terms": 8, "source": "x"}])
 def test_material(options, tmp_path):
     file = os.path.join(ROOT, "resources/materials/measurements/epdm_70.csv")
     words = []
     for name, value in options.items():
         for one in value if isinstance(value, list) else [value]:
-            words += ["--" + name.replace("_", "-"), one]
+            words += ["--" + name.replace("_", "-")] + ([] if one is True else [one])
     run("material", file, "-o", tmp_path / "out", "--quiet", *words)
     material = asperity.material(file, **options)
-    assert without_options(material.to_json()) == without_options((tmp_path / "out/material.json").read_text())
+    assert material.to_json() == (tmp_path / "out/material.json").read_text()
     for name in ("prony", "isotherms", "shifts"):
         assert_equal_columns(getattr(material, name), (tmp_path / f"out/{name}.csv").read_text())
     material.save(tmp_path / "m.json")
+    said = complaint("open", tmp_path / "m.json", "--remake", folder=tmp_path)
+    assert "epdm_70.csv, from which it was made, is not there" in said
+    remade(tmp_path / "m.json", "--from", os.path.dirname(file))
     scene = asperity.Scene(elastomer={"material": str(tmp_path / "m.json")})
     assert scene["elastomer.equilibrium_modulus"] == material.data["equilibrium_modulus"]
 
@@ -162,14 +185,19 @@ def test_fit(measured, scene_file, tmp_path):
     run("fit", scene_file(SMALL), "--data", file, "--vary", keys[0], "--vary", keys[1], "--no-profiles",
         "-o", tmp_path / "out", "--quiet")
     fit = asperity.fit(scene_file(SMALL), file, keys, profiles=False)
-    assert without_options(fit.to_json()) == without_options((tmp_path / "out/fit.json").read_text())
+    assert fit.to_json() == (tmp_path / "out/fit.json").read_text()
     assert_equal_columns(fit.points, (tmp_path / "out/fit.csv").read_text())
     # The numbers are those of the rubber that the table was made with.
     assert fit["elastomer.shear_modulus"] == pytest.approx(8e6, rel=1e-3)
     assert fit.scene["elastomer.shear_modulus"] == fit["elastomer.shear_modulus"]
+    fit.save(tmp_path / "saved.json")
+    remade(tmp_path / "saved.json")
     by_columns = asperity.fit(SMALL, columns, {"elastomer.shear_modulus": ("1MPa", "100MPa"),
                                                "elastomer.relaxation_time": None}, profiles=False)
     assert by_columns.data["parameters"] == fit.data["parameters"]
+    # A table that is no file cannot be read again.
+    by_columns.save(tmp_path / "columns.json")
+    assert "does not say the options" in complaint("open", tmp_path / "columns.json", "--remake")
     assert fit.correlations.shape == (2, 2)
 
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -61,10 +62,51 @@ bool isInside(const Box& area, const Box& box) {
          box.bottom() <= area.bottom();
 }
 
+/// Whether a straight line has a part inside a box (the slabs of Liang and Barsky).
+bool crosses(const Place& from, const Place& to, const Box& box) {
+  float begin = 0, end = 1;
+  const auto clip = [&](float start, float along, float low, float high) {
+    if (along == 0) return start >= low && start <= high;
+    const float a = (low - start) / along, b = (high - start) / along;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+    return begin <= end;
+  };
+  return clip(from.x, to.x - from.x, box.x, box.right()) &&
+         clip(from.y, to.y - from.y, box.y, box.bottom());
+}
+
+/// Whether a label and its arrow stay clear of the labels that have their places, of their arrows,
+/// and of what the arrows of others point at.
+class Clearance {
+ public:
+  Clearance(const std::vector<PlacedLabel>& placed, std::vector<Place> targets, float air)
+      : placed_(placed), targets_(std::move(targets)), air_(air) {}
+
+  bool isClear(const Box& box, const std::optional<Place>& target) const {
+    const Box wide = grown(box, air_);
+    const auto from = target ? exitOf(box, *target) : std::nullopt;
+    if (target && !from) return false;  // there would be no arrow
+    for (const Place& other : targets_)
+      if (crosses(other, other, wide)) return false;
+    return std::ranges::none_of(placed_, [&](const PlacedLabel& other) {
+      return (from && crosses(*from, *target, grown(other.box, air_))) ||
+             (other.arrow.size() == 2 && crosses(other.arrow[0], other.arrow[1], wide));
+    });
+  }
+
+ private:
+  const std::vector<PlacedLabel>& placed_;
+  std::vector<Place> targets_;
+  float air_;
+};
+
 /// Finds the best box of this size near a place inside the area: one that covers little and is
-/// moved little.
-std::optional<Box> boxNear(const Place& at, float width, float height, const Box& area,
-                           const OccupancyGrid& map, float step, int rings) {
+/// moved little. allowed: which boxes come into question.
+std::optional<Box> boxNear(
+    const Place& at, float width, float height, const Box& area, const OccupancyGrid& map,
+    float step, int rings,
+    const std::function<bool(const Box&)>& allowed = [](const Box&) { return true; }) {
   constexpr int kAngles = 16;
   std::optional<Box> best;
   float least = 0;
@@ -74,7 +116,7 @@ std::optional<Box> boxNear(const Place& at, float width, float height, const Box
       const float away = static_cast<float>(ring) * step;
       const Box box{at.x + away * std::cos(angle) - width / 2,
                     at.y + away * std::sin(angle) - height / 2, width, height};
-      if (!isInside(area, box) || map.greatestUnder(box) >= kTaken) continue;
+      if (!isInside(area, box) || map.greatestUnder(box) >= kTaken || !allowed(box)) continue;
       // Covering something costs more than any distance.
       const float cost = 20 * map.under(box) + 0.05F * static_cast<float>(ring);
       if (!best || cost < least) {
@@ -181,8 +223,18 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     if (out.lines.empty()) continue;
     width += 2 * air;
     const float height = kLine * size * static_cast<float>(out.lines.size());
-    const auto box = boxNear(heldInside(inside, at, width, height), width, height, inside, map,
-                             0.6F * size, hasArrow ? 24 : 14);
+    std::vector<Place> targets;  // of the others
+    for (const DiagramLabel& other : diagram.labels)
+      if (const Place its = axes.place(other.arrowX, other.arrowY);
+          &other != &label && std::isfinite(its.x) && std::isfinite(its.y))
+        targets.push_back(its);
+    const Clearance clearance(placed, std::move(targets), 0.4F * size);
+    const Place wanted = heldInside(inside, at, width, height);
+    const int rings = hasArrow ? 24 : 14;
+    auto box = boxNear(wanted, width, height, inside, map, 0.6F * size, rings, [&](const Box& one) {
+      return clearance.isClear(one, hasArrow ? std::optional(target) : std::nullopt);
+    });
+    if (!box) box = boxNear(wanted, width, height, inside, map, 0.6F * size, rings);
     if (!box) continue;
     out.box = *box;
     out.covers = diagram.field || map.greatestUnder(*box) > 0;

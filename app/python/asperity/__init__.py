@@ -302,7 +302,8 @@ class _Result:
         return self._core.json()
 
     def save(self, file):
-        """Write .csv or .json, the same bytes as ``asperity VERB -o``, or a picture."""
+        """Write .csv or .json, the same bytes as ``asperity VERB -o``, or a picture.
+        ``asperity open --remake`` makes each of them again."""
         extension = os.path.splitext(os.fspath(file))[1].lower()
         if extension == ".csv":
             data = self.to_csv().encode()
@@ -612,6 +613,7 @@ class Motion(_Result, Table):
     """A motion in time: the columns of ``asperity motion``, one row for each time step."""
 
     _verb = "motion"
+    _options = ()
 
     def __init__(self, core, seconds=0.0):
         self._core, self._seconds = core, seconds
@@ -627,6 +629,13 @@ class Motion(_Result, Table):
         """float: the same over the root mean square of mu."""
         return self._core.relative_error()
 
+    def picture(self, extension="png", *options):
+        """The motion as a picture of all its lines, drawn by the program: bytes of PNG, SVG or PDF.
+        options: more options of ``asperity motion``."""
+        from .pictures import draw
+
+        return draw("motion", self.scene, *self._options, *options, extension=extension)
+
 
 def march(scene, *, every=1, lines=1, threads=0, progress=None):
     """A motion that is not steady, in time, as ``asperity motion``.
@@ -637,7 +646,9 @@ def march(scene, *, every=1, lines=1, threads=0, progress=None):
     ``contact_fraction``, ``contact_spots``, ``power_in``, ``power_dissipated`` (W),
     ``mu_interface``, ``realization``.
     """
-    return Motion(*_timed(_core.march, _scene(scene)._core, every, lines, threads, progress))
+    found = Motion(*_timed(_core.march, _scene(scene)._core, every, lines, threads, progress))
+    found._options = ("--every", str(every), "--lines", str(lines))
+    return found
 
 
 class Surface(_Result, Table):
@@ -791,6 +802,11 @@ class Fit:
     def to_json(self):
         """The text of fit.json."""
         return self._core.json()
+
+    def save(self, file):
+        """Write fit.json. ``asperity open --remake`` makes it again where all tables are files."""
+        with open(file, "w", encoding="utf-8") as opened:
+            opened.write(self.to_json())
 
     def __repr__(self):
         values = ", ".join(f"{row['key']} = {row['value']:.5g} ({row['low']:.5g} to "

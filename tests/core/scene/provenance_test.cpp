@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -128,6 +131,65 @@ TEST(Provenance, RefusesFilesWithoutAScene) {
               HasSubstr("load.normal_force"));
   EXPECT_THAT(refusal(folder / "gone.png"), HasSubstr("cannot be opened"));
   EXPECT_THAT(refusal(folder.path()), HasSubstr("is a folder"));
+}
+
+TEST(Provenance, TheInnermostOptionsOfTheThreadStandBeforeTheScene) {
+  EXPECT_FALSE(provenance("curve", awkwardScene()).contains("options"));
+  using Json = nlohmann::ordered_json;
+  const ProvenanceOptions outer(Json{{"size", "4x3"}});
+  {
+    const ProvenanceOptions inner(Json{{"size", "2x2"}, {"file", "fit"}});
+    const std::string text = provenance("fit", awkwardScene()).dump();
+    EXPECT_THAT(text, HasSubstr(R"("options":{"size":"2x2","file":"fit"},"scene":)"));
+    std::thread([] {
+      EXPECT_FALSE(provenance("curve", awkwardScene()).contains("options"));
+    }).join();
+  }
+  EXPECT_EQ(provenance("curve", awkwardScene())["options"]["size"], "4x3");
+}
+
+/// A result stands in a folder of its own; what it was made from is above it.
+TEST(Provenance, InputsAreFoundInTheFoldersAbove) {
+  const TemporaryFolder folder;
+  const std::filesystem::path deep = folder.path() / "out" / "fit";
+  std::filesystem::create_directories(deep);
+  folder.write("data.csv", "velocity,mu\n1,0.1\n");
+  Scene scene = awkwardScene();
+  scene.folder = folder.path();
+  scene.comparison.data = {{"data.csv", "A"}};
+  const auto file = folder.write("out/fit/a.csv", provenanceComment("fit", scene) + "x\n");
+  EXPECT_EQ(findScene(file).scene.folder, folder.path());
+  const FoundScene found = findResult(file);
+  ASSERT_EQ(inputsOf(found).size(), 1U);
+  EXPECT_EQ(inputsOf(found)[0].key, "comparison.data");
+  EXPECT_EQ(inputsOf(found)[0].sha256.size(), 64U);
+  // Another file of this name that is nearer is not the one.
+  folder.write("out/data.csv", "velocity,mu\n1,0.2\n");
+  EXPECT_EQ(findScene(file).scene.folder, folder.path());
+  std::filesystem::remove(folder / "data.csv");
+  EXPECT_THAT(refusal(file), HasSubstr("data.csv: it is another file now"));
+  std::filesystem::remove(folder / "out/data.csv");
+  EXPECT_EQ(findScene(file).scene.folder, deep);  // the command says that it is missing
+}
+
+TEST(Provenance, ResultsOfManyScenesOrNoneAreForRemakingAlone) {
+  const TemporaryFolder folder;
+  const std::string one = writeScene(awkwardScene());
+  const std::string scenes = R"({"verb":"batch","scenes":[{"name":"a","scene":)" + one +
+                             R"(},{"name":"b","error":"why"}]})";
+  const auto many = folder.write(
+      "m.csv", "# asperity: " + nlohmann::ordered_json::parse(scenes).dump() + "\nx\n");
+  EXPECT_THAT(refusal(many), HasSubstr("shows many scenes"));
+  const FoundScene found = findResult(many);
+  ASSERT_EQ(found.parts.size(), 2U);
+  EXPECT_EQ(writeScene(found.parts[0].scene), one);
+  EXPECT_EQ(found.parts[1].origin["error"], "why");
+  const auto none = folder.write(
+      "n.json", R"({"verb":"material","origin":{"file":"dma.csv","sha256":"0"},"name":"x"})");
+  EXPECT_NE(refusal(none), "");
+  const FoundScene material = findResult(none);
+  EXPECT_EQ(material.verb, "material");
+  EXPECT_EQ(inputsOf(material)[0].name, "dma.csv");
 }
 
 /// Brackets within brackets: a parser that calls itself for each would run out of its stack.

@@ -25,6 +25,30 @@ void checkNoInput(const std::filesystem::path& file, const Scene& scene) {
       throw InputError(file.string(), "", "is what is read, and would be replaced");
 }
 
+/// The options of the command for a file of this name.
+nlohmann::ordered_json optionsOf(const FittedCurve& fitted, const std::string& name,
+                                 const nlohmann::ordered_json& language = {}) {
+  nlohmann::ordered_json options = fitOptions(fitted.varied, fitted.hasProfiles);
+  if (!language.is_null()) options["language"] = language;
+  options["file"] = name;
+  return options;
+}
+
+/// The provenance of a picture, as the command writes it.
+std::string originOf(const FittedCurve& fitted, const std::string& name) {
+  nlohmann::ordered_json picture = {
+      {"size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
+      {"scale", 1.0F},
+      {"theme", "print"},
+      {"transparent", false}};
+  addLanguage(picture);
+  const ProvenanceOptions options(
+      optionsOf(fitted, name, picture.value("language", nlohmann::ordered_json())));
+  nlohmann::ordered_json origin = fitProvenance(fitted.start, fitted.fit);
+  origin["picture"] = std::move(picture);
+  return provenanceLine(origin);
+}
+
 }  // namespace
 
 QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted) {
@@ -32,13 +56,10 @@ QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted)
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder))
     throw InputError(folder, "", "is not a folder and cannot be made one");
-  const FitReport report = fitReport(fitted, folder);
-  nlohmann::ordered_json origin = provenance("fit", fitted.fit.scene);
-  origin["picture"] = {{"size", std::to_string(kWidth) + "x" + std::to_string(kHeight)},
-                       {"scale", 1.0F},
-                       {"theme", "print"},
-                       {"transparent", false}};
-  addLanguage(origin["picture"]);
+  const FitReport report = [&] {
+    const ProvenanceOptions options(optionsOf(fitted, "fit"));
+    return fitReport(fitted, folder);
+  }();
 
   // All names are checked before the first file is written.
   const std::filesystem::path within(folder);
@@ -56,9 +77,10 @@ QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted)
   options.theme = printTheme();
   for (const NamedSheet& sheet : report.sheets) {
     const DrawList picture = composeDiagrams(sheet.sheet, options);
+    const std::string origin = originOf(fitted, sheet.name);
     for (const char* extension : {".png", ".svg", ".pdf"})
       writePicture(within / (sheet.name + extension), picture,
-                   {translated(sheet.sheet.title), provenanceLine(origin), 1});
+                   {translated(sheet.sheet.title), origin, 1});
   }
   // The first text, which says what the others are, is the last to be written.
   for (auto text = report.texts.rbegin(); text != report.texts.rend(); ++text)
