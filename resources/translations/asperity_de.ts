@@ -822,6 +822,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::ContactWords</name>
+    <message>
+        <source>The contact in words</source>
+        <translation>Der Kontakt in Worten</translation>
+    </message>
+    <message>
+        <source>state of the contact</source>
+        <translation>Zustand des Kontakts</translation>
+    </message>
+    <message>
+        <source>&amp;Renew</source>
+        <translation>&amp;Erneuern</translation>
+    </message>
+    <message>
+        <source>The state at this moment (%1)</source>
+        <translation>Der Zustand in diesem Augenblick (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::CurveCommands</name>
     <message>
         <source>Pin curve</source>
@@ -2551,6 +2578,10 @@
     <message>
         <source>Fine step</source>
         <translation>Feiner Schritt</translation>
+    </message>
+    <message>
+        <source>Describe the contact</source>
+        <translation>Kontakt beschreiben</translation>
     </message>
 </context>
 <context>

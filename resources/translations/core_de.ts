@@ -2963,6 +2963,98 @@
         <translation>wenige Kontakte tragen die Last: Ergebnisse hängen von den einzelnen Gipfeln dieser Linie und von ihrer Länge ab</translation>
     </message>
     <message>
+        <source>At %1 of the motion the rigid line rests.</source>
+        <translation>Bei %1 der Bewegung ruht die starre Linie.</translation>
+    </message>
+    <message>
+        <source>At %1 of the motion the rigid line slides to the right at %2.</source>
+        <translation>Bei %1 der Bewegung gleitet die starre Linie mit %2 nach rechts.</translation>
+    </message>
+    <message>
+        <source>At %1 of the motion the rigid line slides to the left at %2.</source>
+        <translation>Bei %1 der Bewegung gleitet die starre Linie mit %2 nach links.</translation>
+    </message>
+    <message>
+        <source>The rigid line rests.</source>
+        <translation>Die starre Linie ruht.</translation>
+    </message>
+    <message>
+        <source>The rigid line slides to the right at %1.</source>
+        <translation>Die starre Linie gleitet mit %1 nach rechts.</translation>
+    </message>
+    <message>
+        <source>The rigid line slides to the left at %1.</source>
+        <translation>Die starre Linie gleitet mit %1 nach links.</translation>
+    </message>
+    <message>
+        <source>It presses with %1; its lowest point is %2 below the undeformed surface.</source>
+        <translation>Sie drückt mit %1; ihr tiefster Punkt liegt %2 unter der unverformten Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The bodies do not touch.</source>
+        <translation>Die Körper berühren sich nicht.</translation>
+    </message>
+    <message>
+        <source>All of the surface is in contact.</source>
+        <translation>Die ganze Oberfläche ist in Kontakt.</translation>
+    </message>
+    <message>
+        <source>They touch at one contact of %1, which is %2 % of the period of %3.</source>
+        <translation>Sie berühren sich in einem Kontakt von %1, das sind %2 % der Periode von %3.</translation>
+    </message>
+    <message>
+        <source>They touch at %1 contacts, %2 % of the period of %3; the longest contact is %4.</source>
+        <translation>Sie berühren sich in %1 Kontakten, auf %2 % der Periode von %3; der längste Kontakt misst %4.</translation>
+    </message>
+    <message>
+        <source>Without a normal force there is no friction.</source>
+        <translation>Ohne Normalkraft gibt es keine Reibung.</translation>
+    </message>
+    <message>
+        <source>At rest there is no friction here.</source>
+        <translation>In Ruhe gibt es hier keine Reibung.</translation>
+    </message>
+    <message>
+        <source>Friction cannot be read here: elements or time steps are too coarse for it.</source>
+        <translation>Die Reibung ist hier nicht ablesbar: Elemente oder Zeitschritte sind zu grob dafür.</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction is %1, all of it from the interface.</source>
+        <translation>Die Reibungszahl ist %1 und kommt ganz aus der Grenzfläche.</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction is %1: %2 from the deformation of the elastomer and %3 from the interface.</source>
+        <translation>Die Reibungszahl ist %1: %2 aus der Verformung des Elastomers und %3 aus der Grenzfläche.</translation>
+    </message>
+    <message>
+        <source>There is no friction: an elastic body gives back all the work of its deformation.</source>
+        <translation>Es gibt keine Reibung: Ein elastischer Körper gibt alle Arbeit seiner Verformung zurück.</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction is %1: a tangential force of %2, all of it from the deformation of the elastomer.</source>
+        <translation>Die Reibungszahl ist %1: eine Tangentialkraft von %2, ganz aus der Verformung des Elastomers.</translation>
+    </message>
+    <message>
+        <source>The mean of %1 lines is %2 ± %3 %.</source>
+        <translation>Das Mittel von %1 Linien ist %2 ± %3 %.</translation>
+    </message>
+    <message>
+        <source>This is region %1 of the friction curve, %2.</source>
+        <translation>Das ist Bereich %1 der Reibungskurve, %2.</translation>
+    </message>
+    <message>
+        <source>The picture still moves to the steady state, whose coefficient is %1.</source>
+        <translation>Das Bild bewegt sich noch zum stationären Zustand mit der Reibungszahl %1.</translation>
+    </message>
+    <message>
+        <source>The picture still moves to the steady state.</source>
+        <translation>Das Bild bewegt sich noch zum stationären Zustand.</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>Zu beachten: %1.</translation>
+    </message>
+    <message>
         <source>sliding excites frequencies outside of those that the elastomer was measured at</source>
         <translation>das Gleiten regt Frequenzen außerhalb derer an, bei denen das Elastomer gemessen wurde</translation>
     </message>

@@ -88,6 +88,7 @@ ContactCanvas::ContactCanvas(QWidget* parent)
     useSoftware();
   keepTranslated(*this, [this] {
     setAccessibleName(tr("contact view"));
+    setAccessibleDescription({});  // what was said last, in the language of before
     refresh();  // the picture contains texts
   });
 }

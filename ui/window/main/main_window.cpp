@@ -27,6 +27,7 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/contact/contact_words.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/contact/time_bar.h"
 #include "ui/window/curve/axis_choosers.h"
@@ -230,6 +231,10 @@ void MainWindow::buildCommands() {
                   [this] { session_->reset(); },
                   {Qt::Key_R},
                   Symbol::Reset});
+  commands_->add({"describe",
+                  [] { return tr("Describe the contact"); },
+                  [this] { ContactWords::speak(*session_, *canvas_, *this); },
+                  {Qt::CTRL | Qt::Key_D}});
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
   figures_->addTo(*commands_);
@@ -375,7 +380,7 @@ void MainWindow::connectFrames() {
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
     // The space bar presses the buttons of the page of figures; it does not pause the run behind
     // it.
-    for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset"}))
+    for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset", "describe"}))
       action->setEnabled(!areShown);
     followVisibility();
     if (areShown) return;

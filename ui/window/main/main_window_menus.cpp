@@ -79,6 +79,8 @@ void MainWindow::buildMenus() {
   view.setToolTipsVisible(true);
   addContactViewActions(*canvas_, view);
   view.addSeparator();
+  add(view, {"describe"});
+  view.addSeparator();
   windowLayout_->fillMenu(view);
   view.addSeparator();
   fillLanguages(view);
