@@ -2551,6 +2551,10 @@
         <translation>%1 von %2 Linien</translation>
     </message>
     <message>
+        <source>%1 % of the curve</source>
+        <translation>%1 % der Kurve</translation>
+    </message>
+    <message>
         <source>now</source>
         <translation>jetzt</translation>
     </message>
@@ -5964,6 +5968,54 @@
     <message>
         <source>How far friction changes where the same lines are computed with another setting.</source>
         <translation>Wie weit sich die Reibung ändert, wenn dieselben Linien mit einer anderen Einstellung berechnet werden.</translation>
+    </message>
+    <message>
+        <source>The rigid line and what is above it. It slides and does not deform.</source>
+        <translation>Die starre Linie und was über ihr liegt. Sie gleitet und verformt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Springs and dashpots side by side, each for itself; arms are springs and dashpots in series beside them.</source>
+        <translation>Federn und Dämpfer nebeneinander, jedes Paar für sich; Arme sind Federn und Dämpfer in Reihe daneben.</translation>
+    </message>
+    <message>
+        <source>How many times slower than in truth the picture moves; below the contact it can be chosen.</source>
+        <translation>Wievielmal langsamer als in Wirklichkeit sich das Bild bewegt; unter dem Kontakt ist es wählbar.</translation>
+    </message>
+    <message>
+        <source>Line load: the force with which the bodies press on each other, per length of the line.</source>
+        <translation>Linienlast: die Kraft, mit der die Körper aufeinander drücken, je Länge der Linie.</translation>
+    </message>
+    <message>
+        <source>The glow is brighter and deeper where the pressure is larger. It does not show how deep stresses reach, which the model does not know.</source>
+        <translation>Das Leuchten ist heller und tiefer, wo der Druck größer ist. Es zeigt nicht, wie tief Spannungen reichen: Das weiß das Modell nicht.</translation>
+    </message>
+    <message>
+        <source>How long ago the elastomer was in contact at this place. It recovers within a few relaxation times.</source>
+        <translation>Wie lange das Elastomer an dieser Stelle schon nicht mehr in Kontakt ist. Es erholt sich binnen weniger Relaxationszeiten.</translation>
+    </message>
+    <message>
+        <source>What the dashpots and, in contact, the interface turn into heat, per length of the line; of the free surface, too, while it recovers.</source>
+        <translation>Was die Dämpfer und im Kontakt die Grenzfläche in Wärme verwandeln, je Länge der Linie; auch von der freien Oberfläche, solange sie sich erholt.</translation>
+    </message>
+    <message>
+        <source>A contact too narrow to be seen at this size stands under the dot.</source>
+        <translation>Unter dem Punkt liegt ein Kontakt, der zu schmal ist, um in dieser Größe sichtbar zu sein.</translation>
+    </message>
+    <message>
+        <source>Heights are drawn this many times larger than lengths; true slopes are as many times flatter.</source>
+        <translation>Höhen sind um diesen Faktor größer gezeichnet als Längen; wirkliche Steigungen sind um ihn flacher.</translation>
+    </message>
+    <message>
+        <source>The place in the direction of sliding. The line repeats after its period.</source>
+        <translation>Der Ort in Gleitrichtung. Die Linie wiederholt sich nach ihrer Periode.</translation>
+    </message>
+    <message>
+        <source>0 is the surface of the elastomer where nothing has pressed on it.</source>
+        <translation>0 ist die Oberfläche des Elastomers, wo nichts auf sie gedrückt hat.</translation>
+    </message>
+    <message>
+        <source>Of deformation and interface together: friction force over normal force.</source>
+        <translation>Von Verformung und Grenzfläche zusammen: Reibungskraft durch Normalkraft.</translation>
     </message>
     <message>
         <source>Coefficient of friction: what deforming the elastomer costs, over the normal force.</source>

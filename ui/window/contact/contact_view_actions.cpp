@@ -201,6 +201,23 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
       });
 }
 
+/// Adds to the picture's own menu what leads to the guide: it speaks of what is under the pointer.
+void addGuide(ContactCanvas& canvas) {
+  auto* separator = new QAction(&canvas);
+  separator->setSeparator(true);
+  canvas.addAction(separator);
+  auto* action = new QAction(&canvas);
+  action->setObjectName("aboutContact");
+  keepTranslated(canvas, [action] {
+    action->setText(ViewActionText::tr("Read about it in the guide"));
+    action->setToolTip(
+        ViewActionText::tr("Opens the guide at what is under the pointer: a reading, a label, the "
+                           "colours"));
+  });
+  QObject::connect(action, &QAction::triggered, &canvas, &ContactCanvas::readAbout);
+  canvas.addAction(action);
+}
+
 }  // namespace
 
 void addContactViewActions(ContactCanvas& canvas, QMenu& menu) {
@@ -211,6 +228,7 @@ void addContactViewActions(ContactCanvas& canvas, QMenu& menu) {
   addSwitches(canvas, menu);
   addSeparator(canvas, menu);
   addColours(canvas, menu);
+  addGuide(canvas);
 }
 
 }  // namespace asperity

@@ -280,6 +280,7 @@ void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
+  connect(canvas_, &ContactCanvas::guideWanted, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
