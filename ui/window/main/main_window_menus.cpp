@@ -55,7 +55,7 @@ void MainWindow::buildMenus() {
   file.addSeparator();
   add(file, {"save", "saveAs"});
   file.addSeparator();
-  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable"});
+  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable", "exportFigure"});
   file.addSeparator();
   add(file, {"quit"});
 
