@@ -1,6 +1,8 @@
 #include "ui/window/main/scene_tabs.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QFontMetrics>
 #include <QMenu>
 #include <QResizeEvent>
@@ -154,9 +156,11 @@ void SceneTabs::fitTitles() {
       if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * air;
     return width;
   };
-  const bool isCrowded = needed(titles_, kTabAir) > width();
+  // Qt keeps room for the button in the corner, also where it is hidden.
+  const int room = width() - (cornerWidget() ? cornerWidget()->sizeHint().width() : 0);
+  const bool isCrowded = needed(titles_, kTabAir) > room;
   const QStringList& shown =
-      isCrowded && needed(titles_, kCrowdedTabAir) > width() ? briefTitles_ : titles_;
+      isCrowded && needed(titles_, kCrowdedTabAir) > room ? briefTitles_ : titles_;
   for (int i = 0; i < count(); ++i) {
     if (tabText(i) != shown[i]) setTabText(i, shown[i]);
     setTabToolTip(i, titles_[i]);
@@ -165,6 +169,9 @@ void SceneTabs::fitTitles() {
   tabBar()->setProperty("crowded", isCrowded);  // for the style sheet of the window
   tabBar()->style()->unpolish(tabBar());
   tabBar()->style()->polish(tabBar());
+  // The bar keeps the sizes of its tabs until it is told.
+  QEvent changed(QEvent::StyleChange);
+  QCoreApplication::sendEvent(tabBar(), &changed);
 }
 
 void SceneTabs::resizeEvent(QResizeEvent* event) {
