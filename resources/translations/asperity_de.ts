@@ -2577,8 +2577,8 @@
         <translation>Feiner Schritt</translation>
     </message>
     <message>
-        <source>Describe the contact</source>
-        <translation>Kontakt beschreiben</translation>
+        <source>Describe the contact in words</source>
+        <translation>Kontakt in Worten beschreiben</translation>
     </message>
 </context>
 <context>

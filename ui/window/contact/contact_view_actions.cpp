@@ -189,7 +189,8 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
   }
   menu.addMenu(colours);
   canvas.addAction(colours->menuAction());
-  add(canvas, menu,
+  colours->addSeparator();
+  add(canvas, *colours,
       {"nextOverlay",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Next colouring"),
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Switches to the next colouring"),

@@ -305,7 +305,11 @@ void ExportForm::fillSizes() {
 /// Shows the numbers of the named size.
 void ExportForm::takePreset() {
   const QString word = chosen(*preset_);
-  if (word == kOwn || isOfOwnSize()) return;
+  if (word == kOwn || word == kOfStyle) return;
+  if (isOfOwnSize()) {  // which the figure chooses
+    for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
+    return;
+  }
   SizePreset size{kUsual, 1200, 800, false, kScreen};
   if (chosen(*content_) == "motion") size.height = 1000;
   if (const QSize window = renderSize(shown_, chosen(*content_));

@@ -232,7 +232,7 @@ void MainWindow::buildCommands() {
                   {Qt::Key_R},
                   Symbol::Reset});
   commands_->add({"describe",
-                  [] { return tr("Describe the contact"); },
+                  [] { return tr("Describe the contact in words"); },
                   [this] { ContactWords::speak(*session_, *canvas_, *this); },
                   {Qt::CTRL | Qt::Key_D}});
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
