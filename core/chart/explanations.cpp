@@ -119,6 +119,49 @@ constexpr std::array kTable{
                 "How far friction changes where the same lines are computed with another setting.",
                 "accuracy"},
 
+    // ---- words and signs in the picture of the contact
+    Explanation{"rigid body", "z(x)",
+                "The rigid line and what is above it. It slides and does not deform.",
+                "rough-line"},
+    Explanation{"elastomer", "f = −4 Δx {G u + η ∂u/∂t}, Eq. (1)",
+                "Springs and dashpots side by side, each for itself; arms are springs and dashpots "
+                "in series beside them.",
+                "foundation"},
+    Explanation{"total friction", "μ_total = μ + μ_interface",
+                "Of deformation and interface together: friction force over normal force.",
+                "local-friction"},
+    Explanation{"slow motion", "",
+                "How many times slower than in truth the picture moves; below the contact it can "
+                "be chosen.",
+                "motion"},
+    Explanation{"contact pressure", "p = −4 (G u + η ∂u/∂t)",
+                "Line load: the force with which the bodies press on each other, per length of the "
+                "line.",
+                "foundation"},
+    Explanation{"glow of the pressure", "p = −4 (G u + η ∂u/∂t)",
+                "The glow is brighter and deeper where the pressure is larger. It does not show "
+                "how deep stresses reach, which the model does not know.",
+                "foundation"},
+    Explanation{"time since contact", "u ∝ exp(−t/τ)",
+                "How long ago the elastomer was in contact at this place. It recovers within a few "
+                "relaxation times.",
+                "foundation"},
+    Explanation{"dissipated power", "4 η (∂u/∂t)²",
+                "What the dashpots and, in contact, the interface turn into heat, per length of "
+                "the line; of the free surface, too, while it recovers.",
+                "steady"},
+    Explanation{"dot at a contact", "",
+                "A contact too narrow to be seen at this size stands under the dot.", "foundation"},
+    Explanation{"vertical exaggeration", "",
+                "Heights are drawn this many times larger than lengths; true slopes are as many "
+                "times flatter.",
+                "rough-line"},
+    Explanation{"position along the line", "0 ≤ x < L",
+                "The place in the direction of sliding. The line repeats after its period.",
+                "rough-line"},
+    Explanation{"height above the surface", "u = z − d in contact",
+                "0 is the surface of the elastomer where nothing has pressed on it.", "foundation"},
+
     // ---- numbered equations of the paper
     Explanation{"Eq. (1)", "f = −4 Δx {G u + η ∂u/∂t}",
                 "Force of one element of the elastomer: a spring and a dashpot side by side.",

@@ -487,6 +487,14 @@
         <source>the map</source>
         <translation>die Karte</translation>
     </message>
+    <message>
+        <source>height above the undeformed surface</source>
+        <translation>Höhe über der unverformten Oberfläche</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
 </context>
 <context>
     <name>asperity::AccuracyPanel</name>
@@ -834,6 +842,33 @@
     </message>
 </context>
 <context>
+    <name>asperity::ContactWords</name>
+    <message>
+        <source>The contact in words</source>
+        <translation>Der Kontakt in Worten</translation>
+    </message>
+    <message>
+        <source>state of the contact</source>
+        <translation>Zustand des Kontakts</translation>
+    </message>
+    <message>
+        <source>&amp;Renew</source>
+        <translation>&amp;Erneuern</translation>
+    </message>
+    <message>
+        <source>The state at this moment (%1)</source>
+        <translation>Der Zustand in diesem Augenblick (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+</context>
+<context>
     <name>asperity::CurveCommands</name>
     <message>
         <source>Pin curve</source>
@@ -1151,6 +1186,14 @@
         <source>Cance&amp;l</source>
         <translation>Ab&amp;brechen</translation>
     </message>
+    <message>
+        <source>Figure 2 of them.</source>
+        <translation>Davon Abbildung 2.</translation>
+    </message>
+    <message>
+        <source>The folder %1 has files already. Replace those of the same names?</source>
+        <translation>Der Ordner %1 enthält schon Dateien. Gleichnamige ersetzen?</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportForm</name>
@@ -1390,6 +1433,34 @@
         <source>Any other options of the command, such as --font-size 9 --title none; asperity render --help lists them</source>
         <translation>Alle weiteren Optionen des Befehls, etwa --font-size 9 --title none; asperity render --help nennt sie</translation>
     </message>
+    <message>
+        <source>Figures of the paper</source>
+        <translation>Abbildungen der Arbeit</translation>
+    </message>
+    <message>
+        <source>A&amp;verage of lines</source>
+        <translation>Ge&amp;mittelte Linien</translation>
+    </message>
+    <message>
+        <source>Random lines over which each point is a mean; the paper has 200</source>
+        <translation>Zufällige Linien, über die jeder Punkt gemittelt ist; in der Arbeit sind es 200</translation>
+    </message>
+    <message>
+        <source>Figures 1 to 6</source>
+        <translation>Abbildungen 1 bis 6</translation>
+    </message>
+    <message>
+        <source>All figures</source>
+        <translation>Alle Abbildungen</translation>
+    </message>
+    <message>
+        <source>Folder of PNG frames</source>
+        <translation>Ordner mit PNG-Bildern</translation>
+    </message>
+    <message>
+        <source>Folder: PNG, SVG, PDF, CSV</source>
+        <translation>Ordner: PNG, SVG, PDF, CSV</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
@@ -1451,6 +1522,10 @@
     <message>
         <source>Export table…</source>
         <translation>Tabelle exportieren…</translation>
+    </message>
+    <message>
+        <source>Export figures of the paper…</source>
+        <translation>Abbildungen der Arbeit exportieren …</translation>
     </message>
 </context>
 <context>
@@ -1985,158 +2060,6 @@
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>Title</source>
-        <translation>Titel</translation>
-    </message>
-    <message>
-        <source>Goal</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
-        <source>Minutes</source>
-        <translation>Minuten</translation>
-    </message>
-    <message>
-        <source>Notes for teachers</source>
-        <translation>Für Lehrende</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>An empty line begins a paragraph; *word* and **word** emphasize; a line that begins with “- ” is an item</source>
-        <translation>Eine leere Zeile beginnt einen Absatz; *Wort* und **Wort** heben hervor; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
-    </message>
-    <message>
-        <source>Change of keys</source>
-        <translation>Geänderte Schlüssel</translation>
-    </message>
-    <message>
-        <source>Tab</source>
-        <translation>Reiter</translation>
-    </message>
-    <message>
-        <source>Vertical axis</source>
-        <translation>Senkrechte Achse</translation>
-    </message>
-    <message>
-        <source>Free controls</source>
-        <translation>Freie Regler</translation>
-    </message>
-    <message>
-        <source>Prediction</source>
-        <translation>Vorhersage</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>a choice</source>
-        <translation>eine Auswahl</translation>
-    </message>
-    <message>
-        <source>a number</source>
-        <translation>eine Zahl</translation>
-    </message>
-    <message>
-        <source>a point on the chart</source>
-        <translation>ein Punkt im Diagramm</translation>
-    </message>
-    <message>
-        <source>Question</source>
-        <translation>Frage</translation>
-    </message>
-    <message>
-        <source>choices</source>
-        <translation>Antworten zur Auswahl</translation>
-    </message>
-    <message>
-        <source>Choice</source>
-        <translation>Antwort</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Richtig</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Von</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>Bis</translation>
-    </message>
-    <message>
-        <source>Tick the right one; or leave all unticked, give the range of the computed answer for which each is right, and say below what is computed</source>
-        <translation>Haken Sie die richtige an; oder lassen Sie alle ohne Haken, geben Sie für jede an, in welchem Bereich der berechneten Antwort sie richtig ist, und unten, was berechnet wird</translation>
-    </message>
-    <message>
-        <source>Choices</source>
-        <translation>Antworten</translation>
-    </message>
-    <message>
-        <source>Computed answer</source>
-        <translation>Berechnete Antwort</translation>
-    </message>
-    <message>
-        <source>the value with these keys</source>
-        <translation>der Wert mit diesen Schlüsseln</translation>
-    </message>
-    <message>
-        <source>its ratio to the value of the step</source>
-        <translation>sein Verhältnis zum Wert des Schritts</translation>
-    </message>
-    <message>
-        <source>the place of the largest value</source>
-        <translation>die Stelle des größten Werts</translation>
-    </message>
-    <message>
-        <source>of the column</source>
-        <translation>der Spalte</translation>
-    </message>
-    <message>
-        <source>with the keys</source>
-        <translation>mit den Schlüsseln</translation>
-    </message>
-    <message>
-        <source>Place on the axis</source>
-        <translation>Stelle auf der Achse</translation>
-    </message>
-    <message>
-        <source>empty: the largest value is asked</source>
-        <translation>leer: nach dem größten Wert wird gefragt</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>If right</source>
-        <translation>Wenn richtig</translation>
-    </message>
-    <message>
-        <source>If wrong</source>
-        <translation>Wenn falsch</translation>
-    </message>
-    <message>
-        <source>{answer} and {given} stand for the two answers</source>
-        <translation>{answer} und {given} stehen für die beiden Antworten</translation>
-    </message>
-    <message>
-        <source>The curve is hidden until the answer</source>
-        <translation>Die Kurve ist bis zur Antwort verborgen</translation>
-    </message>
-    <message>
-        <source>Change when revealed</source>
-        <translation>Änderung beim Auflösen</translation>
-    </message>
-    <message>
-        <source>What is revealed</source>
-        <translation>Auflösung</translation>
-    </message>
-    <message>
         <source>&amp;Try this step</source>
         <translation>Schritt &amp;probieren</translation>
     </message>
@@ -2157,10 +2080,6 @@
         <translation>Lektionen (*.json)</translation>
     </message>
     <message>
-        <source>all</source>
-        <translation>alle</translation>
-    </message>
-    <message>
         <source>The lesson</source>
         <translation>Die Lektion</translation>
     </message>
@@ -2171,14 +2090,6 @@
     <message>
         <source>(no title)</source>
         <translation>(ohne Titel)</translation>
-    </message>
-    <message>
-        <source>%1 controls</source>
-        <translation>%1 Regler</translation>
-    </message>
-    <message>
-        <source>free controls: %1</source>
-        <translation>freie Regler: %1</translation>
     </message>
     <message>
         <source>step %1, </source>
@@ -2207,6 +2118,25 @@
     <message>
         <source>Lessons (*.json);;All files (*)</source>
         <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonHeadPage</name>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>Notes for teachers</source>
+        <translation>Für Lehrende</translation>
     </message>
 </context>
 <context>
@@ -2357,6 +2287,100 @@
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonStepPage</name>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>An empty line begins a paragraph; *word* and **word** emphasize; a line that begins with “- ” is an item</source>
+        <translation>Eine leere Zeile beginnt einen Absatz; *Wort* und **Wort** heben hervor; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
+    </message>
+    <message>
+        <source>Change of keys</source>
+        <translation>Geänderte Schlüssel</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Reiter</translation>
+    </message>
+    <message>
+        <source>Vertical axis</source>
+        <translation>Senkrechte Achse</translation>
+    </message>
+    <message>
+        <source>Free controls</source>
+        <translation>Freie Regler</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>%1 controls</source>
+        <translation>%1 Regler</translation>
+    </message>
+    <message>
+        <source>free controls: %1</source>
+        <translation>freie Regler: %1</translation>
+    </message>
+</context>
+<context>
+    <name>asperity::LessonValueFields</name>
+    <message>
+        <source>Computed answer</source>
+        <translation>Berechnete Antwort</translation>
+    </message>
+    <message>
+        <source>the value with these keys</source>
+        <translation>der Wert mit diesen Schlüsseln</translation>
+    </message>
+    <message>
+        <source>its ratio to the value of the step</source>
+        <translation>sein Verhältnis zum Wert des Schritts</translation>
+    </message>
+    <message>
+        <source>the place of the largest value</source>
+        <translation>die Stelle des größten Werts</translation>
+    </message>
+    <message>
+        <source>the exponent with which it depends on a key</source>
+        <translation>der Exponent, mit dem er von einem Schlüssel abhängt</translation>
+    </message>
+    <message>
+        <source>of the column</source>
+        <translation>der Spalte</translation>
+    </message>
+    <message>
+        <source>over the key</source>
+        <translation>über dem Schlüssel</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Two values of the key, both above 0, between which the slope of the curve in logarithms is computed</source>
+        <translation>Zwei Werte des Schlüssels über 0, zwischen denen die Steigung der Kurve in Logarithmen berechnet wird</translation>
+    </message>
+    <message>
+        <source>with the keys</source>
+        <translation>mit den Schlüsseln</translation>
     </message>
 </context>
 <context>
@@ -2567,6 +2591,10 @@
     <message>
         <source>Fine step</source>
         <translation>Feiner Schritt</translation>
+    </message>
+    <message>
+        <source>Describe the contact in words</source>
+        <translation>Kontakt in Worten beschreiben</translation>
     </message>
 </context>
 <context>
@@ -3064,6 +3092,97 @@
     </message>
 </context>
 <context>
+    <name>asperity::PredictionFields</name>
+    <message>
+        <source>Prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>a choice</source>
+        <translation>eine Auswahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a point on the chart</source>
+        <translation>ein Punkt im Diagramm</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>Place on the axis</source>
+        <translation>Stelle auf der Achse</translation>
+    </message>
+    <message>
+        <source>empty: the largest value is asked</source>
+        <translation>leer: nach dem größten Wert wird gefragt</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>If right</source>
+        <translation>Wenn richtig</translation>
+    </message>
+    <message>
+        <source>If wrong</source>
+        <translation>Wenn falsch</translation>
+    </message>
+    <message>
+        <source>{answer} and {given} stand for the two answers</source>
+        <translation>{answer} und {given} stehen für die beiden Antworten</translation>
+    </message>
+    <message>
+        <source>The curve is hidden until the answer</source>
+        <translation>Die Kurve ist bis zur Antwort verborgen</translation>
+    </message>
+    <message>
+        <source>Change when revealed</source>
+        <translation>Änderung beim Auflösen</translation>
+    </message>
+    <message>
+        <source>What is revealed</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>choices</source>
+        <translation>Antworten zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Choice</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Tick the right one; or leave all unticked, give the range of the computed answer for which each is right, and say below what is computed</source>
+        <translation>Haken Sie die richtige an; oder lassen Sie alle ohne Haken, geben Sie für jede an, in welchem Bereich der berechneten Antwort sie richtig ist, und unten, was berechnet wird</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Antworten</translation>
+    </message>
+</context>
+<context>
     <name>asperity::PredictionPoint</name>
     <message>
         <source>Drag up and down, or use the arrow keys (with Shift finer)</source>
@@ -3384,6 +3503,14 @@
     <message>
         <source>Influences</source>
         <translation>Einflüsse</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Verlauf</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4169,14 @@
         <source>Less velocity; also by dragging its arrow to the left</source>
         <translation>Weniger Geschwindigkeit; auch durch Ziehen ihres Pfeils nach links</translation>
     </message>
+    <message>
+        <source>Read about it in the guide</source>
+        <translation>Im Handbuch nachlesen</translation>
+    </message>
+    <message>
+        <source>Opens the guide at what is under the pointer: a reading, a label, the colours</source>
+        <translation>Öffnet das Handbuch bei dem, was unter dem Zeiger ist: Messwert, Beschriftung, Farben</translation>
+    </message>
 </context>
 <context>
     <name>asperity::WindowLayout</name>
@@ -4071,14 +4206,6 @@
     <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>height above the undeformed surface</source>
-        <translation>Höhe über der unverformten Oberfläche</translation>
-    </message>
-    <message>
-        <source>height</source>
-        <translation>Höhe</translation>
     </message>
     <message>
         <source>μ of the interface</source>

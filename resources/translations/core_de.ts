@@ -5598,6 +5598,102 @@
         <source>%1 needs an elastomer of one relaxation time, whose curve has regions I to IV</source>
         <translation>%1 braucht ein Elastomer mit einer einzigen Relaxationszeit, dessen Kurve die Bereiche I bis IV hat</translation>
     </message>
+    <message>
+        <source>%1 % of the curve</source>
+        <translation>%1 % der Kurve</translation>
+    </message>
+    <message>
+        <source>At %1 of the motion the rigid line rests.</source>
+        <translation>Bei %1 der Bewegung ruht die starre Linie.</translation>
+    </message>
+    <message>
+        <source>At %1 of the motion the rigid line slides to the right at %2.</source>
+        <translation>Bei %1 der Bewegung gleitet die starre Linie mit %2 nach rechts.</translation>
+    </message>
+    <message>
+        <source>At %1 of the motion the rigid line slides to the left at %2.</source>
+        <translation>Bei %1 der Bewegung gleitet die starre Linie mit %2 nach links.</translation>
+    </message>
+    <message>
+        <source>The rigid line rests.</source>
+        <translation>Die starre Linie ruht.</translation>
+    </message>
+    <message>
+        <source>The rigid line slides to the right at %1.</source>
+        <translation>Die starre Linie gleitet mit %1 nach rechts.</translation>
+    </message>
+    <message>
+        <source>The rigid line slides to the left at %1.</source>
+        <translation>Die starre Linie gleitet mit %1 nach links.</translation>
+    </message>
+    <message>
+        <source>It presses with %1; its lowest point is %2 below the undeformed surface.</source>
+        <translation>Sie drückt mit %1; ihr tiefster Punkt liegt %2 unter der unverformten Oberfläche.</translation>
+    </message>
+    <message>
+        <source>The bodies do not touch.</source>
+        <translation>Die Körper berühren sich nicht.</translation>
+    </message>
+    <message>
+        <source>All of the surface is in contact.</source>
+        <translation>Die ganze Oberfläche ist in Kontakt.</translation>
+    </message>
+    <message>
+        <source>They touch at one contact of %1, which is %2 % of the period of %3.</source>
+        <translation>Sie berühren sich in einem Kontakt von %1, das sind %2 % der Periode von %3.</translation>
+    </message>
+    <message>
+        <source>They touch at %1 contacts, %2 % of the period of %3; the longest contact is %4.</source>
+        <translation>Sie berühren sich in %1 Kontakten, auf %2 % der Periode von %3; der längste Kontakt misst %4.</translation>
+    </message>
+    <message>
+        <source>Without a normal force there is no friction.</source>
+        <translation>Ohne Normalkraft gibt es keine Reibung.</translation>
+    </message>
+    <message>
+        <source>At rest there is no friction here.</source>
+        <translation>In Ruhe gibt es hier keine Reibung.</translation>
+    </message>
+    <message>
+        <source>Friction cannot be read here: elements or time steps are too coarse for it.</source>
+        <translation>Die Reibung ist hier nicht ablesbar: Elemente oder Zeitschritte sind zu grob dafür.</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction is %1, all of it from the interface.</source>
+        <translation>Die Reibungszahl ist %1 und kommt ganz aus der Grenzfläche.</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction is %1: %2 from the deformation of the elastomer and %3 from the interface.</source>
+        <translation>Die Reibungszahl ist %1: %2 aus der Verformung des Elastomers und %3 aus der Grenzfläche.</translation>
+    </message>
+    <message>
+        <source>There is no friction: an elastic body gives back all the work of its deformation.</source>
+        <translation>Es gibt keine Reibung: Ein elastischer Körper gibt alle Arbeit seiner Verformung zurück.</translation>
+    </message>
+    <message>
+        <source>The coefficient of friction is %1: a tangential force of %2, all of it from the deformation of the elastomer.</source>
+        <translation>Die Reibungszahl ist %1: eine Tangentialkraft von %2, ganz aus der Verformung des Elastomers.</translation>
+    </message>
+    <message>
+        <source>The mean of %1 lines is %2 ± %3 %.</source>
+        <translation>Das Mittel von %1 Linien ist %2 ± %3 %.</translation>
+    </message>
+    <message>
+        <source>This is region %1 of the friction curve, %2.</source>
+        <translation>Das ist Bereich %1 der Reibungskurve, %2.</translation>
+    </message>
+    <message>
+        <source>The picture still moves to the steady state, whose coefficient is %1.</source>
+        <translation>Das Bild bewegt sich noch zum stationären Zustand mit der Reibungszahl %1.</translation>
+    </message>
+    <message>
+        <source>The picture still moves to the steady state.</source>
+        <translation>Das Bild bewegt sich noch zum stationären Zustand.</translation>
+    </message>
+    <message>
+        <source>Note: %1.</source>
+        <translation>Zu beachten: %1.</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -6096,6 +6192,54 @@
     <message>
         <source>The same with the slope in contact in the velocity.</source>
         <translation>Dasselbe mit der Steigung im Kontakt in der Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The rigid line and what is above it. It slides and does not deform.</source>
+        <translation>Die starre Linie und was über ihr liegt. Sie gleitet und verformt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Springs and dashpots side by side, each for itself; arms are springs and dashpots in series beside them.</source>
+        <translation>Federn und Dämpfer nebeneinander, jedes Paar für sich; Arme sind Federn und Dämpfer in Reihe daneben.</translation>
+    </message>
+    <message>
+        <source>How many times slower than in truth the picture moves; below the contact it can be chosen.</source>
+        <translation>Wievielmal langsamer als in Wirklichkeit sich das Bild bewegt; unter dem Kontakt ist es wählbar.</translation>
+    </message>
+    <message>
+        <source>Line load: the force with which the bodies press on each other, per length of the line.</source>
+        <translation>Linienlast: die Kraft, mit der die Körper aufeinander drücken, je Länge der Linie.</translation>
+    </message>
+    <message>
+        <source>The glow is brighter and deeper where the pressure is larger. It does not show how deep stresses reach, which the model does not know.</source>
+        <translation>Das Leuchten ist heller und tiefer, wo der Druck größer ist. Es zeigt nicht, wie tief Spannungen reichen: Das weiß das Modell nicht.</translation>
+    </message>
+    <message>
+        <source>How long ago the elastomer was in contact at this place. It recovers within a few relaxation times.</source>
+        <translation>Wie lange das Elastomer an dieser Stelle schon nicht mehr in Kontakt ist. Es erholt sich binnen weniger Relaxationszeiten.</translation>
+    </message>
+    <message>
+        <source>What the dashpots and, in contact, the interface turn into heat, per length of the line; of the free surface, too, while it recovers.</source>
+        <translation>Was die Dämpfer und im Kontakt die Grenzfläche in Wärme verwandeln, je Länge der Linie; auch von der freien Oberfläche, solange sie sich erholt.</translation>
+    </message>
+    <message>
+        <source>A contact too narrow to be seen at this size stands under the dot.</source>
+        <translation>Unter dem Punkt liegt ein Kontakt, der zu schmal ist, um in dieser Größe sichtbar zu sein.</translation>
+    </message>
+    <message>
+        <source>Heights are drawn this many times larger than lengths; true slopes are as many times flatter.</source>
+        <translation>Höhen sind um diesen Faktor größer gezeichnet als Längen; wirkliche Steigungen sind um ihn flacher.</translation>
+    </message>
+    <message>
+        <source>The place in the direction of sliding. The line repeats after its period.</source>
+        <translation>Der Ort in Gleitrichtung. Die Linie wiederholt sich nach ihrer Periode.</translation>
+    </message>
+    <message>
+        <source>0 is the surface of the elastomer where nothing has pressed on it.</source>
+        <translation>0 ist die Oberfläche des Elastomers, wo nichts auf sie gedrückt hat.</translation>
+    </message>
+    <message>
+        <source>Of deformation and interface together: friction force over normal force.</source>
+        <translation>Von Verformung und Grenzfläche zusammen: Reibungskraft durch Normalkraft.</translation>
     </message>
 </context>
 </TS>

@@ -77,9 +77,18 @@ void setRange(DiagramAxis& axis, const AxisRange& range) {
   axis.to = isLinear ? range.to : std::pow(10, range.to);
 }
 
+/// Returns "33 % of the curve". Over another key than velocity every value may have lines of its
+/// own, whose number would not be that of the legend.
+Message partOf(const CurveUpdate& curve) {
+  const double part = static_cast<double>(curve.realizationsDone) /
+                      static_cast<double>(std::max<std::int64_t>(curve.realizationsTotal, 1));
+  return message("{} % of the curve", static_cast<int>(100 * part));
+}
+
 /// Returns a text for the finished part of a curve while it is averaged.
 Message shareOf(const CurveUpdate& curve) {
   if (curve.isComplete) return {};
+  if (!curve.scene->sweep.isOfVelocity()) return partOf(curve);
   return message("{} of {} lines", curve.realizationsDone, curve.realizationsTotal);
 }
 
@@ -429,7 +438,12 @@ Message FrictionChartModel::status() const {
   if (!curve_) return "no curve yet";
   if (isStale()) return "curve of the scene before";
   if (!mayHaveManyLines(curve_->scene->surface)) return {};
-  return message("{} of {} realizations", curve_->realizationsDone, curve_->realizationsTotal);
+  std::int64_t done = curve_->realizationsDone, total = curve_->realizationsTotal;
+  if (!curve_->scene->sweep.isOfVelocity()) {
+    if (!curve_->isComplete) return partOf(*curve_);
+    if (!curve_->points.empty()) done = total = curve_->points.front().realizations;
+  }
+  return message("{} of {} realizations", done, total);
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {

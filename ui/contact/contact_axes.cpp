@@ -54,11 +54,9 @@ void addHeightAxis(DrawList& list, DrawLayer& layer, const ContactLayout& layout
              TextAnchor::Right, layout.theme.faintText);
   }
   if (!layout.axisTitles) return;
-  const std::string unit = " (" + layout.heightTicks.unit + ")";
-  std::string title = Words::tr("height above the undeformed surface") + unit;
-  if (textWidth(title, s.small) > layout.plot.height) title = Words::tr("height") + unit;
-  addLabel(list, title, {std::round(s.small * 1.5F), layout.plot.y + layout.plot.height / 2},
-           s.small, TextAnchor::Centre, layout.theme.text, 1.57079633F);
+  addLabel(list, heightAxisTitle(layout),
+           {std::round(s.small * 1.5F), layout.plot.y + layout.plot.height / 2}, s.small,
+           TextAnchor::Centre, layout.theme.text, 1.57079633F);
 }
 
 /// Adds the numbers of both ends, on the title's line.
@@ -129,19 +127,34 @@ void addLegend(DrawList& list, DrawLayer& layer, const ContactLayout& layout) {
   layout.legend.inLine ? addNumbersBeside(list, layout) : addLegendLabels(list, layer, layout);
 }
 
-/// Adds as many notes as fit, the more important ones first.
 void addFooter(DrawList& list, const ContactLayout& layout, const Notes& notes) {
-  const float size = layout.sizes.small;
   std::string footer;
-  for (const std::string& note : notes) {
-    const std::string longer = footer.empty() ? note : footer + kNoteGap + note;
-    if (footer.empty() || textWidth(longer, size) <= layout.footerWidth) footer = longer;
-  }
-  addLabel(list, footer, {layout.plot.x, layout.footer}, size, TextAnchor::Left,
+  for (const FooterNote& note : shownNotes(layout, notes))
+    footer += footer.empty() ? note.text : kNoteGap + note.text;
+  addLabel(list, footer, {layout.plot.x, layout.footer}, layout.sizes.small, TextAnchor::Left,
            layout.theme.faintText);
 }
 
 }  // namespace
+
+std::string heightAxisTitle(const ContactLayout& layout) {
+  const std::string unit = " (" + layout.heightTicks.unit + ")";
+  const std::string title = Words::tr("height above the undeformed surface") + unit;
+  return textWidth(title, layout.sizes.small) > layout.plot.height ? Words::tr("height") + unit
+                                                                   : title;
+}
+
+Notes shownNotes(const ContactLayout& layout, const Notes& notes) {
+  Notes shown;
+  std::string footer;
+  for (const FooterNote& note : notes) {
+    const std::string longer = footer.empty() ? note.text : footer + kNoteGap + note.text;
+    if (!footer.empty() && textWidth(longer, layout.sizes.small) > layout.footerWidth) continue;
+    footer = longer;
+    shown.push_back(note);
+  }
+  return shown;
+}
 
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes) {
   DrawLayer layer;

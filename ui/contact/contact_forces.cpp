@@ -38,16 +38,6 @@ double velocityOf(const Frame& frame) {
   return frame.scene ? frame.scene->sliding.velocity : 0;
 }
 
-ContactState drawnState(const Frame& frame) {
-  if (frame.isSettling) return frame.drawn;
-  return {frame.indentation,
-          frame.normalForce,
-          frame.tangentialForce,
-          frame.contactFraction,
-          frame.transient ? frame.muMarch : frame.muSteady,
-          frame.muInterface};
-}
-
 bool hasInterface(const Frame& frame) {
   return frame.scene && hasLocalFriction(*frame.scene);
 }

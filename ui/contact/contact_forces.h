@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/run/contact_state.h"
 #include "ui/contact/contact_layout.h"
 
 namespace asperity {
@@ -41,10 +42,6 @@ void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
 
 /// Returns the present velocity, m/s; 0 without a scene.
 double velocityOf(const Frame& frame);
-
-/// Returns the state that is drawn: the steady state or, while the picture is still on its way
-/// there and for any other motion, the state at this time.
-ContactState drawnState(const Frame& frame);
 
 /// Returns whether there is local friction in addition to that of the deformation.
 bool hasInterface(const Frame& frame);

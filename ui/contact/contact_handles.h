@@ -2,6 +2,7 @@
 // the normal force, the velocity's arrow the velocity. Pure functions; any thread.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace asperity {
 
 enum class ContactHandle { None, Body, Force, Velocity };
 
+/// A label or an arrow.
 struct HandlePlace {
   ContactHandle handle = ContactHandle::None;
-  Clip box;  // pixels
+  Clip box;               // pixels
+  std::string_view id{};  // of its explanation (core/chart/explanations.h)
+  std::string name{};     // as it is written
 };
 
 /// Returns the labels and arrows of a picture that can be dragged.

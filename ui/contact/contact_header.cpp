@@ -4,6 +4,7 @@
 
 #include "ui/contact/contact_forces.h"
 #include "ui/contact/contact_parts.h"
+#include "ui/contact/contact_tags.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/translated.h"
 #include "ui/language/words.h"
@@ -16,6 +17,7 @@ struct Reading {
   std::string value;
   int rank = 0;  // the highest is left out first
   std::string tip;
+  std::string_view id;  // of its explanation
 };
 
 /// A reading with its place: the label's left end, and the baseline of its first row.
@@ -26,12 +28,6 @@ struct PlacedReading {
 
 float widthOf(const Reading& reading, const Sizes& s) {
   return std::max(textWidth(reading.label, s.small), textWidth(reading.value, s.body, true));
-}
-
-std::string plainText(const TextRuns& runs) {
-  std::string text;
-  for (const TextRun& run : runs) text += run.utf8;
-  return text;
 }
 
 std::string percent(double fraction) {
@@ -52,12 +48,15 @@ void addInterfaceReadings(std::vector<Reading>& readings, const Frame& frame) {
                       shortNumber(state.muInterface, 3, Zeros::Keep),
                       2,
                       Words::tr("Of local friction in contact, beside what the deformation costs; "
-                                "it does not change the contact.")});
+                                "it does not change the contact."),
+                      frame.scene->interface.shearStress > 0 ? "interface.shear_stress"
+                                                             : "interface.friction_coefficient"});
   readings.push_back(
       {{{Words::tr("\u03BC in total")}},
        shortNumber(totalFriction(state), 3, Zeros::Keep),
        1,
-       Words::tr("Of deformation and interface together: friction force over normal force.")});
+       Words::tr("Of deformation and interface together: friction force over normal force."),
+       "total friction"});
 }
 
 std::string frictionTip(const Frame& frame) {
@@ -86,35 +85,41 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                              : Words::tr("friction coefficient \u03BC")}},
        isSteady ? shortNumber(state.mu, 3, Zeros::Keep) : frictionText(state.mu, frame.muError),
        0,
-       frictionTip(frame)});
+       frictionTip(frame),
+       "mu"});
   if (frame.isSettling)
     readings.push_back(
         {{{Words::tr("\u03BC when settled")}},
          shortNumber(frame.muSteady, 3, Zeros::Keep),
          7,
          Words::tr("What friction comes to in the steady state, as in the chart. The "
-                   "picture is still on its way there.")});
+                   "picture is still on its way there."),
+         "mu"});
   addInterfaceReadings(readings, frame);
   readings.push_back({{{Words::tr("normal force F")}, {"N", false, true}},
                       quantity(state.normalForce, "N"),
                       3,
-                      Words::tr("Force that presses one period of the line into the elastomer.")});
+                      Words::tr("Force that presses one period of the line into the elastomer."),
+                      "load.normal_force"});
   readings.push_back(
       {{{Words::tr("indentation d")}},
        quantity(state.indentation, "m"),
        5,
-       Words::tr("How deep the lowest point of the line lies below the undeformed surface.")});
+       Words::tr("How deep the lowest point of the line lies below the undeformed surface."),
+       "indentation"});
   readings.push_back({{{Words::tr("in contact")}},
                       percent(state.contactFraction),
                       4,
-                      Words::tr("Share of the line's length that touches the elastomer.")});
+                      Words::tr("Share of the line's length that touches the elastomer."),
+                      "contact_fraction"});
   if (frame.scene)
     readings.push_back({{{Words::tr("velocity v")}},
                         quantity(isSteady ? frame.scene->sliding.velocity : frame.velocity, "m/s"),
                         6,
                         isSteady ? Words::tr("Velocity of the line, to the right.")
                                  : Words::tr("Velocity of the line at this moment; below 0 it goes "
-                                             "back.")});
+                                             "back."),
+                        "sliding.velocity"});
   if (frame.timeScale > 0) {
     const bool isSlower = frame.timeScale < 1;
     const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
@@ -122,7 +127,8 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                         shortNumber(factor, 2) + "\u00D7",
                         8,
                         filled(Words::tr("One second on the screen shows %1 of the motion."),
-                               {quantity(frame.timeScale, "s")})});
+                               {quantity(frame.timeScale, "s")}),
+                        "slow motion"});
   }
   return readings;
 }
@@ -294,7 +300,8 @@ std::vector<ContactReading> contactReadings(const Frame& frame,
   for (const auto& [reading, at] : placedReadings(frame, options, titleBaseline(s)))
     places.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
                       plainText(reading.label),
-                      reading.tip});
+                      reading.tip,
+                      reading.id});
   return places;
 }
 

@@ -22,11 +22,20 @@ std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
   const double v = velocityOf(frame);
   if (v == 0)
-    return Tag{{{Words::tr("rigid line at rest")}}, ArrowWay::None, {}, ContactHandle::Velocity};
+    return Tag{{{Words::tr("rigid line at rest")}},
+               ArrowWay::None,
+               {},
+               ContactHandle::Velocity,
+               "sliding.velocity"};
   return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
              v > 0 ? ArrowWay::Right : ArrowWay::Left,
              {{"v = " + quantity(v, "m/s")}},
-             ContactHandle::Velocity};
+             ContactHandle::Velocity,
+             "sliding.velocity"};
+}
+
+Tag rigidTag() {
+  return {{{Words::tr("rigid body"), true}}, ArrowWay::None, {}, ContactHandle::None, "rigid body"};
 }
 
 /// Returns the tag of friction. Arrows in tags show only the direction; where there is space,
@@ -37,7 +46,9 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
            {"x", false, true},
            {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
           toTheRight ? ArrowWay::Right : ArrowWay::Left,
-          {}};
+          {},
+          ContactHandle::None,
+          hasInterface(frame) ? "total friction" : "tangential_force"};
   if (!(arrows.sideways > 0)) return tag;
   tag.arrow = ArrowWay::None;
   if (arrows.enlarged > 1)
@@ -49,7 +60,8 @@ Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
   return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
           arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
           {},
-          ContactHandle::Force};
+          ContactHandle::Force,
+          "load.normal_force"};
 }
 
 /// Returns the tags of the forces, the more important ones first.
@@ -80,10 +92,12 @@ std::string elastomerWords(const Frame& frame) {
 
 /// Returns the full label first, then the name alone.
 std::vector<Tag> elastomerTags(const Frame& frame) {
-  const Tag name{{{Words::tr("elastomer"), true}}, ArrowWay::None, {}};
+  Tag name{{{Words::tr("elastomer"), true}}, ArrowWay::None, {}, ContactHandle::None, "elastomer"};
   const std::string words = elastomerWords(frame);
   if (words.empty()) return {name};
-  return {{name.before, ArrowWay::None, {{words}}}, name};
+  Tag whole = name;
+  whole.after = {{words}};
+  return {whole, name};
 }
 
 /// Names the rigid body, its motion and the forces at places that the line leaves free now, as near
@@ -105,7 +119,7 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
     left = std::round(*x) + width + gap;
     return true;
   };
-  place({{{Words::tr("rigid body"), true}}, ArrowWay::None, {}}, left);
+  place(rigidTag(), left);
   std::optional<Tag> motion = slidingTag(frame, false);
   const auto placeMotion = [&] {
     return place(*motion, layout.plot.x + (layout.plot.width - painter.width(*motion)) / 2);
@@ -138,7 +152,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   const float gap = std::round(10 * layout.sizes.unit);
   const Rgba& plate = layout.theme.rigid;
   float left = layout.plot.x + gap, right = layout.plot.right() - gap;
-  const Tag name{{{Words::tr("rigid body"), true}}, ArrowWay::None, {}};
+  const Tag name = rigidTag();
   std::optional<Tag> motion = slidingTag(frame, false);
   const auto both = [&] { return painter.width(name) + painter.width(*motion) + gap; };
   if (motion && both() > right - left) motion = slidingTag(frame, true);
@@ -185,26 +199,27 @@ std::string powerText(const Frame& frame) {
 }
 
 Notes notesFor(const Frame& frame, const ContactLayout& layout) {
-  Notes notes{exaggerationText(layout)};
+  Notes notes{{exaggerationText(layout), "vertical exaggeration"}};
   const bool pressed = greatestPressure(frame) > 0;
   if (layout.marked && !layout.theme.isPaper)
-    notes.push_back(pressed ? Words::tr("dot: the deepest contact")
-                            : Words::tr("dot: contact between two points"));
+    notes.push_back({pressed ? Words::tr("dot: the deepest contact")
+                             : Words::tr("dot: contact between two points"),
+                     "dot at a contact"});
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
-    notes.push_back(powerText(frame));
+    notes.push_back({powerText(frame), "dissipated power"});
   if (pressed && layout.scale.overlay == ContactOverlay::Pressure && !layout.theme.isPaper)
-    notes.push_back(Words::tr("glow: pressure, not depth"));
+    notes.push_back({Words::tr("glow: pressure, not depth"), "glow of the pressure"});
   return notes;
 }
 
 float footerWidth(const Notes& notes, const ContactLayout& layout) {
   float width = 0;
-  for (const std::string& note : notes) width += textWidth(note + kNoteGap, layout.sizes.small);
+  for (const FooterNote& note : notes) width += textWidth(note.text + kNoteGap, layout.sizes.small);
   return width;
 }
 
 /// Puts the note into the footer, before a less important one; returns false where it does not fit.
-bool footerWith(Notes& notes, const std::string& note, const ContactLayout& layout) {
+bool footerWith(Notes& notes, const FooterNote& note, const ContactLayout& layout) {
   Notes wanted{notes.front(), note};
   if (footerWidth(wanted, layout) > layout.footerWidth) return false;
   notes.insert(notes.begin() + 1, note);
@@ -233,8 +248,9 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
     return;
   }
   const std::string words = elastomerWords(frame);
-  const std::string note = words.empty() ? Words::tr("below: the elastomer")
-                                         : filled(Words::tr("elastomer: %1"), {words});
+  const FooterNote note{words.empty() ? Words::tr("below: the elastomer")
+                                      : filled(Words::tr("elastomer: %1"), {words}),
+                        "elastomer"};
   if (layout.footer > 0 && footerWith(notes, note, layout)) return;
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
@@ -264,12 +280,14 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
   if (arrows.down > 0) addForceArrows({plates, layer}, arrows, footOf(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
   if (handles) {
-    *handles = painter.handles();
+    *handles = painter.places();
     if (arrows.down > 0) {
       const Place foot = footOf(arrows, layout, top);
       const float reach = 9 * layout.sizes.unit;
-      handles->push_back(
-          {ContactHandle::Force, {foot.x - reach, foot.y, 2 * reach, arrows.down + reach}});
+      handles->push_back({ContactHandle::Force,
+                          {foot.x - reach, foot.y, 2 * reach, arrows.down + reach},
+                          "load.normal_force",
+                          plainText(pressingTag(frame, arrows).before)});
     }
   }
   list.layers.insert(list.layers.end() - 1, std::move(plates));  // the last layer has the curves

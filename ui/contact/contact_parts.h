@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/contact/contact_handles.h"
@@ -11,9 +12,22 @@
 
 namespace asperity {
 
-/// Short remarks for the footer, the more important first.
-using Notes = std::vector<std::string>;
+/// A short remark in the footer, with the id of its explanation.
+struct FooterNote {
+  std::string text;
+  std::string_view id;
+};
+/// The more important ones first.
+using Notes = std::vector<FooterNote>;
 inline constexpr const char* kNoteGap = "      ";  // between two of them
+
+/// A picture of which the title and readings are drawn, and nothing below them.
+struct BegunPicture {
+  ContactPictureOptions options;  // with a size of at least one pixel
+  DrawList list;
+  ContactLayout layout;
+};
+BegunPicture beginContact(const Frame& frame, const ContactPictureOptions& asked);
 
 /// Adds title and readings; returns the pixels that they take from the top.
 float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options);
@@ -22,9 +36,16 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
 /// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.
-/// Returns the texts for the footer. handles: receives the places that can be dragged; may be null.
+/// Returns the texts for the footer. handles: receives the places of labels and arrows; may be
+/// null.
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
                 std::vector<HandlePlace>* handles = nullptr);
+
+/// Returns the notes that fit into the footer.
+Notes shownNotes(const ContactLayout& layout, const Notes& notes);
+
+/// Returns the title of the height axis, the short one where the axis is low.
+std::string heightAxisTitle(const ContactLayout& layout);
 
 /// Adds frame, ticks, axis titles, colour legend and footer.
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes);

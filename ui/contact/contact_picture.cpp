@@ -1,6 +1,8 @@
 #include "ui/contact/contact_picture.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_parts.h"
@@ -15,19 +17,21 @@ ContactPictureOptions tidy(ContactPictureOptions options) {
   return options;
 }
 
-float headerInto(DrawList& list, const Frame& frame, const ContactPictureOptions& options) {
-  list.width = options.width;
-  list.height = options.height;
-  list.background = options.theme.background;
-  return options.title ? addHeader(list, frame, options) : 0;
-}
-
 }  // namespace
 
+BegunPicture beginContact(const Frame& frame, const ContactPictureOptions& asked) {
+  BegunPicture begun{tidy(asked), {}, {}};
+  const ContactPictureOptions& options = begun.options;
+  begun.list.width = options.width;
+  begun.list.height = options.height;
+  begun.list.background = options.theme.background;
+  const float header = options.title ? addHeader(begun.list, frame, options) : 0;
+  begun.layout = layoutContact(frame, options, header);
+  return begun;
+}
+
 Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
-  const ContactPictureOptions options = tidy(asked);
-  DrawList list;
-  const Box plot = layoutContact(frame, options, headerInto(list, frame, options)).plot;
+  const Box plot = beginContact(frame, asked).layout.plot;
   return {plot.x, plot.y, plot.width, plot.height};
 }
 
@@ -36,12 +40,12 @@ float contactUnit(const ContactPictureOptions& options) {
 }
 
 std::vector<HandlePlace> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
-  const ContactPictureOptions options = tidy(asked);
-  DrawList list;
-  const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
-  list.layers.emplace_back();  // in place of the bodies
+  BegunPicture begun = beginContact(frame, asked);
+  begun.list.layers.emplace_back();  // in place of the bodies
   std::vector<HandlePlace> handles;
-  addLabels(list, frame, layout, &handles);
+  addLabels(begun.list, frame, begun.layout, &handles);
+  std::erase_if(handles,
+                [](const HandlePlace& place) { return place.handle == ContactHandle::None; });
   return handles;
 }
 
@@ -52,9 +56,9 @@ ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, f
     if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
       return handle.handle;
   }
-  const ContactPictureOptions options = tidy(asked);
-  DrawList list;
-  const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
+  const BegunPicture begun = beginContact(frame, asked);
+  const ContactPictureOptions& options = begun.options;
+  const ContactLayout& layout = begun.layout;
   const Box& plot = layout.plot;
   const auto isIn = [x, y](const Box& box) {
     return x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
@@ -70,9 +74,10 @@ ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, f
 }
 
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) {
-  const ContactPictureOptions options = tidy(asked);
-  DrawList list;
-  const ContactLayout layout = layoutContact(frame, options, headerInto(list, frame, options));
+  BegunPicture begun = beginContact(frame, asked);
+  const ContactPictureOptions& options = begun.options;
+  const ContactLayout& layout = begun.layout;
+  DrawList& list = begun.list;
   addBodies(list, frame, layout);
   addAxes(list, layout, addLabels(list, frame, layout));
   Box taken;
@@ -81,7 +86,7 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
     taken = magnifierBox(frame, *options.magnifier, layout);
   }
   if (options.probe) addProbe(list, frame, *options.probe, layout, taken);
-  return list;
+  return std::move(begun.list);
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/run/frame.h"
@@ -69,11 +70,13 @@ Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
 /// Returns the unit of line widths and distances, in pixels; its small texts are 12 units high.
 float contactUnit(const ContactPictureOptions& options);
 
-/// A reading above the axes: its place (pixels), its name, and a sentence about it. A title that
-/// does not fit its line is the first one, with its full text as the sentence.
+/// A reading above the axes: its place (pixels), its name, a sentence about it, and its explanation
+/// (an id of core/chart/explanations.h). A title that does not fit its line is the first one, with
+/// its full text as the sentence and no explanation.
 struct ContactReading {
   Clip place;
   std::string name, tip;
+  std::string_view id{};
 };
 std::vector<ContactReading> contactReadings(const Frame& frame,
                                             const ContactPictureOptions& options);

@@ -1,11 +1,25 @@
 #include "ui/contact/contact_tags.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "ui/draw/theme.h"
 
 namespace asperity {
+
+std::string plainText(const TextRuns& runs) {
+  std::string text;
+  for (const TextRun& run : runs) {
+    if (run.lowered && run.utf8 == "N")
+      text += "\u2099";
+    else if (run.lowered && run.utf8 == "x")
+      text += "\u2093";
+    else
+      text += run.utf8;
+  }
+  return text;
+}
 
 TagPainter::TagPainter(DrawList& list, DrawLayer& plates, DrawLayer& arrows,
                        const ContactLayout& layout)
@@ -28,8 +42,8 @@ float TagPainter::width(const Tag& tag) const {
 }
 
 void TagPainter::paint(const Tag& tag, Place topLeft, const Rgba& plate) {
-  if (tag.handle != ContactHandle::None)
-    handles_.push_back({tag.handle, {topLeft.x, topLeft.y, width(tag), height()}});
+  places_.push_back(
+      {tag.handle, {topLeft.x, topLeft.y, width(tag), height()}, tag.id, plainText(tag.before)});
   addPill(plates_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
   const Rgba colour = textOn(plate);
   const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);

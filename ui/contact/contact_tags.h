@@ -1,6 +1,8 @@
 // Short labels inside the axes: words and an arrow on a translucent plate. Private to ui/contact.
 #pragma once
 
+#include <string>
+
 #include "ui/contact/contact_handles.h"
 #include "ui/contact/contact_layout.h"
 
@@ -14,7 +16,11 @@ struct Tag {
   ArrowWay arrow = ArrowWay::None;
   TextRuns after;
   ContactHandle handle = ContactHandle::None;  // what a drag of it changes
+  std::string_view id{};                       // of its explanation
 };
+
+/// Returns the words without their style: "F\u2099".
+std::string plainText(const TextRuns& runs);
 
 /// Paints tags, all in one size: their plates in one layer, their arrows in another. The list,
 /// layers and layout must outlive it.
@@ -25,8 +31,8 @@ class TagPainter {
   float height() const;
   float width(const Tag& tag) const;
   void paint(const Tag& tag, Place topLeft, const Rgba& plate);
-  /// Returns the places of the tags painted so far that can be dragged.
-  const std::vector<HandlePlace>& handles() const { return handles_; }
+  /// Returns the places of the tags painted so far.
+  const std::vector<HandlePlace>& places() const { return places_; }
 
  private:
   float space() const;
@@ -37,7 +43,7 @@ class TagPainter {
   DrawLayer &plates_, &arrows_;
   const ContactLayout& layout_;
   float size_, inset_;
-  std::vector<HandlePlace> handles_;
+  std::vector<HandlePlace> places_;
 };
 
 }  // namespace asperity

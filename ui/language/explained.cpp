@@ -22,11 +22,14 @@ QString formulaText(std::string_view formula) {
   return text.replace(low, QStringLiteral("(\\1)"));
 }
 
-QString explanationHtml(const Explanation& explanation, const QString& title) {
+QString explanationHtml(const Explanation& explanation, const QString& title,
+                        const QString& sentence) {
   QString text;
   if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";
   if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
-  return text + "<p>" + translatedText(Message(explanation.sentence)).toHtmlEscaped() + "</p>";
+  const QString said =
+      sentence.isEmpty() ? translatedText(Message(explanation.sentence)) : sentence;
+  return text + "<p>" + said.toHtmlEscaped() + "</p>";
 }
 
 }  // namespace asperity

@@ -16,7 +16,9 @@ QString formulaHtml(std::string_view formula);
 QString formulaText(std::string_view formula);
 
 /// Returns title, formula and sentence as rich text for a tooltip; an empty title is left out.
-QString explanationHtml(const Explanation& explanation, const QString& title = {});
+/// sentence: one that says more at this place than that of the explanation; may be empty.
+QString explanationHtml(const Explanation& explanation, const QString& title = {},
+                        const QString& sentence = {});
 
 inline QString anchorText(const Explanation& explanation) {
   return QString::fromUtf8(explanation.guideAnchor.data(),

@@ -311,6 +311,27 @@ TEST(FrictionChartModelTest, OneLineIsNoMean) {
   EXPECT_EQ(diagram.sheet().status.english(), "2 of 200 realizations");
 }
 
+/// Over another key each value has lines of its own; the legend speaks of those of one value.
+TEST(FrictionChartModelTest, OverAnotherKeyStatusAndLegendCountTheSameLines) {
+  Scene scene;
+  scene.sweep.key = "elastomer.shear_modulus";
+  scene.sweep.from = 1e6;
+  scene.sweep.to = 1e8;
+  FrictionChartModel diagram;
+  diagram.expect(scene);
+  CurveUpdate curve = update(scene, {point(1, 1e-3, 1e-5, 200), point(1, 2e-3, 1e-5, 200)}, 300);
+  curve.points[0].swept = 1e6;
+  curve.points[1].swept = 1e8;
+  curve.realizationsTotal = 600;
+  diagram.take(curve);
+  EXPECT_EQ(diagram.sheet().status.english(), "50 % of the curve");
+  curve.realizationsDone = 600;
+  curve.isComplete = true;
+  diagram.take(curve);
+  EXPECT_EQ(diagram.sheet().status.english(), "200 of 200 realizations");
+  EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.english().starts_with("mean of 200 lines"));
+}
+
 TEST(FrictionChartModelTest, SaysWhyThereIsNothingToSee) {
   FrictionChartModel diagram;
   EXPECT_EQ(diagramOf(diagram).blank.english(), "");

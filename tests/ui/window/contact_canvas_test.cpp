@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QMenu>
 #include <QNativeGestureEvent>
@@ -17,6 +18,8 @@
 
 #include "core/run/steady_frames.h"
 #include "qt_application.h"
+#include "ui/contact/contact_signs.h"
+#include "ui/language/explained.h"
 #include "ui/window/contact/contact_view_actions.h"
 
 namespace asperity {
@@ -181,6 +184,36 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
   }
   tipAt(place(0.5, 0.5));  // in the plot: whatever was told is taken away
   EXPECT_TRUE(QTest::qWaitFor([] { return !QToolTip::isVisible(); }));
+}
+
+/// The legend of the colours and the labels have formula and sentence; the menu leads to the guide.
+TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
+  ContactPictureOptions options = canvas_.viewer().options();
+  options.width = canvas_.width();
+  options.height = canvas_.height();
+  QStringList read;
+  QObject::connect(&canvas_, &ContactCanvas::guideWanted, &canvas_,
+                   [&](const QString& anchor) { read += anchor; });
+  int count = 0;
+  for (const ContactSign& sign : contactSigns(*canvas_.frame(), options)) {
+    if (sign.id != "contact pressure" && sign.id != "rigid body") continue;
+    ++count;
+    const QPoint at =
+        QPointF(sign.place.x + 0.5 * sign.place.width, sign.place.y + 0.5 * sign.place.height)
+            .toPoint();
+    QHelpEvent help(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
+    QApplication::sendEvent(&canvas_, &help);
+    const Explanation explanation = *explanationOf(sign.id);
+    EXPECT_TRUE(QToolTip::text().contains(QString::fromStdString(sign.name).toHtmlEscaped()));
+    EXPECT_TRUE(QToolTip::text().contains(formulaHtml(explanation.formula))) << sign.name;
+    canvas_.setContextMenuPolicy(Qt::NoContextMenu);  // a menu would wait for an answer
+    QContextMenuEvent asked(QContextMenuEvent::Mouse, at, canvas_.mapToGlobal(at));
+    QApplication::sendEvent(&canvas_, &asked);
+    canvas_.findChild<QAction*>("aboutContact")->trigger();
+    ASSERT_FALSE(read.isEmpty());
+    EXPECT_EQ(read.last(), anchorText(explanation)) << sign.name;
+  }
+  EXPECT_EQ(count, 2);
 }
 
 TEST_F(ContactCanvasTest, DoubleClickShowsAll) {

@@ -356,13 +356,11 @@ TEST_F(DocumentTest, TheQuestionNamesTheSceneAndItsFileAndHasLetters) {
   press("load.normal_force");
   QString text, detail;
   QStringList buttons;
-  QTimer::singleShot(50, &window_, [&] {
-    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    ASSERT_TRUE(box);
-    text = box->text();
-    detail = box->informativeText();
-    for (const QAbstractButton* button : box->buttons()) buttons += button->text();
-    QTest::keyClick(box, Qt::Key_C, Qt::AltModifier);
+  whenAsked<QMessageBox>([&](QMessageBox& box) {
+    text = box.text();
+    detail = box.informativeText();
+    for (const QAbstractButton* button : box.buttons()) buttons += button->text();
+    QTest::keyClick(&box, Qt::Key_C, Qt::AltModifier);
   });
   EXPECT_FALSE(window_.close());
   EXPECT_TRUE(text.contains("small")) << text.toStdString();

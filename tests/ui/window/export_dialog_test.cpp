@@ -21,6 +21,7 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/window/export/export_form.h"
 #include "ui/window/export/export_preview.h"
+#include "ui/window/figures/gallery_page.h"
 
 namespace asperity {
 namespace {
@@ -287,7 +288,8 @@ TEST_F(ExportDialogTest, ACancelledExportLeavesTheFileAsItWas) {
   dialog_->reject();
   ASSERT_TRUE(dialog_);
   EXPECT_TRUE(dialog_->form().isEnabled());
-  QTest::qWait(1500);
+  // The call ends by itself, and takes what it has begun with it.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog_->findChildren<QProcess*>().isEmpty(); }, kLong));
   EXPECT_EQ(bytesOf(file), "before");
   EXPECT_EQ(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
   dialog_->reject();
@@ -310,6 +312,75 @@ TEST_F(ExportDialogTest, AnExistingFileIsReplacedOnlyAfterAQuestion) {
   dialog_->write();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
   EXPECT_NE(bytesOf(file), "before");
+}
+
+/// The proposed name follows what is exported; the frames are numbered in a folder.
+TEST_F(ExportDialogTest, FramesOfAFilmGoIntoAFolder) {
+  openDialog(ExportKind::Film);
+  EXPECT_TRUE(dialog_->file().endsWith("small.mp4")) << dialog_->file().toStdString();
+  choose("exportFormat", "");
+  EXPECT_TRUE(dialog_->file().endsWith("/small_frames")) << dialog_->file().toStdString();
+  choose("exportFormat", ".webm");
+  EXPECT_TRUE(dialog_->file().endsWith("/small.webm")) << dialog_->file().toStdString();
+  choose("exportFormat", "");
+  choose("exportContent", "contact");
+  enter("exportWidth", "320");
+  enter("exportHeight", "200");
+  enter("exportDuration", "0.2");
+  enter("exportRate", "20");
+  const QString frames = folder_.filePath("frames");
+  dialog_->setFile(frames);
+  ASSERT_TRUE(waitForPreview()) << reason().toStdString();
+  EXPECT_TRUE(command().contains("--fps 20")) << command().toStdString();
+  dialog_->write();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  EXPECT_EQ(QDir(frames).entryList(QDir::Files),
+            (QStringList{"frame_0001.png", "frame_0002.png", "frame_0003.png", "frame_0004.png"}));
+  EXPECT_EQ(QImage(QDir(frames).filePath("frame_0003.png")).size(), QSize(320, 200));
+  // A folder that has files is not written into without a question.
+  openDialog(ExportKind::Film);
+  choose("exportFormat", "");
+  dialog_->setFile(frames);
+  answer(QMessageBox::Cancel);
+  dialog_->write();
+  EXPECT_EQ(asked_, 1);
+}
+
+TEST_F(ExportDialogTest, FiguresOfThePaperAreExportedWithTheirDataAndClaims) {
+  openDialog(ExportKind::Figure);
+  EXPECT_TRUE(dialog_->file().endsWith("/paper_figures")) << dialog_->file().toStdString();
+  EXPECT_TRUE(command().startsWith("asperity figure paper -o")) << command().toStdString();
+  EXPECT_FALSE(in<QCheckBox>("exportAsShown").isVisibleTo(dialog_));
+  choose("exportContent", "2");
+  enter("exportFurther", "--set sweep.points=5 --set surface.elements=200");
+  ASSERT_TRUE(waitForPreview()) << reason().toStdString();
+  EXPECT_TRUE(in<QLabel>("exportNote").text().contains("200"));
+  enter("exportRealizations", "3");
+  const QString figures = folder_.filePath("figures");
+  dialog_->setFile(figures);
+  EXPECT_TRUE(command().contains("--realizations 3")) << command().toStdString();
+  EXPECT_FALSE(command().contains("--size")) << command().toStdString();
+  dialog_->write();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !exports_->isEmpty(); }, kLong));
+  EXPECT_EQ(
+      QDir(figures).entryList(QDir::Files),
+      (QStringList{"claims.json", "figure_2.csv", "figure_2.pdf", "figure_2.png", "figure_2.svg"}));
+  // What is wrong with a value is said by the command.
+  openDialog(ExportKind::Figure);
+  enter("exportRealizations", "many");
+  EXPECT_FALSE(waitForPreview());
+  EXPECT_TRUE(reason().contains("many")) << reason().toStdString();
+}
+
+/// From the page of figures the dialog begins with the figure that is shown there.
+TEST_F(ExportDialogTest, TheFigureInSightIsChosen) {
+  window_.figures().openFigures();
+  window_.figures().gallery().choose(FigureName::Plateau, false);
+  EXPECT_FALSE(action("exportPicture").isEnabled());
+  action("exportFigure").trigger();
+  dialog_ = window_.findChild<ExportDialog*>();
+  ASSERT_TRUE(dialog_);
+  EXPECT_EQ(dialog_->form().wish().content, "6");
 }
 
 /// The command has to make what the window shows, whatever became of the file meanwhile.

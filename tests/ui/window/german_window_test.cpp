@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -64,6 +65,57 @@ TEST_P(EachLanguage, NothingIsCutOff) {
       EXPECT_EQ(cutOffIn(*window), "") << tabs.tabText(tab).toStdString();
     }
   }
+}
+
+/// Every tab is in sight, with a whole title, also that of a motion.
+TEST_P(EachLanguage, EveryTabIsInSightInASmallWindow) {
+  WindowIn window(GetParam());
+  Scene moving = smallScene();
+  moving.sliding.kind = SlidingKind::Oscillation;
+  moving.sliding.amplitude = 0.5;
+  auto& tabs = *window->findChild<QTabWidget*>("tabs");
+  const QTabBar& bar = *tabs.tabBar();
+  for (const Scene& scene : {smallScene(), moving}) {
+    window->document().open(scene);
+    for (const QSize size : {QSize(1024, 700), QSize(1280, 720), QSize(1024, 700)}) {
+      window->resize(size);
+      const auto isInSight = [&] {
+        for (int i = 0; i < bar.count(); ++i) {
+          if (!bar.isTabVisible(i)) continue;
+          constexpr int kAir = 7;  // at each side, as in the style sheet of a crowded bar
+          const int air = bar.property("crowded").toBool() ? kAir : 2 * kAir;
+          const int needed = bar.fontMetrics().horizontalAdvance(bar.tabText(i)) + 2 * air;
+          const QRect place = bar.tabRect(i);
+          if (place.right() >= bar.width() || place.width() < needed || place.left() < 0)
+            return false;
+        }
+        return true;
+      };
+      EXPECT_TRUE(QTest::qWaitFor(isInSight, 2000))
+          << size.width() << ": the bar has " << bar.width() << " of " << tabs.width();
+    }
+    for (int i = 0; i < bar.count(); ++i)
+      EXPECT_GE(bar.tabToolTip(i).size(), bar.tabText(i).size()) << i;
+  }
+}
+
+/// Numbers below zero have the decimal sign of the language, as they come and as they are typed.
+TEST(GermanWindow, NumbersBelowZeroHaveAComma) {
+  WindowIn window("de");
+  Scene scene = smallScene();
+  scene.surface.summitCorrelation = -0.9;
+  window->document().open(scene);
+  window->panel().setView({true, {}});
+  auto& entry = *window->findChild<ValueEntry*>("entry:surface.summit_correlation");
+  EXPECT_EQ(entry.text(), "-0,9");
+  for (const auto& [typed, shown] : {std::pair{"-0.25", "-0,25"}, {"-0,4", "-0,4"}}) {
+    entry.setFocus();
+    entry.selectAll();
+    QTest::keyClicks(&entry, typed);
+    QTest::keyClick(&entry, Qt::Key_Return);
+    EXPECT_EQ(entry.text(), shown);
+  }
+  EXPECT_EQ(window->document().scene().surface.summitCorrelation, -0.4);
 }
 
 /// At the size of a lecturer's projector, where the texts are larger.

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
@@ -435,6 +436,73 @@ TEST_F(LessonsTest, TheEditorLosesNothingOfALesson) {
     for (int row = 0; row < steps.count(); ++row) steps.setCurrentRow(row);
     EXPECT_EQ(writeLesson(editor.lesson()), writeLesson(lesson)) << shipped.name;
     EXPECT_TRUE(editor.mayClose());
+  }
+}
+
+/// An exponent is chosen, with its key and two values of it in any unit; what is refused is said.
+TEST_F(LessonsTest, TheEditorWritesExponents) {
+  const Lesson lesson = readNamedLesson("load_and_friction", readNamedScene);
+  const auto asks = std::ranges::find_if(lesson.steps, [](const LessonStep& step) {
+    return step.prediction && step.prediction->answer &&
+           step.prediction->answer->kind == LessonValue::Kind::Exponent;
+  });
+  ASSERT_NE(asks, lesson.steps.end());
+  const auto place = static_cast<std::size_t>(asks - lesson.steps.begin());
+  LessonEditor& editor = lessons().showEditor(lesson, {});
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(static_cast<int>(place) + 1);
+  const auto value = [&] { return *editor.lesson().steps[place].prediction->answer; };
+  auto& kind = *editor.findChild<QComboBox*>("editorValue");
+  auto& key = *editor.findChild<QComboBox*>("editorExponentKey");
+  auto& from = *editor.findChild<QLineEdit*>("editorExponentFrom");
+  EXPECT_EQ(kind.currentIndex(), 3);
+  EXPECT_EQ(key.currentData().toString(), "load.normal_force");
+  EXPECT_EQ(from.text(), "3.4 mN");
+  EXPECT_TRUE(from.isVisibleTo(&editor));
+
+  from.selectAll();
+  QTest::keyClicks(&from, "5 mN");
+  EXPECT_EQ(value().from, 0.005);
+  EXPECT_EQ(value().to, asks->prediction->answer->to);
+  EXPECT_EQ(editor.complaint(), QString());
+  from.selectAll();
+  QTest::keyClicks(&from, "5 kg");
+  EXPECT_TRUE(editor.complaint().contains("from and to")) << editor.complaint().toStdString();
+
+  const auto choose = [](QComboBox& box, int index) {
+    box.setCurrentIndex(index);
+    emit box.activated(index);
+  };
+  choose(key, key.findData("sliding.velocity"));
+  EXPECT_EQ(editor.complaint(), QString());  // two values of it are proposed
+  EXPECT_NEAR(value().to / value().from, 10, 1e-9);
+  from.selectAll();
+  QTest::keyClicks(&from, "1e-3");
+  EXPECT_EQ(value().key, "sliding.velocity");
+  EXPECT_EQ(value().from, 1e-3);
+  EXPECT_EQ(editor.complaint(), QString());
+  choose(kind, 0);
+  EXPECT_EQ(value().kind, LessonValue::Kind::State);
+  EXPECT_TRUE(value().key.empty());
+  EXPECT_FALSE(from.isVisibleTo(&editor));
+  EXPECT_EQ(editor.complaint(), QString());
+  delete &editor;
+}
+
+/// An edit elsewhere in a step leaves what an answer has beyond the rows.
+TEST_F(LessonsTest, AnEditKeepsWhatTheRowsDoNotShow) {
+  for (const ShippedLesson& shipped : shippedLessons()) {
+    Lesson lesson = readNamedLesson(std::string(shipped.name), readNamedScene);
+    LessonEditor& editor = lessons().showEditor(lesson, {});
+    auto& steps = *editor.findChild<QListWidget*>("editorSteps");
+    auto& title = *editor.findChild<QLineEdit*>("editorStepTitle");
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+      steps.setCurrentRow(static_cast<int>(i) + 1);
+      title.setText("changed");
+      emit title.textEdited("changed");
+      lesson.steps[i].title.english = "changed";
+    }
+    EXPECT_EQ(writeLesson(editor.lesson()), writeLesson(lesson)) << shipped.name;
+    delete &editor;  // another one would ask about what is not saved
   }
 }
 

@@ -225,12 +225,10 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
 TEST_F(MainWindowTest, ANameWithoutAnEndingGetsTheOneOfItsKind) {
   for (const auto& [command, ending] : {std::pair{"saveAs", "json"}, {"savePicture", "png"}}) {
     QString added;
-    QTimer::singleShot(0, [&] {
-      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      ASSERT_TRUE(dialog);
-      EXPECT_EQ(dialog->acceptMode(), QFileDialog::AcceptSave);
-      added = dialog->defaultSuffix();
-      dialog->reject();
+    whenAsked<QFileDialog>([&](QFileDialog& dialog) {
+      EXPECT_EQ(dialog.acceptMode(), QFileDialog::AcceptSave);
+      added = dialog.defaultSuffix();
+      dialog.reject();
     });
     action(command).trigger();
     EXPECT_EQ(added, ending);
@@ -240,11 +238,9 @@ TEST_F(MainWindowTest, ANameWithoutAnEndingGetsTheOneOfItsKind) {
 /// All that `asperity open` takes, without choosing a filter.
 TEST_F(MainWindowTest, WhatCarriesASceneIsOffered) {
   QStringList offered;
-  QTimer::singleShot(0, [&] {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    ASSERT_TRUE(dialog);
-    offered = dialog->nameFilters().constFirst().section('(', 1).chopped(1).split(' ');
-    dialog->reject();
+  whenAsked<QFileDialog>([&](QFileDialog& dialog) {
+    offered = dialog.nameFilters().constFirst().section('(', 1).chopped(1).split(' ');
+    dialog.reject();
   });
   action("open").trigger();
   for (const char* ending : {"json", "png", "svg", "pdf", "csv", "mp4", "webm", "gif", "webp"})

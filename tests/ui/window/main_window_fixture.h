@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDragEnterEvent>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
@@ -112,7 +113,20 @@ class MainWindowTest : public testing::Test {
   /// Answers the next question before what is not saved would be lost.
   void answer(QMessageBox::StandardButton button) {
     asked_ = 0;
-    answerWhenAsked(button, 100);
+    whenAsked<QMessageBox>([this, button](QMessageBox& box) {
+      ++asked_;
+      QTest::mouseClick(box.button(button), Qt::LeftButton);
+    });
+  }
+
+  /// Calls `act` with the next modal dialog of this class, once it is there and takes keys. A later
+  /// call replaces it. The dialog is closed where that takes too long, or it would wait for ever.
+  template <class Dialog, class Act>
+  void whenAsked(Act act) {
+    const int turn = ++turn_;
+    QElapsedTimer time;
+    time.start();
+    lookForDialog<Dialog>(std::move(act), turn, time);
   }
   int asked_ = 0;
 
@@ -121,14 +135,21 @@ class MainWindowTest : public testing::Test {
   MainWindow window_;
 
  private:
-  void answerWhenAsked(QMessageBox::StandardButton button, int patience) {
-    QTimer::singleShot(10, &window_, [this, button, patience] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (!box) return patience > 0 ? answerWhenAsked(button, patience - 1) : void();
-      ++asked_;
-      QTest::mouseClick(box->button(button), Qt::LeftButton);
+  template <class Dialog, class Act>
+  void lookForDialog(Act act, int turn, QElapsedTimer time) {
+    QTimer::singleShot(10, &window_, [this, act = std::move(act), turn, time] {
+      if (turn != turn_) return;
+      auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+      if (dialog && dialog->isActiveWindow()) return act(*dialog);
+      if (time.elapsed() < kWindowPatience) return lookForDialog<Dialog>(act, turn, time);
+      if (QWidget* other = QApplication::activeModalWidget()) {
+        ADD_FAILURE() << other->objectName().toStdString() << " never became active";
+        other->close();
+      }
     });
   }
+
+  int turn_ = 0;  // of whenAsked()
 };
 
 }  // namespace asperity

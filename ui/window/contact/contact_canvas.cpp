@@ -1,5 +1,6 @@
 #include "ui/window/contact/contact_canvas.h"
 
+#include <QContextMenuEvent>
 #include <QGestureEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -13,12 +14,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/scene/parameters.h"
 #include "ui/draw/fonts.h"
-#include "ui/draw/ticks.h"
 #include "ui/language/language.h"
-#include "ui/panels/parameter_row.h"
-#include "ui/window/main/commands.h"
+#include "ui/window/contact/contact_tips.h"
 
 namespace asperity {
 
@@ -33,29 +31,6 @@ constexpr double kNudge = 1 / 80.0;  // part of the plot by which a key drags
 
 double stepsOf(double factor) {
   return factor > 0 ? std::log(factor) / std::log(kZoomPerStep) : 0;
-}
-
-/// Returns "normal force: 200 mN", the value that a drag changes.
-QString valueText(ContactHandle handle, const Scene& scene) {
-  const Parameter& parameter = knownParameter(draggedKey(handle, scene));
-  const double value = std::get<double>(valueOf(parameter, scene));
-  return ParameterRow::labelOf(parameter) + ": " +
-         QString::fromStdString(quantity(value, parameter.unit, 4));
-}
-
-/// Returns one sentence on a drag of this handle.
-QString whatADragDoes(ContactHandle handle, const Scene& scene) {
-  if (handle == ContactHandle::Velocity)
-    return ContactCanvas::tr("Drag to the right to slide faster, to the left to slide slower.");
-  if (handle == ContactHandle::Force)
-    return ContactCanvas::tr("Drag down to press harder, up to press less.");
-  return scene.load.kind == LoadKind::Indentation
-             ? ContactCanvas::tr(
-                   "Drag the body down into the elastomer or up; sideways moves the "
-                   "view.")
-             : ContactCanvas::tr(
-                   "Drag down to press harder, up to press less; sideways moves the "
-                   "view.");
 }
 
 bool prefersOpenGl() {
@@ -88,7 +63,8 @@ ContactCanvas::ContactCanvas(QWidget* parent)
     useSoftware();
   keepTranslated(*this, [this] {
     setAccessibleName(tr("contact view"));
-    refresh();  // the picture contains texts
+    setAccessibleDescription({});  // what was said last, in the language of before
+    refresh();                     // the picture contains texts
   });
 }
 
@@ -325,11 +301,7 @@ void ContactCanvas::mouseReleaseEvent(QMouseEvent* event) {
 ContactHandle ContactCanvas::handleUnder(const QPointF& position) const {
   if (!scene_ || !viewer_.frame()) return ContactHandle::None;
   const PictureRequest shown = request();
-  const QPointF pixel = position * shown.scale;
-  const ContactHandle handle =
-      handleAt(*shown.frame, sizedOptions(shown), static_cast<float>(pixel.x()),
-               static_cast<float>(pixel.y()));
-  return draggedKey(handle, *scene_).empty() ? ContactHandle::None : handle;
+  return contactHandleAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
 }
 
 /// Gives the cursor the shape of what a drag would do.
@@ -375,7 +347,7 @@ void ContactCanvas::continueDrag(const QPointF& position) {
                                         {ahead, moved.y() / plot.height(), grip_->height});
   emit sceneEdited(after);
   QToolTip::showText(mapToGlobal(position.toPoint()) + QPoint(14, 10),
-                     valueText(grip_->handle, after), this);
+                     draggedText(grip_->handle, after), this);
 }
 
 void ContactCanvas::endDrag() {
@@ -391,7 +363,7 @@ void ContactCanvas::nudge(ContactHandle handle, double steps) {
   const double part = kNudge * steps;
   const Scene after = asperity::dragged(*scene_, handle, {part, part, view.top - view.bottom});
   if (after == *scene_) return;
-  setAccessibleDescription(valueText(handle, after));
+  setAccessibleDescription(draggedText(handle, after));
   emit sceneEdited(after);
 }
 
@@ -428,19 +400,14 @@ void ContactCanvas::keyPressEvent(QKeyEvent* event) {
   }
 }
 
-/// Returns the sentence on the reading at this place; empty where there is none.
-QString ContactCanvas::tipAt(const QPointF& position) const {
+ContactTip ContactCanvas::tipAt(const QPointF& position) const {
   if (!viewer_.frame()) return {};
   const PictureRequest shown = request();
-  const QPointF pixel = position * shown.scale;
-  for (const ContactReading& reading : contactReadings(*shown.frame, sizedOptions(shown))) {
-    const Clip& place = reading.place;
-    if (QRectF(place.x, place.y, place.width, place.height).contains(pixel))
-      return QString::fromStdString(reading.tip);
-  }
-  const ContactHandle handle = handleUnder(position);
-  if (handle == ContactHandle::None) return {};
-  return whatADragDoes(handle, *scene_) + "\n" + valueText(handle, *scene_);
+  return contactTipAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
+}
+
+void ContactCanvas::readAbout() {
+  emit guideWanted(guideAnchor_.isEmpty() ? QStringLiteral("foundation") : guideAnchor_);
 }
 
 void ContactCanvas::pinch(const QPointF& position, double factor) {
@@ -451,11 +418,12 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QString tip = wrappedTip(tipAt(help->pos()));
-    QToolTip::showText(help->globalPos(), tip.replace('\n', QStringLiteral("<br>")),
-                       this);  // an empty text hides it
+    QToolTip::showText(help->globalPos(), tipAt(help->pos()).html, this);  // an empty one hides it
     return true;
   }
+  // The menu, which Qt shows, has an entry that leads to what is under the pointer.
+  if (event->type() == QEvent::ContextMenu)
+    guideAnchor_ = tipAt(static_cast<QContextMenuEvent*>(event)->pos()).guideAnchor;
   if (event->type() == QEvent::NativeGesture) {
     auto* native = static_cast<QNativeGestureEvent*>(event);
     if (native->gestureType() == Qt::ZoomNativeGesture) {

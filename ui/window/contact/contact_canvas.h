@@ -30,6 +30,8 @@ class QVBoxLayout;
 
 namespace asperity {
 
+struct ContactTip;
+
 class ContactCanvas : public QWidget {
   Q_OBJECT
 
@@ -79,6 +81,9 @@ class ContactCanvas : public QWidget {
   /// Returns the plot's area in the widget's pixels; empty before the first frame.
   QRectF plotArea() const;
 
+  /// Opens the guide at what was under the pointer when the menu was asked for.
+  void readAbout();
+
  signals:
   void painted();
   void failed(const QString& reason);
@@ -86,6 +91,7 @@ class ContactCanvas : public QWidget {
   void fieldsWanted(const asperity::FrameFields& fields);
   /// Emitted at each step of a drag that changes the scene.
   void sceneEdited(const asperity::Scene& scene);
+  void guideWanted(const QString& anchor);
 
  protected:
   bool event(QEvent* event) override;
@@ -112,7 +118,7 @@ class ContactCanvas : public QWidget {
   ViewPlace focusPlace() const;
   void showCrosshair(const QPointF& position);
   void movePointer(int elements);
-  QString tipAt(const QPointF& position) const;
+  ContactTip tipAt(const QPointF& position) const;
   ContactHandle handleUnder(const QPointF& position) const;
   void showHandle(ContactHandle handle);
   void startDrag(const QPointF& position);
@@ -141,6 +147,7 @@ class ContactCanvas : public QWidget {
   };
   std::optional<Grip> grip_;
   bool isPinching_ = false;
+  QString guideAnchor_;  // of what was under the pointer when the menu was asked for
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms
 };

@@ -189,7 +189,8 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
   }
   menu.addMenu(colours);
   canvas.addAction(colours->menuAction());
-  add(canvas, menu,
+  colours->addSeparator();
+  add(canvas, *colours,
       {"nextOverlay",
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Next colouring"),
        QT_TRANSLATE_NOOP("asperity::ViewActionText", "Switches to the next colouring"),
@@ -199,6 +200,23 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
         const auto now = all.indexOf(group->checkedAction());
         all[(now + 1) % all.size()]->trigger();
       });
+}
+
+/// Adds to the picture's own menu what leads to the guide: it speaks of what is under the pointer.
+void addGuide(ContactCanvas& canvas) {
+  auto* separator = new QAction(&canvas);
+  separator->setSeparator(true);
+  canvas.addAction(separator);
+  auto* action = new QAction(&canvas);
+  action->setObjectName("aboutContact");
+  keepTranslated(canvas, [action] {
+    action->setText(ViewActionText::tr("Read about it in the guide"));
+    action->setToolTip(
+        ViewActionText::tr("Opens the guide at what is under the pointer: a reading, a label, the "
+                           "colours"));
+  });
+  QObject::connect(action, &QAction::triggered, &canvas, &ContactCanvas::readAbout);
+  canvas.addAction(action);
 }
 
 }  // namespace
@@ -211,6 +229,7 @@ void addContactViewActions(ContactCanvas& canvas, QMenu& menu) {
   addSwitches(canvas, menu);
   addSeparator(canvas, menu);
   addColours(canvas, menu);
+  addGuide(canvas);
 }
 
 }  // namespace asperity

@@ -50,6 +50,7 @@ Neighbours neighboursOf(const CurveUpdate& curve, double place) {
 void readMean(const CurveUpdate& curve, double place, CurveReading& reading) {
   const auto [below, above] = neighboursOf(curve, place);
   if (!below || !above) return;
+  reading.lines = std::min(below->realizations, above->realizations);
   const double from = placeOf(*below, *curve.scene), to = placeOf(*above, *curve.scene);
   if (from == to) {
     reading.mu = above->mu;
@@ -71,9 +72,9 @@ NoteSet notesAt(const CurveUpdate& curve, double place) {
   return notes;
 }
 
-QString regionAt(const CurveUpdate& curve, double velocity) {
+std::string regionAt(const CurveUpdate& curve, double velocity) {
   for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
-    if (velocity >= region.from && velocity <= region.to) return regionText(region.name);
+    if (velocity >= region.from && velocity <= region.to) return region.name;
   return {};
 }
 
@@ -100,7 +101,8 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
   if (!isOfThisScene || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, isOfVelocity ? velocity : ownSweptValue(*frame.scene), reading);
   if (isOfVelocity && reading.regime.isEmpty() && curve->isComplete)
-    reading.regime = regionAt(*curve, velocity);
+    reading.region = regionAt(*curve, velocity);
+  if (!reading.region.empty()) reading.regime = regionText(reading.region);
   return reading;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
+#include <string>
 
 #include "core/run/frame.h"
 #include "core/run/runner.h"
@@ -12,6 +14,8 @@ namespace asperity {
 struct CurveReading {
   double mu = kNotApplicable;     // mean over the lines, interpolated on the curve
   double error = kNotApplicable;  // standard error of mu
+  std::int64_t lines = 0;         // over which mu is a mean
+  std::string region{};           // "III"; empty: not known
   QString regime;                 // "region III, plateau", "at rest"; empty: not known
   NoteSet notes{};                // of the curve's points on both sides of the velocity
 };

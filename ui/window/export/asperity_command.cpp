@@ -263,14 +263,20 @@ QStringList contactWords(const ExportWish& wish, const RenderCommandOptions& sho
 
 QStringList exportWords(const SceneOrigin& origin, const Scene& scene, const ExportWish& wish,
                         const RenderCommandOptions& shown, const QString& file) {
-  const bool isOfContact = wish.content != "curve" && wish.content != "motion";
-  QStringList words{"asperity", isOfContact ? QStringLiteral("render") : wish.content};
-  words += sceneWords(origin, scene);
-  words += {"-o", file};
-  if (isOfContact) words += contactWords(wish, shown);
-  if (wish.content == "curve" || wish.content == "both") {
-    const QStringList curves = curveWords(shown.curves, scene);
-    words += wish.kind == ExportKind::Table ? withoutAxes(curves) : curves;
+  QStringList words{"asperity"};
+  if (wish.kind == ExportKind::Figure) {
+    words += {"figure", wish.content, "-o", file};
+    add(words, "--realizations", wish.realizations);
+  } else {
+    const bool isOfContact = wish.content != "curve" && wish.content != "motion";
+    words += isOfContact ? QStringLiteral("render") : wish.content;
+    words += sceneWords(origin, scene);
+    words += {"-o", file};
+    if (isOfContact) words += contactWords(wish, shown);
+    if (wish.content == "curve" || wish.content == "both") {
+      const QStringList curves = curveWords(shown.curves, scene);
+      words += wish.kind == ExportKind::Table ? withoutAxes(curves) : curves;
+    }
   }
   if (wish.kind == ExportKind::Table) {
     add(words, "--columns", wish.columns);

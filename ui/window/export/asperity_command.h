@@ -53,25 +53,27 @@ QString curveCommand(const SceneOrigin& origin, const Scene& scene,
 QString shellQuoted(const QString& word);
 
 /// What is exported.
-enum class ExportKind { Picture, Film, Table };
+enum class ExportKind { Picture, Film, Table, Figure };
 
 /// The wishes of a user in the export dialog. Texts and numbers are those of the options of the
 /// command line, which checks them; an empty text is an option that is not given.
 struct ExportWish {
   ExportKind kind = ExportKind::Picture;
   /// A layout of `asperity render` (contact, both, transient), a table of the contact (shape,
-  /// contacts), curve or motion.
+  /// contacts), curve or motion; of figures a name of `asperity figure`.
   QString content = QStringLiteral("contact");
   QString size, scale, theme, style;
   bool isTransparent = false;
   bool asShown = true;  // the part of the contact and the moment as in the window
   QString duration, framesPerSecond, cycles, slowMotion;  // of a film
   QString columns;                                        // of a table
+  QString realizations;                                   // of figures
   QStringList further{};                                  // e.g. --threads 1
 };
 
 /// Returns the words of the call that writes `file`: "asperity", "render", ... shown: the window's
-/// view, whose size, scale and theme do not matter.
+/// view, whose size, scale and theme do not matter. Figures are those of the paper, whatever the
+/// scene; they and the frames of a film without an extension go into a folder.
 QStringList exportWords(const SceneOrigin& origin, const Scene& scene, const ExportWish& wish,
                         const RenderCommandOptions& shown, const QString& file);
 

@@ -21,6 +21,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/window/export/command_run.h"
 #include "ui/window/export/export_form.h"
@@ -35,6 +36,7 @@ constexpr double kPreview = 640;       // largest width or height of a preview, 
 constexpr double kLeast = 160;         // smallest side of a picture that a command draws
 constexpr double kLeastDensity = 24;   // smallest density, pixels per inch
 constexpr std::int64_t kLines = 8;     // of the curve in a preview
+constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 const QString kFolder = QStringLiteral("export/folder");
@@ -110,7 +112,9 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
     showRunning(false);
     showFailure(reason);
   });
-  setFile(QDir(usualFolder()).filePath(subject_.name + form_->extension()));
+  extension_ = form_->extension();
+  usual_ = usualName();
+  setFile(QDir(usualFolder()).filePath(usual_));
   resize(940, 620);
   wishChanged();
 }
@@ -176,6 +180,13 @@ QWidget* ExportDialog::makeBottom() {
   return bottom;
 }
 
+/// Returns the name that is proposed for what is exported.
+QString ExportDialog::usualName() const {
+  if (form_->kind() == ExportKind::Figure) return QStringLiteral("paper_figures");
+  const QString extension = form_->extension();
+  return subject_.name + (extension.isEmpty() ? QStringLiteral("_frames") : extension);
+}
+
 QString ExportDialog::file() const {
   return file_->text().trimmed();
 }
@@ -186,7 +197,7 @@ void ExportDialog::setFile(const QString& file) {
 }
 
 QStringList ExportDialog::words() const {
-  const QString name = file().isEmpty() ? subject_.name + form_->extension() : file();
+  const QString name = file().isEmpty() ? usualName() : file();
   return exportWords(subject_.origin, subject_.scene, form_->wish(), subject_.shown,
                      QFileInfo(QDir(usualFolder()), name).absoluteFilePath());
 }
@@ -194,22 +205,40 @@ QStringList ExportDialog::words() const {
 void ExportDialog::askFile() {
   QFileDialog dialog(this, tr("Export"));
   dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(form_->extension().mid(1));
-  dialog.setNameFilter(QStringLiteral("*") + form_->extension());
+  if (form_->extension().isEmpty()) {
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+  } else {
+    dialog.setDefaultSuffix(form_->extension().mid(1));
+    dialog.setNameFilter(QStringLiteral("*") + form_->extension());
+  }
   dialog.selectFile(file());
   if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
   chosenFile_ = dialog.selectedFiles().front();
   setFile(chosenFile_);
 }
 
-/// Shows the command at once; the preview waits until the user pauses.
-void ExportDialog::wishChanged() {
+/// Gives the file the extension of its format. A name that is still the usual one becomes that of
+/// what is exported now.
+void ExportDialog::renameFile() {
   static const QStringList known{".png", ".svg",  ".pdf", ".mp4", ".webm",
                                  ".gif", ".webp", ".csv", ".json"};
-  const QFileInfo named(file());
-  const QString last = '.' + named.suffix().toLower();
-  if (known.contains(last) && last != form_->extension())
-    file_->setText(file().chopped(last.size()) + form_->extension());
+  const QString extension = form_->extension(), name = file();
+  const QString lastUsual = std::exchange(usual_, usualName());
+  const bool isOther = std::exchange(extension_, extension) != extension;
+  if (name.endsWith('/' + lastUsual))
+    return file_->setText(name.chopped(lastUsual.size()) + usual_);
+  const QString last = '.' + QFileInfo(name).suffix().toLower();
+  if (known.contains(last)) {
+    if (last != extension) file_->setText(name.chopped(last.size()) + extension);
+  } else if (isOther) {
+    file_->setText(name + extension);
+  }
+}
+
+/// Shows the command at once; the preview waits until the user pauses.
+void ExportDialog::wishChanged() {
+  renameFile();
   showCommand();
   previews_->cancel();
   showFailure({});
@@ -223,6 +252,20 @@ void ExportDialog::showCommand() {
 
 // ---- Preview
 
+/// Returns the wish for one figure as a mean over few lines.
+ExportWish ExportDialog::previewOfFigure(ExportWish wish, QStringList& notes) const {
+  const bool isMany = wish.content == "paper" || wish.content == "all";
+  if (isMany) wish.content = QStringLiteral("2");
+  if (isMany) notes += tr("Figure 2 of them.");
+  if (wish.content != "1" && wish.realizations.toInt() > kFigureLines) {
+    notes += tr("The curve of the preview is the mean of %1 lines, that of the file of %2.")
+                 .arg(kFigureLines)
+                 .arg(wish.realizations);
+    wish.realizations = QString::number(kFigureLines);
+  }
+  return wish;
+}
+
 /// Runs the command for fewer pixels and fewer lines. A film is shown by one picture.
 void ExportDialog::requestPreview() {
   ExportWish wish = form_->wish();
@@ -232,8 +275,9 @@ void ExportDialog::requestPreview() {
     wish.kind = ExportKind::Picture;
     notes += tr("One picture of the film.");
   }
-  if (wish.kind == ExportKind::Picture) {
-    extension = ".png";
+  if (wish.kind == ExportKind::Figure) wish = previewOfFigure(wish, notes);
+  if (wish.kind != ExportKind::Table) {
+    if (wish.kind == ExportKind::Picture) extension = ".png";
     if (const QSizeF pixels = form_->pixels(); !pixels.isEmpty() && !wish.size.isEmpty()) {
       const double large = std::max(pixels.width(), pixels.height());
       const double small = std::min(pixels.width(), pixels.height());
@@ -261,6 +305,7 @@ void ExportDialog::requestPreview() {
   }
   previewNote_ = notes.join(' ');
   previewFile_ = folder_.filePath(QStringLiteral("preview_%1%2").arg(++number_).arg(extension));
+  previewFigure_ = wish.kind == ExportKind::Figure ? wish.content : QString();
   previews_->run(exportWords(subject_.origin, subject_.scene, wish, subject_.shown, previewFile_) +
                      QStringList{"--threads", "1"},
                  folder_.path());
@@ -269,7 +314,13 @@ void ExportDialog::requestPreview() {
 void ExportDialog::takePreview() {
   showFailure({});
   QFile made(previewFile_);
-  if (form_->kind() == ExportKind::Table) {
+  if (!previewFigure_.isEmpty()) {
+    QDir figures(previewFile_);
+    preview_->showPicture(
+        QImage(figures.filePath(QStringLiteral("figure_%1.png").arg(previewFigure_))),
+        previewNote_);
+    figures.removeRecursively();
+  } else if (form_->kind() == ExportKind::Table) {
     if (made.open(QIODevice::ReadOnly)) preview_->showTable(firstLines(made), previewNote_);
   } else {
     preview_->showPicture(QImage(previewFile_), previewNote_);
@@ -280,19 +331,27 @@ void ExportDialog::takePreview() {
 
 // ---- Writing
 
+/// Asks where files would be replaced.
+bool ExportDialog::mayReplace(const QFileInfo& target) {
+  QString question;
+  if (target.isDir() && !QDir(target.absoluteFilePath()).isEmpty())
+    question = tr("The folder %1 has files already. Replace those of the same names?");
+  else if (target.exists() && !target.isDir() && target.absoluteFilePath() != chosenFile_)
+    question = tr("%1 exists already. Replace it?");
+  if (question.isEmpty()) return true;
+  QMessageBox box(QMessageBox::Question, windowTitle(), question.arg(target.fileName()),
+                  QMessageBox::Yes | QMessageBox::Cancel, this);
+  box.setObjectName("replaceQuestion");
+  box.setTextFormat(Qt::PlainText);
+  box.button(QMessageBox::Yes)->setText(tr("&Replace"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  box.setDefaultButton(QMessageBox::Cancel);
+  return box.exec() == QMessageBox::Yes;
+}
+
 void ExportDialog::write() {
   const QFileInfo target(words().at(words().indexOf("-o") + 1));
-  if (target.exists() && target.absoluteFilePath() != chosenFile_) {
-    QMessageBox box(QMessageBox::Question, windowTitle(),
-                    tr("%1 exists already. Replace it?").arg(target.fileName()),
-                    QMessageBox::Yes | QMessageBox::Cancel, this);
-    box.setObjectName("replaceQuestion");
-    box.setTextFormat(Qt::PlainText);
-    box.button(QMessageBox::Yes)->setText(tr("&Replace"));
-    box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-    box.setDefaultButton(QMessageBox::Cancel);
-    if (box.exec() != QMessageBox::Yes) return;
-  }
+  if (!mayReplace(target)) return;
   QSettings().setValue(kFolder, target.absolutePath());
   file_->setText(target.absoluteFilePath());
   showCommand();

@@ -9,6 +9,7 @@
 
 #include "ui/window/export/asperity_command.h"
 
+class QFileInfo;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -63,8 +64,12 @@ class ExportDialog : public QDialog {
  private:
   QWidget* makeBottom();
   void askFile();
+  void renameFile();
+  QString usualName() const;
+  bool mayReplace(const QFileInfo& target);
   void wishChanged();
   void showCommand();
+  ExportWish previewOfFigure(ExportWish wish, QStringList& notes) const;
   void requestPreview();
   void takePreview();
   void showFailure(const QString& reason);
@@ -82,8 +87,11 @@ class ExportDialog : public QDialog {
   QTemporaryDir folder_;  // of previews; also where commands run
   CommandRun *previews_, *writing_;
   QString previewFile_, previewNote_;
-  QString chosenFile_;  // in the file dialog, which asked about replacing it
-  int number_ = 0;      // of the newest preview
+  QString previewFigure_;  // word of the figure in the folder of that name; empty: a single file
+  QString chosenFile_;     // in the file dialog, which asked about replacing it
+  QString extension_;      // of the format that was chosen last; empty: a folder
+  QString usual_;          // the name that was proposed last
+  int number_ = 0;         // of the newest preview
 };
 
 }  // namespace asperity

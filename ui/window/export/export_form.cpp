@@ -11,8 +11,11 @@
 #include <exception>
 
 #include "core/chart/figure_style.h"
+#include "core/paper/figure.h"
+#include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
+#include "ui/window/figures/figure_gallery.h"
 
 namespace asperity {
 
@@ -45,6 +48,14 @@ void choose(QComboBox& box, const QString& word) {
   if (const int index = box.findData(word); index >= 0) box.setCurrentIndex(index);
 }
 
+/// Returns "Figure 2: Typical dependence of friction on velocity".
+QString figureTitle(const FigureEntry& entry) {
+  const QString headline = translatedText(Message(entry.headline));
+  return entry.name < FigureName::Master
+             ? QStringLiteral("%1: %2").arg(figureLabel(entry.name), headline)
+             : headline;
+}
+
 QString chosen(const QComboBox& box) {
   return box.currentData().toString();
 }
@@ -60,6 +71,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   kind_->addItem(tr("Picture"), "picture");
   kind_->addItem(tr("Film"), "film");
   kind_->addItem(tr("Table"), "table");
+  kind_->addItem(tr("Figures of the paper"), "figure");
   content_ = addChoice("exportContent", [] { return tr("&What"); });
   format_ = addChoice("exportFormat", [] { return tr("&Format"); });
   style_ = addChoice("exportStyle", [] { return tr("St&yle"); });
@@ -116,6 +128,10 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       "exportColumns", [] { return tr("Co&lumns"); },
       [] { return tr("Names of columns, separated by commas; empty: all"); });
   columns_->setPlaceholderText(tr("all"));
+  realizations_ = addEntry(
+      "exportRealizations", [] { return tr("A&verage of lines"); },
+      [] { return tr("Random lines over which each point is a mean; the paper has 200"); });
+  realizations_->setText("200");
 
   further_ = addEntry(
       "exportFurther", [] { return tr("&Other options"); },
@@ -143,8 +159,8 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
     });
   for (QLineEdit* entry : {width_, height_})
     connect(entry, &QLineEdit::textEdited, this, [this] { choose(*preset_, kOwn); });
-  for (QLineEdit* entry :
-       {width_, height_, density_, duration_, rate_, speedValue_, columns_, further_})
+  for (QLineEdit* entry : {width_, height_, density_, duration_, rate_, speedValue_, columns_,
+                           realizations_, further_})
     connect(entry, &QLineEdit::textEdited, this, &ExportForm::changed);
   for (QCheckBox* box : {transparent_, asShown_})
     connect(box, &QCheckBox::toggled, this, &ExportForm::changed);
@@ -200,6 +216,10 @@ void ExportForm::setKind(ExportKind kind) {
   kind_->setCurrentIndex(static_cast<int>(kind));
 }
 
+void ExportForm::setContent(const QString& content) {
+  choose(*content_, content);
+}
+
 ExportKind ExportForm::kind() const {
   return static_cast<ExportKind>(kind_->currentIndex());
 }
@@ -208,7 +228,13 @@ ExportKind ExportForm::kind() const {
 void ExportForm::fillContents() {
   isFilling_ = true;
   content_->clear();
-  if (kind() == ExportKind::Table) {
+  if (kind() == ExportKind::Figure) {
+    content_->addItem(tr("Figures 1 to 6"), "paper");
+    content_->addItem(tr("All figures"), "all");
+    for (const FigureEntry& entry : figureEntries())
+      content_->addItem(figureTitle(entry), fromUtf8(entry.word));
+    choose(*theme_, "");  // that of print
+  } else if (kind() == ExportKind::Table) {
     content_->addItem(tr("Friction curve"), "curve");
     if (isMotion_) content_->addItem(tr("Motion in time"), "motion");
     content_->addItem(tr("Contact, point by point"), "shape");
@@ -243,10 +269,14 @@ void ExportForm::fillFormats() {
       format_->addItem("WebM", ".webm");
       format_->addItem(tr("GIF, animated"), ".gif");
       format_->addItem(tr("WebP, animated"), ".webp");
+      format_->addItem(tr("Folder of PNG frames"), "");
       break;
     case ExportKind::Table:
       format_->addItem("CSV", ".csv");
       format_->addItem("JSON", ".json");
+      break;
+    case ExportKind::Figure:
+      format_->addItem(tr("Folder: PNG, SVG, PDF, CSV"), "");
       break;
   }
   choose(*format_, before);
@@ -257,7 +287,8 @@ void ExportForm::fillFormats() {
 void ExportForm::fillSizes() {
   isFilling_ = true;
   const QString before = chosen(*preset_);
-  const bool isChart = chosen(*content_) == "curve" || chosen(*content_) == "motion";
+  const bool isChart =
+      chosen(*content_) == "curve" || chosen(*content_) == "motion" || kind() == ExportKind::Figure;
   preset_->clear();
   preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kUsual);
   if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
@@ -275,6 +306,10 @@ void ExportForm::fillSizes() {
 void ExportForm::takePreset() {
   const QString word = chosen(*preset_);
   if (word == kOwn || word == kOfStyle) return;
+  if (isOfOwnSize()) {  // which the figure chooses
+    for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
+    return;
+  }
   SizePreset size{kUsual, 1200, 800, false, kScreen};
   if (chosen(*content_) == "motion") size.height = 1000;
   if (const QSize window = renderSize(shown_, chosen(*content_));
@@ -291,6 +326,12 @@ void ExportForm::takePreset() {
   isFilling_ = false;
 }
 
+/// Returns whether the command chooses the size: that of the style, or of a figure.
+bool ExportForm::isOfOwnSize() const {
+  const QString size = chosen(*preset_);
+  return size == kOfStyle || (size == kUsual && kind() == ExportKind::Figure);
+}
+
 bool ExportForm::isOnPaper() const {
   return chosen(*unit_) == "mm";
 }
@@ -298,9 +339,9 @@ bool ExportForm::isOnPaper() const {
 /// Shows the rows that have a meaning for the kind.
 void ExportForm::showRows() {
   const bool isTable = kind() == ExportKind::Table, isFilm = kind() == ExportKind::Film;
-  const bool isOfStyle = chosen(*preset_) == kOfStyle;
+  const bool isFigure = kind() == ExportKind::Figure;
   const QString content = chosen(*content_);
-  const bool hasContact = content != "curve" && content != "motion";
+  const bool hasContact = content != "curve" && content != "motion" && !isFigure;
   const bool isSlow = chosen(*speed_) == "slow";
   const auto show = [this](QWidget* field, bool isShown) {
     // QFormLayout::setRowVisible() would move the rows below; these few do so only with the kind.
@@ -311,13 +352,14 @@ void ExportForm::showRows() {
        std::initializer_list<QWidget*>{style_, preset_, size_, density_, theme_, transparent_})
     show(field, !isTable);
   for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, unit_, density_})
-    field->setEnabled(!isOfStyle);
+    field->setEnabled(!isOfOwnSize());
   show(asShown_, hasContact);
   for (QWidget* field : std::initializer_list<QWidget*>{duration_, rate_, speedRow_})
     show(field, isFilm);
   duration_->setEnabled(!(isMotion_ && isSlow));
   speedValue_->setEnabled(chosen(*speed_) != "whole");
   show(columns_, isTable);
+  show(realizations_, isFigure);
 }
 
 ExportWish ExportForm::wish() const {
@@ -333,7 +375,8 @@ ExportWish ExportForm::wish() const {
   wish.style = chosen(*style_);
   wish.theme = chosen(*theme_);
   wish.isTransparent = transparent_->isChecked();
-  if (chosen(*preset_) != kOfStyle) {
+  if (wish.kind == ExportKind::Figure) wish.realizations = machineNumber(*realizations_);
+  if (!isOfOwnSize()) {
     const QString unit = chosen(*unit_);
     wish.size = machineNumber(*width_) + unit + 'x' + machineNumber(*height_) + unit;
     const QString usual = QString::number(isOnPaper() ? kPaper : kScreen);
@@ -354,6 +397,7 @@ QString ExportForm::extension() const {
 }
 
 QSizeF ExportForm::pixels() const {
+  if (isOfOwnSize() && chosen(*preset_) != kOfStyle) return {};
   QSizeF size(machineNumber(*width_).toDouble(), machineNumber(*height_).toDouble());
   double density = machineNumber(*density_).toDouble();
   bool onPaper = isOnPaper();

@@ -26,7 +26,10 @@ class ExportForm : public QWidget {
   ExportKind kind() const;
   ExportWish wish() const;
 
-  /// Returns the extension of the file: ".png".
+  /// Chooses what is exported, if this kind has it.
+  void setContent(const QString& content);
+
+  /// Returns the extension of the file: ".png"; empty: files in a folder.
   QString extension() const;
 
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
@@ -46,12 +49,14 @@ class ExportForm : public QWidget {
   void takePreset();
   void showRows();
   bool isOnPaper() const;
+  bool isOfOwnSize() const;
 
   bool isMotion_;
   RenderCommandOptions shown_;
   QFormLayout* rows_;
   QComboBox *kind_, *content_, *format_, *preset_, *unit_, *theme_, *style_, *speed_;
-  QLineEdit *width_, *height_, *density_, *duration_, *rate_, *speedValue_, *columns_, *further_;
+  QLineEdit *width_, *height_, *density_, *duration_, *rate_, *speedValue_, *columns_,
+      *realizations_, *further_;
   QWidget *size_, *speedRow_;
   QCheckBox *transparent_, *asShown_;
   bool isFilling_ = false;

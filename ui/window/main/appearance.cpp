@@ -130,6 +130,7 @@ QString windowStyleSheet(const Theme& theme) {
     QTabWidget::pane { border: none; }
     QTabWidget QTabBar::tab { background: transparent; color: %6; padding: 6px 14px; border: none;
       border-bottom: 2px solid transparent; }
+    QTabWidget QTabBar[crowded="true"]::tab { padding: 6px 7px; }
     QTabWidget QTabBar::tab:hover { color: %2; }
     QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
     #fitButton { border: none; border-radius: 5px; margin: 4px 8px 4px 4px; padding: 3px 10px;

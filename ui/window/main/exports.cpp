@@ -10,10 +10,12 @@
 
 #include "ui/chart/chart_view.h"
 #include "ui/contact/contact_overlay.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/export/export_dialog.h"
+#include "ui/window/export/export_form.h"
 #include "ui/window/figures/figure_pages.h"
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
@@ -55,6 +57,8 @@ void Exports::addTo(Commands& commands) {
       {"exportFilm", [] { return tr("Export film…"); }, [this] { openDialog(ExportKind::Film); }});
   commands.add({"exportTable", [] { return tr("Export table…"); },
                 [this] { openDialog(ExportKind::Table); }});
+  commands.add({"exportFigure", [] { return tr("Export figures of the paper…"); },
+                [this] { openDialog(ExportKind::Figure); }});
   commands.add({"copyCommand",
                 [] { return tr("Copy as command line"); },
                 [this] { copyText(pictureCommand()); },
@@ -180,6 +184,8 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
       new ExportDialog({parts_.document.origin(), parts_.document.scene(), shownOptions(), name},
                        kind, program_, &parts_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  if (kind == ExportKind::Figure && parts_.figures.isShowingFigures())
+    dialog->form().setContent(fromUtf8(entryOf(parts_.figures.gallery().chosen()).word));
   connect(dialog, &ExportDialog::exported, this, [this](const QString& file) {
     parts_.status.say(tr("Saved %1").arg(QFileInfo(file).fileName()));
     emit exported(file);

@@ -27,6 +27,7 @@
 #include "ui/window/accuracy/accuracy_panel.h"
 #include "ui/window/accuracy/plan_list.h"
 #include "ui/window/contact/contact_canvas.h"
+#include "ui/window/contact/contact_words.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/contact/time_bar.h"
 #include "ui/window/curve/axis_choosers.h"
@@ -232,6 +233,10 @@ void MainWindow::buildCommands() {
                   [this] { session_->reset(); },
                   {Qt::Key_R},
                   Symbol::Reset});
+  commands_->add({"describe",
+                  [] { return tr("Describe the contact in words"); },
+                  [this] { ContactWords::speak(*session_, *canvas_, *this); },
+                  {Qt::CTRL | Qt::Key_D}});
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
   figures_->addTo(*commands_);
@@ -277,6 +282,7 @@ void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
+  connect(canvas_, &ContactCanvas::guideWanted, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
@@ -377,7 +383,7 @@ void MainWindow::connectFrames() {
   connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
     // The space bar presses the buttons of the page of figures; it does not pause the run behind
     // it.
-    for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset"}))
+    for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset", "describe"}))
       action->setEnabled(!areShown);
     followVisibility();
     if (areShown) return;

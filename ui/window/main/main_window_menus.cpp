@@ -55,7 +55,7 @@ void MainWindow::buildMenus() {
   file.addSeparator();
   add(file, {"save", "saveAs"});
   file.addSeparator();
-  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable"});
+  add(file, {"savePicture", "exportPicture", "exportFilm", "exportTable", "exportFigure"});
   file.addSeparator();
   add(file, {"quit"});
 
@@ -78,6 +78,8 @@ void MainWindow::buildMenus() {
   QMenu& view = *addMenu([] { return tr("&View"); });
   view.setToolTipsVisible(true);
   addContactViewActions(*canvas_, view);
+  view.addSeparator();
+  add(view, {"describe"});
   view.addSeparator();
   windowLayout_->fillMenu(view);
   view.addSeparator();

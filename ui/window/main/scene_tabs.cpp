@@ -1,9 +1,12 @@
 #include "ui/window/main/scene_tabs.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QCoreApplication>
+#include <QEvent>
+#include <QFontMetrics>
 #include <QMenu>
+#include <QResizeEvent>
+#include <QStyle>
 #include <QTabBar>
 #include <algorithm>
 #include <cmath>
@@ -30,7 +33,8 @@ namespace asperity {
 namespace {
 
 constexpr int kMotionTab = 1;
-constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
+constexpr int kTabAir = 14, kCrowdedTabAir = 7;  // pixels at each side of a title
+constexpr int kOnePlot = 170, kTwoPlots = 300;   // minimum heights, pixels
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
@@ -85,6 +89,9 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   setDocumentMode(true);
   tabBar()->setFocusPolicy(Qt::NoFocus);  // the space bar pauses the run
   tabBar()->setDrawBase(false);
+  // Tabs move closer and have shorter titles before any of them would be out of sight.
+  tabBar()->setUsesScrollButtons(false);
+  tabBar()->setElideMode(Qt::ElideRight);
   plot_->setFocusPolicy(
       Qt::ClickFocus);  // clicking here leaves an entry, so that the window gets the keys again
   plot_->setObjectName("frictionPlot");
@@ -125,24 +132,56 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
 
 void SceneTabs::showTexts() {
   setAccessibleName(tr("about the scene"));
-  // Qt's own buttons keep the texts of their first language.
-  for (const char* side : {"Left", "Right"})
-    if (auto* button =
-            tabBar()->findChild<QAbstractButton*>(QStringLiteral("Scroll%1Button").arg(side)))
-      button->setAccessibleName(
-          QCoreApplication::translate("QTabBar", QByteArray("Scroll ") + side));
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
   material_->setAccessibleName(tr("moduli of the elastomer and the frequencies in use"));
-  const QString titles[] = {
-      tr("Friction curve"), tr("Motion in time"), tr("Spectrum"), tr("Statistics"), tr("Material"),
-      tr("Accuracy"),       tr("Plan"),           tr("Map"),      tr("Influences")};
+  const QStringList rest{tr("Spectrum"), tr("Statistics"), tr("Material"),  tr("Accuracy"),
+                         tr("Plan"),     tr("Map"),        tr("Influences")};
+  titles_ = QStringList{tr("Friction curve"), tr("Motion in time")} + rest;
+  briefTitles_ = QStringList{tr("Curve"), tr("Motion")} + rest;
   for (int i = 0; i < count(); ++i) {
-    setTabText(i, titles[i]);
-    wanted_[i]->setText(titles[i]);
+    wanted_[i]->setText(titles_[i]);
     if (commands_) commands_->refresh(("go:" + widget(i)->objectName()).toStdString());
   }
+  fitTitles();
+}
+
+/// Gives the tabs as much air, and as long titles, as their bar has room for.
+void SceneTabs::fitTitles() {
+  const QFontMetrics metrics(tabBar()->font());
+  const auto needed = [&](const QStringList& titles, int air) {
+    int width = 0;
+    for (int i = 0; i < count(); ++i)
+      if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * air;
+    return width;
+  };
+  // Qt keeps room for the button in the corner, also where it is hidden.
+  const int room = width() - (cornerWidget() ? cornerWidget()->sizeHint().width() : 0);
+  const bool isCrowded = needed(titles_, kTabAir) > room;
+  const QStringList& shown =
+      isCrowded && needed(titles_, kCrowdedTabAir) > room ? briefTitles_ : titles_;
+  for (int i = 0; i < count(); ++i) {
+    if (tabText(i) != shown[i]) setTabText(i, shown[i]);
+    setTabToolTip(i, titles_[i]);
+  }
+  if (tabBar()->property("crowded").toBool() == isCrowded) return;
+  tabBar()->setProperty("crowded", isCrowded);  // for the style sheet of the window
+  tabBar()->style()->unpolish(tabBar());
+  tabBar()->style()->polish(tabBar());
+  // The bar keeps the sizes of its tabs until it is told.
+  QEvent changed(QEvent::StyleChange);
+  QCoreApplication::sendEvent(tabBar(), &changed);
+}
+
+void SceneTabs::resizeEvent(QResizeEvent* event) {
+  fitTitles();
+  QTabWidget::resizeEvent(event);
+}
+
+void SceneTabs::changeEvent(QEvent* event) {
+  QTabWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && !titles_.isEmpty()) fitTitles();
 }
 
 void SceneTabs::addTo(Commands& commands) {
@@ -150,7 +189,7 @@ void SceneTabs::addTo(Commands& commands) {
   for (int i = 0; i < count(); ++i) {
     const std::string name = "go:" + widget(i)->objectName().toStdString();
     QAction* action = commands.add({name,
-                                    [this, i] { return tr("Show %1").arg(tabText(i)); },
+                                    [this, i] { return tr("Show %1").arg(titles_.value(i)); },
                                     [this, i] { bringToFront(i); },
                                     {Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i)}});
     keepTranslated(*this, [action] { action->setProperty("group", tr("Tabs")); });
@@ -171,6 +210,7 @@ void SceneTabs::keepRoomForPlots() {
 
 void SceneTabs::setWanted(int index, bool isWanted) {
   setTabVisible(index, isWanted && wanted_.at(index)->isVisible());
+  fitTitles();
   const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
   setVisible(std::ranges::any_of(wanted_, isOn));
 }
@@ -206,6 +246,7 @@ void SceneTabs::showScene(const Scene& scene) {
   QAction& action = *wanted_.at(kMotionTab);
   action.setVisible(moves);
   setTabVisible(kMotionTab, moves && action.isChecked());
+  fitTitles();
   if (moves && !moved) setCurrentIndex(kMotionTab);
   motion_->showScene(scene);
   hasMeasuredFriction_ = !scene.comparison.data.empty();

@@ -6,6 +6,7 @@
 
 #include <QElapsedTimer>
 #include <QList>
+#include <QStringList>
 #include <QTabWidget>
 #include <functional>
 #include <memory>
@@ -79,9 +80,12 @@ class SceneTabs : public QTabWidget {
  protected:
   /// Qt would paint the foot of a tab bar beside the tabs, which have none.
   void paintEvent(QPaintEvent*) override {}
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void showTexts();
+  void fitTitles();
   void bringToFront(int index);
   void setWanted(int index, bool isWanted);
   void showMeasuredCurve();
@@ -97,6 +101,7 @@ class SceneTabs : public QTabWidget {
   InfluencePage* influences_;
   Commands* commands_ = nullptr;
   QList<QAction*> wanted_;            // one for each tab, checkable
+  QStringList titles_, briefTitles_;  // of the tabs; the latter where there is little room
   std::optional<Scene> timed_;        // the scene whose curve is timed
   bool hasMeasuredFriction_ = false;  // whose ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete

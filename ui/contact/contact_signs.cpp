@@ -1,0 +1,107 @@
+#include "ui/contact/contact_signs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/contact/contact_parts.h"
+#include "ui/draw/fonts.h"
+
+namespace asperity {
+namespace {
+
+constexpr float kAbove = 1.0F, kBelow = 0.4F;  // of a font's size: a line around its baseline
+
+/// Returns the place of a line of text.
+Clip lineAt(float left, float baseline, float width, float size) {
+  return {left, baseline - kAbove * size, width, (kAbove + kBelow) * size};
+}
+
+std::string_view idOf(ContactOverlay overlay) {
+  switch (overlay) {
+    case ContactOverlay::Pressure:
+      return "contact pressure";
+    case ContactOverlay::Relaxation:
+      return "time since contact";
+    case ContactOverlay::Power:
+      return "dissipated power";
+    case ContactOverlay::None:
+      break;
+  }
+  return {};
+}
+
+/// Adds the legend of the colours: its title, its bar and the numbers below or beside it.
+void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout) {
+  const LegendPlace& legend = layout.legend;
+  const std::string_view id = idOf(layout.scale.overlay);
+  const bool hasBar = legend.bar.width > 0;
+  if (id.empty() || (!hasBar && legend.title.empty())) return;
+  const float size = layout.sizes.small;
+  Clip place = lineAt(legend.titleEnd.x - textWidth(legend.title, size), legend.titleEnd.y,
+                      textWidth(legend.title, size), size);
+  if (hasBar) {
+    const float numbers = legend.inLine ? 5 * size : 0;  // beside the end of the bar
+    const float left = legend.title.empty() ? legend.bar.x : place.x;
+    const float bottom = legend.bar.bottom() + (legend.inLine ? 0 : 1.5F * size);
+    const float top = legend.title.empty() ? legend.bar.y : std::min(place.y, legend.bar.y);
+    place = {left, top, legend.bar.right() + numbers - left,
+             std::max(bottom, place.y + place.height) - top};
+  }
+  const std::string name = hasBar || legend.title.empty() ? layout.scale.title() : legend.title;
+  signs.push_back({place, name, id});
+}
+
+void addAxisSigns(std::vector<ContactSign>& signs, const ContactLayout& layout) {
+  if (!layout.axisTitles) return;
+  const float size = layout.sizes.small;
+  const std::string x = xAxisTitle(layout), height = heightAxisTitle(layout);
+  const float width = textWidth(x, size), length = textWidth(height, size);
+  signs.push_back({lineAt(layout.axisTitle.x - width / 2, layout.axisTitle.y, width, size), x,
+                   "position along the line"});
+  const float middle = layout.plot.y + layout.plot.height / 2;
+  signs.push_back({{0, middle - length / 2, 1.5F * size + kBelow * size, length},
+                   height,
+                   "height above the surface"});
+}
+
+void addFooterSigns(std::vector<ContactSign>& signs, const ContactLayout& layout,
+                    const Notes& notes) {
+  if (!(layout.footer > 0)) return;
+  const float size = layout.sizes.small;
+  float x = layout.plot.x;
+  for (const FooterNote& note : shownNotes(layout, notes)) {
+    const float width = textWidth(note.text, size);
+    signs.push_back({lineAt(x, layout.footer, width, size), note.text, note.id});
+    x += width + textWidth(kNoteGap, size);
+  }
+}
+
+}  // namespace
+
+std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& asked) {
+  BegunPicture begun = beginContact(frame, asked);
+  std::vector<ContactSign> signs;
+  for (ContactReading& reading : contactReadings(frame, begun.options))
+    signs.push_back({reading.place, std::move(reading.name), reading.id, std::move(reading.tip)});
+  begun.list.layers.emplace_back();  // in place of the bodies
+  std::vector<HandlePlace> labels;
+  const Notes notes = addLabels(begun.list, frame, begun.layout, &labels);
+  for (HandlePlace& label : labels)
+    if (!label.id.empty()) signs.push_back({label.box, std::move(label.name), label.id});
+  addAxisSigns(signs, begun.layout);
+  addLegendSign(signs, begun.layout);
+  addFooterSigns(signs, begun.layout, notes);
+  return signs;
+}
+
+std::optional<ContactSign> contactSignAt(const Frame& frame, const ContactPictureOptions& options,
+                                         float x, float y) {
+  for (ContactSign& sign : contactSigns(frame, options)) {
+    const Clip& box = sign.place;
+    if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
+      return std::move(sign);
+  }
+  return std::nullopt;
+}
+
+}  // namespace asperity

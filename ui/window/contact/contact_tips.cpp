@@ -1,0 +1,68 @@
+#include "ui/window/contact/contact_tips.h"
+
+#include "core/scene/parameters.h"
+#include "ui/contact/contact_signs.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/explained.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/main/commands.h"
+
+namespace asperity {
+
+namespace {
+
+/// Returns one sentence on a drag of this handle.
+QString whatADragDoes(ContactHandle handle, const Scene& scene) {
+  if (handle == ContactHandle::Velocity)
+    return ContactCanvas::tr("Drag to the right to slide faster, to the left to slide slower.");
+  if (handle == ContactHandle::Force)
+    return ContactCanvas::tr("Drag down to press harder, up to press less.");
+  return scene.load.kind == LoadKind::Indentation
+             ? ContactCanvas::tr(
+                   "Drag the body down into the elastomer or up; sideways moves the "
+                   "view.")
+             : ContactCanvas::tr(
+                   "Drag down to press harder, up to press less; sideways moves the "
+                   "view.");
+}
+
+/// Returns what a sign means: its explanation, or what it says where it has none.
+ContactTip tipOf(const ContactSign& sign) {
+  const QString sentence = QString::fromStdString(sign.tip);
+  const auto explanation = explanationOf(sign.id);
+  if (!explanation) return {wrappedTip(sentence), {}};
+  return {explanationHtml(*explanation, QString::fromStdString(sign.name), sentence),
+          anchorText(*explanation)};
+}
+
+}  // namespace
+
+QString draggedText(ContactHandle handle, const Scene& scene) {
+  const Parameter& parameter = knownParameter(draggedKey(handle, scene));
+  const double value = std::get<double>(valueOf(parameter, scene));
+  return ParameterRow::labelOf(parameter) + ": " +
+         QString::fromStdString(quantity(value, parameter.unit, 4));
+}
+
+ContactHandle contactHandleAt(const Frame& frame, const ContactPictureOptions& options,
+                              const QPointF& pixel, const std::optional<Scene>& scene) {
+  if (!scene) return ContactHandle::None;
+  const ContactHandle handle =
+      handleAt(frame, options, static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
+  return draggedKey(handle, *scene).empty() ? ContactHandle::None : handle;
+}
+
+ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options,
+                        const QPointF& pixel, const std::optional<Scene>& scene) {
+  ContactTip tip;
+  if (const auto sign = contactSignAt(frame, options, static_cast<float>(pixel.x()),
+                                      static_cast<float>(pixel.y())))
+    tip = tipOf(*sign);
+  if (const ContactHandle handle = contactHandleAt(frame, options, pixel, scene);
+      handle != ContactHandle::None)
+    tip.html += wrappedTip(whatADragDoes(handle, *scene)) + wrappedTip(draggedText(handle, *scene));
+  return tip;
+}
+
+}  // namespace asperity

@@ -1,0 +1,31 @@
+// What the picture of the contact says under the pointer: what a word or a sign means
+// (ui/contact/contact_signs.h), with its formula and its place in the guide, and what a drag from
+// here changes. GUI thread.
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <optional>
+
+#include "ui/contact/contact_handles.h"
+#include "ui/contact/contact_picture.h"
+
+namespace asperity {
+
+struct ContactTip {
+  QString html;         // rich text; empty: nothing is said here
+  QString guideAnchor;  // empty: nothing is explained here
+};
+
+/// Returns the tip at a pixel of the picture. scene: what drags change; none: they move the view.
+ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options,
+                        const QPointF& pixel, const std::optional<Scene>& scene);
+
+/// Returns what a drag from a pixel would change.
+ContactHandle contactHandleAt(const Frame& frame, const ContactPictureOptions& options,
+                              const QPointF& pixel, const std::optional<Scene>& scene);
+
+/// Returns "normal force: 200 mN", the value that a drag changes.
+QString draggedText(ContactHandle handle, const Scene& scene);
+
+}  // namespace asperity

@@ -1,0 +1,102 @@
+#include "ui/window/contact/contact_words.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeySequence>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QShortcut>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include "core/run/contact_state.h"
+#include "ui/language/translated.h"
+#include "ui/window/contact/contact_canvas.h"
+#include "ui/window/curve/curve_reading.h"
+#include "ui/window/main/session.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr QSize kUsual(600, 260);  // pixels
+
+/// Returns the sentences on the present frame. A curve that is to be guessed is not spoken of.
+QStringList sentencesOf(const Session& session) {
+  const Frame& frame = *session.frame();
+  CurveAtVelocity curve;
+  if (!session.friction().isConcealed()) {
+    const CurveReading reading = readCurve(frame, session.curve());
+    curve = {reading.mu, reading.error, reading.lines, reading.region, reading.notes};
+  }
+  curve.notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
+  QStringList said;
+  for (const Message& sentence : contactInWords(frame, curve)) said += translatedText(sentence);
+  return said;
+}
+
+}  // namespace
+
+void ContactWords::speak(const Session& session, ContactCanvas& canvas, QWidget& window) {
+  if (!session.frame()) return;
+  auto* words = window.findChild<ContactWords*>("contactWords", Qt::FindDirectChildrenOnly);
+  if (!words) words = new ContactWords(session, canvas, &window);
+  words->renew();
+  words->show();
+  words->raise();
+  words->activateWindow();
+}
+
+ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidget* parent)
+    : QDialog(parent), session_(session), canvas_(canvas), text_(new QPlainTextEdit) {
+  setObjectName("contactWords");
+  setWindowTitle(tr("The contact in words"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  text_->setObjectName("contactWordsText");
+  text_->setAccessibleName(tr("state of the contact"));
+  text_->setReadOnly(true);
+  text_->setTabChangesFocus(true);
+  // A caret, with which the sentences are read line by line and marked.
+  text_->setTextInteractionFlags(Qt::TextSelectableByKeyboard | Qt::TextSelectableByMouse);
+  auto* again = new QPushButton(tr("&Renew"));
+  again->setObjectName("contactWordsAgain");
+  again->setToolTip(
+      tr("The state at this moment (%1)")
+          .arg(QKeySequence(Qt::CTRL | Qt::Key_D).toString(QKeySequence::NativeText)));
+  auto* copy = new QPushButton(tr("&Copy"));
+  copy->setObjectName("contactWordsCopy");
+  auto* close = new QPushButton(tr("C&lose"));
+  close->setObjectName("contactWordsClose");
+  connect(again, &QPushButton::clicked, this, &ContactWords::renew);
+  connect(new QShortcut(Qt::CTRL | Qt::Key_D, this), &QShortcut::activated, this,
+          &ContactWords::renew);
+  connect(copy, &QPushButton::clicked, this,
+          [this] { QGuiApplication::clipboard()->setText(text()); });
+  connect(close, &QPushButton::clicked, this, &QDialog::close);
+  auto* foot = new QHBoxLayout;
+  foot->addStretch(1);
+  for (QPushButton* button : {again, copy, close}) {
+    button->setAutoDefault(false);
+    foot->addWidget(button);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(text_, 1);
+  column->addLayout(foot);
+  resize(kUsual);
+  text_->setFocus();
+}
+
+QString ContactWords::text() const {
+  return text_->toPlainText();
+}
+
+void ContactWords::renew() {
+  const QStringList said = sentencesOf(session_);
+  text_->setPlainText(said.join('\n'));
+  setAccessibleDescription(said.join(' '));
+  canvas_.setAccessibleDescription(said.join(' '));
+  text_->setFocus();
+}
+
+}  // namespace asperity

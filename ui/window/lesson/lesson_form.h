@@ -1,0 +1,66 @@
+// A page of the lesson editor: rows of labels and fields, in one language at a time. It tells when
+// somebody edits, and is silent while it is filled. GUI thread; belongs to its parent.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/lesson/lesson.h"
+
+class QComboBox;
+class QFormLayout;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace asperity {
+
+class LessonForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LessonForm(QWidget* parent = nullptr);
+
+  /// Sets the language of the texts; what is shown follows with the next lesson or step.
+  void setGerman(bool isGerman) { isGerman_ = isGerman; }
+
+  // Rows. The name is that of the object, the label also that for screen readers.
+  QLineEdit* addLine(const QString& label, const char* name);
+  QPlainTextEdit* addText(const QString& label, const char* name, int lines);
+  QComboBox* addChoice(const QString& label, const char* name);
+  void addRow(const QString& label, QWidget* field);
+  /// Shows or hides a field with its label.
+  void setShown(QWidget* field, bool isShown);
+
+  /// Fills fields; edits of that kind are nobody's.
+  template <class Fill>
+  void fill(const Fill& fields) {
+    isFilling_ = true;
+    fields();
+    isFilling_ = false;
+  }
+  bool isFilling() const { return isFilling_; }
+  /// Emits edited(), unless the page is being filled.
+  void tell();
+
+  QString textOf(const LessonText& text) const;
+  void write(LessonText& text, const QString& written) const;
+
+ signals:
+  void edited();
+
+ private:
+  QFormLayout* rows_;
+  bool isGerman_ = false, isFilling_ = false;
+};
+
+/// Returns "load.normal_force=0.02; sliding.velocity=0.1", and the assignments in such a text.
+QString assignmentText(const std::vector<std::string>& assignments);
+std::vector<std::string> assignmentsIn(const QString& text);
+
+/// Returns the number in a text with a decimal point or comma; nothing where there is none.
+std::optional<double> numberIn(const QString& text);
+
+}  // namespace asperity

@@ -1,0 +1,148 @@
+#include "ui/window/lesson/lesson_pages.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "core/friction/curve_quantity.h"
+#include "core/scene/parameters.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/window/lesson/prediction_fields.h"
+
+namespace asperity {
+
+// ---- The lesson
+
+LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
+  title_ = addLine(tr("Title"), "editorTitle");
+  goal_ = addText(tr("Goal"), "editorGoal", 4);
+  minutes_ = new QSpinBox;
+  minutes_->setObjectName("editorMinutes");
+  minutes_->setRange(1, 600);
+  minutes_->setAccessibleName(tr("Minutes"));
+  addRow(tr("Minutes"), minutes_);
+  connect(minutes_, &QSpinBox::valueChanged, this, &LessonForm::tell);
+  notes_ = addText(tr("Notes for teachers"), "editorNotes", 8);
+}
+
+void LessonHeadPage::showLesson(const Lesson& lesson) {
+  fill([&] {
+    title_->setText(textOf(lesson.title));
+    goal_->setPlainText(textOf(lesson.goal));
+    notes_->setPlainText(textOf(lesson.notes));
+    minutes_->setValue(lesson.minutes);
+  });
+}
+
+void LessonHeadPage::take(Lesson& lesson) const {
+  write(lesson.title, title_->text());
+  write(lesson.goal, goal_->toPlainText());
+  write(lesson.notes, notes_->toPlainText());
+  lesson.minutes = minutes_->value();
+}
+
+// ---- A step
+
+LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
+  title_ = addLine(tr("Title"), "editorStepTitle");
+  text_ = addText(tr("Text"), "editorText", 6);
+  text_->setToolTip(
+      tr("An empty line begins a paragraph; *word* and **word** emphasize; a line "
+         "that begins with “- ” is an item"));
+  set_ = addLine(tr("Change of keys"), "editorSet");
+  set_->setPlaceholderText(QStringLiteral("load.normal_force=20mN; sliding.velocity=0.1"));
+  tab_ = addChoice(tr("Tab"), "editorTab");
+  for (const std::string_view word : kLessonTabs) tab_->addItem(wordText(word), fromUtf8(word));
+  quantity_ = addChoice(tr("Vertical axis"), "editorQuantity");
+  for (const QuantityEntry& entry : quantityEntries())
+    quantity_->addItem(translatedText(entry.title), fromUtf8(entry.word.text()));
+  controls_ = new QToolButton;
+  controls_->setObjectName("editorControls");
+  controls_->setPopupMode(QToolButton::InstantPopup);
+  controls_->setMenu(new QMenu(controls_));
+  addRow(tr("Free controls"), controls_);
+  connect(controls_->menu(), &QMenu::aboutToShow, this, &LessonStepPage::fillControls);
+  prediction_ = new PredictionFields(*this);
+}
+
+void LessonStepPage::showStep(const LessonStep& step) {
+  chosen_ = step.controls;
+  scene_ = step.revealedScene;
+  fill([&] {
+    title_->setText(textOf(step.title));
+    text_->setPlainText(textOf(step.text));
+    set_->setText(assignmentText(step.set));
+    tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
+    quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
+    prediction_->show(step);
+    showControls();
+  });
+}
+
+void LessonStepPage::take(LessonStep& step) const {
+  write(step.title, title_->text());
+  write(step.text, text_->toPlainText());
+  step.set = assignmentsIn(set_->text());
+  step.show.tab = tab_->currentData().toString().toStdString();
+  step.show.quantity = quantity_->currentData().toString().toStdString();
+  step.controls = chosen_;
+  prediction_->take(step);
+}
+
+void LessonStepPage::beginText() {
+  text_->setFocus();
+  text_->selectAll();
+}
+
+/// Says which controls are free.
+void LessonStepPage::showControls() {
+  QStringList names;
+  for (const std::string& key : chosen_.free)
+    if (const Parameter* parameter = findParameter(key)) names += ParameterRow::labelOf(*parameter);
+  controls_->setText(chosen_.others == ControlState::Free ? tr("all")
+                     : names.isEmpty()                    ? tr("none")
+                     : names.size() > 3                   ? tr("%1 controls").arg(names.size())
+                                                          : names.join(", "));
+  controls_->setAccessibleName(tr("free controls: %1").arg(controls_->text()));
+}
+
+/// Offers the parameters that have a meaning in the step's scene.
+void LessonStepPage::fillControls() {
+  QMenu& menu = *controls_->menu();
+  menu.clear();
+  QAction* all = menu.addAction(tr("all"));
+  all->setCheckable(true);
+  all->setChecked(chosen_.others == ControlState::Free);
+  connect(all, &QAction::toggled, this, [this](bool isFree) {
+    chosen_ = {};
+    if (isFree) chosen_.others = ControlState::Free;
+    showControls();
+    tell();
+  });
+  menu.addSeparator();
+  for (const Parameter& row : parameters()) {
+    if (!isApplicable(row, scene_) || row.key.find('.') == row.key.npos) continue;
+    QAction* action = menu.addAction(ParameterRow::labelOf(row));
+    action->setObjectName("free:" + fromUtf8(row.key));
+    action->setCheckable(true);
+    action->setChecked(chosen_.of(row.key) == ControlState::Free);
+    connect(action, &QAction::toggled, this,
+            [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); });
+  }
+}
+
+void LessonStepPage::chooseControl(const std::string& key, bool isFree) {
+  for (std::vector<std::string>* keys : {&chosen_.free, &chosen_.locked, &chosen_.hidden})
+    std::erase(*keys, key);
+  if (isFree) chosen_.free.push_back(key);
+  showControls();
+  tell();
+}
+
+}  // namespace asperity

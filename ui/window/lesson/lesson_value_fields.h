@@ -1,0 +1,41 @@
+// The rows of the lesson editor for a number that the program computes as the answer: a column of
+// the curve, its ratio to the value of the step, the place of its largest value, or the exponent
+// with which it depends on a key. GUI thread; belongs to the page.
+#pragma once
+
+#include <QObject>
+
+#include "core/lesson/lesson.h"
+
+class QComboBox;
+class QLineEdit;
+
+namespace asperity {
+
+class LessonForm;
+
+class LessonValueFields : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LessonValueFields(LessonForm& page);
+
+  /// Fills the rows. scene: that of the step, whose keys can be chosen for an exponent.
+  void show(const LessonValue& value, const Scene& scene);
+  void setShown(bool isShown);
+  /// Returns the value with what is written. What the rows do not show is kept.
+  LessonValue taken(const LessonValue& before) const;
+
+ private:
+  void showRows();
+  void proposeEnds();
+  double endOf(const QLineEdit& entry) const;
+
+  LessonForm& page_;
+  QComboBox *kind_, *column_, *key_;
+  QLineEdit *from_, *to_, *set_;
+  Scene scene_;  // of the step
+  bool isShown_ = true;
+};
+
+}  // namespace asperity

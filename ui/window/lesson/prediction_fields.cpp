@@ -1,0 +1,169 @@
+#include "ui/window/lesson/prediction_fields.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTableWidget>
+#include <cmath>
+#include <utility>
+
+#include "ui/panels/number_text.h"
+#include "ui/window/lesson/lesson_form.h"
+#include "ui/window/lesson/lesson_value_fields.h"
+
+namespace asperity {
+
+namespace {
+
+constexpr int kMostChoices = 6;
+
+enum Kind { kNone, kChoice, kNumber, kPoint };  // as in the list
+
+QString endText(double end) {
+  return std::isfinite(end) ? shownNumber(end) : QString();
+}
+
+}  // namespace
+
+PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(page) {
+  kind_ = page.addChoice(tr("Prediction"), "editorKind");
+  kind_->addItems({tr("none"), tr("a choice"), tr("a number"), tr("a point on the chart")});
+  connect(kind_, &QComboBox::activated, this, &PredictionFields::showRows);
+  question_ = page.addLine(tr("Question"), "editorQuestion");
+  addChoices();
+  value_ = new LessonValueFields(page);
+  x_ = page.addLine(tr("Place on the axis"), "editorX");
+  x_->setPlaceholderText(tr("empty: the largest value is asked"));
+  tolerance_ = page.addLine(tr("Tolerance"), "editorTolerance");
+  right_ = page.addLine(tr("If right"), "editorRight");
+  wrong_ = page.addLine(tr("If wrong"), "editorWrong");
+  for (QLineEdit* line : {right_, wrong_})
+    line->setToolTip(tr("{answer} and {given} stand for the two answers"));
+  hides_ = new QCheckBox(tr("The curve is hidden until the answer"));
+  hides_->setObjectName("editorHides");
+  page.addRow(QString(), hides_);
+  connect(hides_, &QCheckBox::toggled, &page, &LessonForm::tell);
+  after_ = page.addLine(tr("Change when revealed"), "editorAfter");
+  reveal_ = page.addText(tr("What is revealed"), "editorReveal", 4);
+}
+
+void PredictionFields::addChoices() {
+  choices_ = new QTableWidget(kMostChoices, 4);
+  choices_->setObjectName("editorChoices");
+  choices_->setAccessibleName(tr("choices"));
+  choices_->setHorizontalHeaderLabels({tr("Choice"), tr("Right"), tr("From"), tr("To")});
+  choices_->setToolTip(
+      tr("Tick the right one; or leave all unticked, give the range of the "
+         "computed answer for which each is right, and say below what is computed"));
+  choices_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  for (int column = 1; column < 4; ++column)
+    choices_->setColumnWidth(column, 8 * choices_->fontMetrics().horizontalAdvance('0'));
+  choices_->verticalHeader()->hide();
+  choices_->setFixedHeight(5 * (choices_->fontMetrics().lineSpacing() + 12));
+  choices_->setTabKeyNavigation(false);
+  page_.addRow(tr("Choices"), choices_);
+  connect(choices_, &QTableWidget::itemChanged, &page_, &LessonForm::tell);
+}
+
+// ---- Showing
+
+void PredictionFields::show(const LessonStep& step) {
+  const LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
+  kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
+  question_->setText(page_.textOf(prediction.question));
+  right_->setText(page_.textOf(prediction.right));
+  wrong_->setText(page_.textOf(prediction.wrong));
+  tolerance_->setText(shownNumber(prediction.tolerance));
+  x_->setText(prediction.x ? shownNumber(*prediction.x) : QString());
+  value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
+  hides_->setChecked(step.show.hidesCurve);
+  after_->setText(assignmentText(step.after));
+  reveal_->setPlainText(page_.textOf(step.reveal));
+  showChoices(prediction);
+  showRows();
+}
+
+void PredictionFields::showChoices(const LessonPrediction& prediction) {
+  for (int i = 0; i < kMostChoices; ++i) {
+    const bool has = i < static_cast<int>(prediction.choices.size());
+    const LessonChoice choice =
+        has ? prediction.choices[static_cast<std::size_t>(i)] : LessonChoice{};
+    auto* tick = new QTableWidgetItem;
+    tick->setFlags(Qt::ItemIsUserCheckable | Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    tick->setCheckState(choice.isRight ? Qt::Checked : Qt::Unchecked);
+    choices_->setItem(i, 0, new QTableWidgetItem(page_.textOf(choice.text)));
+    choices_->setItem(i, 1, tick);
+    choices_->setItem(i, 2, new QTableWidgetItem(endText(choice.above)));
+    choices_->setItem(i, 3, new QTableWidgetItem(endText(choice.below)));
+  }
+}
+
+/// Shows the rows that the kind of prediction has.
+void PredictionFields::showRows() {
+  const int kind = kind_->currentIndex();
+  for (QWidget* field : std::initializer_list<QWidget*>{question_, right_, wrong_, after_, reveal_})
+    page_.setShown(field, kind != kNone);
+  page_.setShown(choices_, kind == kChoice);
+  value_->setShown(kind == kChoice || kind == kNumber);
+  page_.setShown(x_, kind == kPoint);
+  page_.setShown(tolerance_, kind == kNumber || kind == kPoint);
+  hides_->setEnabled(kind != kPoint);
+}
+
+// ---- Taking what is written
+
+/// Returns whether the choices have ranges of a computed answer.
+bool PredictionFields::takeChoices(LessonPrediction& prediction) const {
+  const std::vector<LessonChoice> before = std::exchange(prediction.choices, {});
+  bool hasRanges = false;
+  for (int i = 0; i < kMostChoices; ++i) {
+    LessonChoice choice =
+        i < static_cast<int>(before.size()) ? before[static_cast<std::size_t>(i)] : LessonChoice{};
+    page_.write(choice.text, choices_->item(i, 0)->text());
+    choice.isRight = choices_->item(i, 1)->checkState() == Qt::Checked;
+    choice.above = numberIn(choices_->item(i, 2)->text()).value_or(LessonChoice{}.above);
+    choice.below = numberIn(choices_->item(i, 3)->text()).value_or(LessonChoice{}.below);
+    if (choice.text.empty()) continue;
+    hasRanges = hasRanges || choice.isRange();
+    prediction.choices.push_back(choice);
+  }
+  if (hasRanges)
+    for (LessonChoice& choice : prediction.choices) choice.isRight = false;
+  return hasRanges;
+}
+
+void PredictionFields::take(LessonStep& step) const {
+  step.show.hidesCurve = hides_->isChecked();
+  const int kind = kind_->currentIndex();
+  if (kind == kNone) {
+    step.prediction.reset();
+    step.reveal = {};
+    step.after.clear();
+    step.values.clear();
+    return;
+  }
+  LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
+  prediction.kind = static_cast<PredictionKind>(kind - 1);
+  page_.write(prediction.question, question_->text());
+  page_.write(prediction.right, right_->text());
+  page_.write(prediction.wrong, wrong_->text());
+  prediction.tolerance = numberIn(tolerance_->text()).value_or(0);
+  prediction.x.reset();
+  if (kind == kPoint) prediction.x = numberIn(x_->text());
+  bool isComputed = kind == kNumber;
+  if (kind == kChoice)
+    isComputed = takeChoices(prediction);
+  else
+    prediction.choices.clear();
+  if (isComputed)
+    prediction.answer = value_->taken(prediction.answer.value_or(LessonValue{}));
+  else
+    prediction.answer.reset();
+  step.prediction = prediction;
+  step.after = assignmentsIn(after_->text());
+  page_.write(step.reveal, reveal_->toPlainText());
+}
+
+}  // namespace asperity

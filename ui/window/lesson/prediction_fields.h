@@ -1,0 +1,47 @@
+// The rows of the lesson editor for what a step asks: the kind of prediction, the question, the
+// choices, what is computed as the answer (lesson_value_fields.h), and what is said and done when
+// it is revealed. The rows are those of a page. GUI thread; belongs to the page.
+#pragma once
+
+#include <QObject>
+
+#include "core/lesson/lesson.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPlainTextEdit;
+class QTableWidget;
+
+namespace asperity {
+
+class LessonForm;
+class LessonValueFields;
+
+class PredictionFields : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PredictionFields(LessonForm& page);
+
+  /// Fills the rows; the page is being filled.
+  void show(const LessonStep& step);
+  /// Takes over what is written. What the rows do not show is kept.
+  void take(LessonStep& step) const;
+
+ private:
+  void addChoices();
+  void showChoices(const LessonPrediction& prediction);
+  bool takeChoices(LessonPrediction& prediction) const;
+  void showRows();
+
+  LessonForm& page_;
+  QComboBox* kind_;
+  QLineEdit *question_, *x_, *tolerance_, *right_, *wrong_, *after_;
+  QTableWidget* choices_ = nullptr;
+  LessonValueFields* value_;
+  QCheckBox* hides_;
+  QPlainTextEdit* reveal_;
+};
+
+}  // namespace asperity
