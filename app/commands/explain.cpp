@@ -6,7 +6,7 @@
 #include "app/explanation_text.h"
 #include "app/output.h"
 #include "core/run/motion_accuracy.h"
-#include "core/scene/effects.h"
+#include "core/scene/scene_check.h"
 
 namespace asperity {
 
