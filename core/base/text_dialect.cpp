@@ -58,7 +58,7 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
   double sum = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (trimmedBlanks(lines[i]).empty() || isComment(lines[i])) continue;
-    splitFields(withoutRowComment(lines[i]), dialect.separator, fields);
+    splitRow(lines[i], dialect, fields);
     while (fields.size() > 1 && trimmedBlanks(fields.back()).empty()) fields.pop_back();
     std::size_t numbers = 0, texts = 0;
     bool isGrouped = false;
@@ -165,12 +165,6 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
 
 }  // namespace
 
-std::string_view withoutRowComment(std::string_view line) {
-  for (const std::string_view mark : {" #", "\t#", " //", "\t//"})
-    line = line.substr(0, std::min(line.find(mark), line.size()));
-  return line;
-}
-
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -222,6 +216,22 @@ void splitFields(std::string_view line, Separator separator,
     fields.push_back(line.substr(begin, i - begin));
     begin = i + 1;
   }
+}
+
+void splitRow(std::string_view line, const TextDialect& dialect,
+              std::vector<std::string_view>& fields) {
+  splitFields(line, dialect.separator, fields);
+  const auto hasTexts = [&] {
+    return std::ranges::any_of(fields, [&](std::string_view field) {
+      return readField(field, dialect.decimal).kind == FieldKind::Text;
+    });
+  };
+  std::size_t mark = line.size();
+  for (const std::string_view one : {" #", "\t#", " //", "\t//"})
+    mark = std::min(mark, line.find(one));
+  if (mark >= line.size() || !hasTexts()) return;
+  splitFields(line.substr(0, mark), dialect.separator, fields);
+  if (hasTexts()) splitFields(line, dialect.separator, fields);  // a label such as "tread #2"
 }
 
 TextDialect detectDialect(std::string_view text) {

@@ -35,8 +35,10 @@ TextDialect detectDialect(std::string_view text);
 void splitFields(std::string_view line, TextDialect::Separator separator,
                  std::vector<std::string_view>& fields);
 
-/// The line without a comment at its end: a blank, "#" or "//", and what follows.
-std::string_view withoutRowComment(std::string_view line);
+/// Replaces `fields` by those of a row of numbers. A comment at its end, a blank with "#" or "//"
+/// and what follows, is left out where the fields in front of it are numbers alone.
+void splitRow(std::string_view line, const TextDialect& dialect,
+              std::vector<std::string_view>& fields);
 
 /// The first line of the text, without its end and the blanks there; takes it and its end away.
 std::string_view takeLine(std::string_view& text);

@@ -317,6 +317,7 @@ class TableReader {
     row_.resize(block().columns.size());
     if (!readPlainRow(line.text, table_.dialect, row_)) return false;
     if (!above_.empty() && !goesOn()) return false;  // begins a block, the slow way
+    hasNumbers_.assign(row_.size(), true);
     addRow(line);
     return true;
   }
@@ -332,9 +333,17 @@ class TableReader {
     ++block().rows;
   }
 
+  /// Where labels are kept, "#" belongs to them.
+  void split(std::string_view line, std::vector<std::string_view>& fields) const {
+    if (options_.keepsTexts)
+      splitFields(line, table_.dialect.separator, fields);
+    else
+      splitRow(line, table_.dialect, fields);
+  }
+
   /// Fills fields_ and kinds_.
   void readRow(std::string_view line) {
-    splitFields(withoutRowComment(line), table_.dialect.separator, fields_);
+    split(line, fields_);
     kinds_.clear();
     for (const std::string_view field : fields_)
       kinds_.push_back(readField(field, table_.dialect.decimal));
@@ -356,7 +365,10 @@ class TableReader {
     bool anyValue = false;
     for (std::size_t i = 0; i < size; ++i) {
       if (columns[i].isText) continue;
-      if (kinds_[i].kind == FieldKind::Text) return false;
+      if (kinds_[i].kind == FieldKind::Text) {
+        if (hasNumbers_[i]) return false;
+        continue;  // a column of remarks, empty so far
+      }
       anyValue = anyValue || !trimmedBlanks(fields_[i]).empty();
     }
     // Nothing but separators is a row of gaps if it stands amid the rows.
@@ -370,7 +382,7 @@ class TableReader {
       const std::string_view line = takeLine(rest);
       if (trimmedBlanks(line).empty()) continue;
       std::vector<std::string_view> fields;
-      splitFields(withoutRowComment(line), table_.dialect.separator, fields);
+      split(line, fields);
       const std::vector<TextColumn>& columns = table_.blocks.back().columns;
       while (fields.size() > columns.size() && trimmedBlanks(fields.back()).empty())
         fields.pop_back();
@@ -378,7 +390,7 @@ class TableReader {
       bool anyNumber = false;
       for (std::size_t i = 0; i < fields.size(); ++i) {
         const FieldKind kind = readField(fields[i], table_.dialect.decimal).kind;
-        if (kind == FieldKind::Text && !columns[i].isText) return false;
+        if (kind == FieldKind::Text && !columns[i].isText && hasNumbers_[i]) return false;
         anyNumber = anyNumber || kind == FieldKind::Number;
       }
       return anyNumber;
@@ -391,7 +403,7 @@ class TableReader {
     std::string_view rest = rest_;
     const std::string_view line = takeLine(rest);
     std::vector<std::string_view> fields;
-    splitFields(withoutRowComment(line), table_.dialect.separator, fields);
+    split(line, fields);
     return fields.size() == size &&
            readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
   }
@@ -423,9 +435,15 @@ class TableReader {
     row_.assign(columns, std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < columns; ++i) {
       const bool isThere = i < fields_.size();
+      if (isThere && kinds_[i].kind == FieldKind::Text && options_.keepsTexts &&
+          !block().columns[i].isText) {
+        block().columns[i].isText = hasTexts_ = true;
+        block().texts[i].assign(block().rows, {});
+      }
+      if (isThere && kinds_[i].kind == FieldKind::Number) hasNumbers_[i] = true;
       if (block().columns[i].isText)
         block().texts[i].emplace_back(isThere ? trimmedField(fields_[i]) : std::string_view{});
-      else if (isThere)
+      else if (isThere && kinds_[i].kind != FieldKind::Text)
         row_[i] = kinds_[i].value;
       if (isThere && kinds_[i].kind == FieldKind::Flag)
         flags_.push_back(block().rows * columns + i);
@@ -473,6 +491,7 @@ class TableReader {
       kinds_.pop_back();
     }
     clearFlags();
+    hasNumbers_.assign(fields_.size(), false);
     TextBlock fresh;
     fresh.columns = namedColumns(above_, table_.dialect, kinds_);
     fresh.texts.resize(fields_.size());
@@ -506,10 +525,11 @@ class TableReader {
   TextTable& table_;
   std::size_t number_ = 0, count_ = 0;
   std::size_t nextReport_ = kProgressStep;
-  bool isOpen_ = false;      // the last block may go on
-  bool hasTexts_ = false;    // of the last block
-  bool isDirect_ = false;    // no blank line since the last row
-  std::vector<Line> above_;  // lines since the last row
+  bool isOpen_ = false;           // the last block may go on
+  bool hasTexts_ = false;         // of the last block
+  bool isDirect_ = false;         // no blank line since the last row
+  std::vector<bool> hasNumbers_;  // each column of the last block, in its first rows at least
+  std::vector<Line> above_;       // lines since the last row
   std::vector<std::string_view> fields_;
   std::vector<Field> kinds_;
   std::vector<double> row_;

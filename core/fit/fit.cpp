@@ -238,6 +238,21 @@ MatrixXd inverse(const MatrixXd& matrix) {
          solver.eigenvectors().transpose();
 }
 
+/// The covariance of the directions of which the points know nothing, such as that of force and
+/// modulus together, whose ratio alone matters: along them the response to the points' errors is 0,
+/// but their values may be any.
+MatrixXd openDirections(const MatrixXd& information) {
+  constexpr double kOpen = 1e-10;  // of the best known direction
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
+  const double floor =
+      std::max(kOpen * solver.eigenvalues().maxCoeff(), std::numeric_limits<double>::min() * 1e10);
+  MatrixXd open = MatrixXd::Zero(information.rows(), information.cols());
+  for (Eigen::Index k = 0; k < information.rows(); ++k)
+    if (solver.eigenvalues()[k] < floor)
+      open += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose() / floor;
+  return open;
+}
+
 /// How far a parameter's place may be wrong before it counts as open.
 double openBeyond(const VariedParameter& parameter) {
   if (parameter.isLogarithmic()) return std::log(2.0);
@@ -308,10 +323,10 @@ class Fitting {
         slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
     const MatrixXd lines = covarianceOfLines(found);
-    const MatrixXd response = inverse(slopes.transpose() * weights.asDiagonal() * slopes) *
-                              slopes.transpose() * weights.asDiagonal();
+    const MatrixXd information = slopes.transpose() * weights.asDiagonal() * slopes;
+    const MatrixXd response = inverse(information) * slopes.transpose() * weights.asDiagonal();
     const MatrixXd ofErrors = MatrixXd(variances.asDiagonal()) + lines;
-    covariance_ = response * ofErrors * response.transpose();
+    covariance_ = response * ofErrors * response.transpose() + openDirections(information);
     fit_.computed = found.points;
     const MatrixXd band = slopes * covariance_ * slopes.transpose();
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -204,8 +205,30 @@ class Reader {
     fact.unit = isSaid(choice) ? choice : block.columns[column].unit;
     // "G' [20 °C]" has a temperature and no unit there.
     if (!isSaid(choice) && temperatureIn(fact.unit)) fact.unit.clear();
+    if (fact.unit.empty()) fact.unit = unknownUnitIn(block.columns[column].name);
     fact.isUnitAssumed = fact.unit.empty();
     return fact;
+  }
+
+  /// "furlongs" of "G' (furlongs)": what stands in brackets, or behind a stroke, at the end of a
+  /// name and is neither a quantity nor a word for the kind of modulus. It is refused as a unit.
+  static std::string unknownUnitIn(const std::string& name) {
+    const std::size_t stroke = name.rfind('/');
+    std::size_t begin = name.find_last_of("([");
+    if (begin == std::string::npos || begin < 1 || name.find_last_of(")]") != name.size() - 1)
+      begin = stroke;
+    if (begin == std::string::npos || begin == 0) return {};
+    std::string unit(withoutBrackets(std::string_view(name).substr(begin)));
+    if (unit.starts_with('/')) unit = trimmedBlanks(unit.substr(1));
+    const DmaColumn meaning = dmaColumn(unit, {});
+    const bool isNone = unit.empty() || meaning.quantity != None || meaning.temperature ||
+                        meaning.kind != ModulusKind::Unknown;
+    const std::string word = lowerCase(unit);
+    constexpr std::array kWords{"real",     "imaginary", "imag",      "in-phase", "out-of-phase",
+                                "elastic",  "viscous",   "dynamic",   "mean",     "average",
+                                "measured", "corrected", "smoothed",  "abs",      "complex",
+                                "at",       "shifted",   "reference", "linear",   "absolute"};
+    return isNone || std::ranges::find(kWords, word) != kWords.end() ? std::string() : unit;
   }
 
   [[noreturn]] void refuseUnit(const DmaColumnFact& fact, const char* allowed,

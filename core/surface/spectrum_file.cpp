@@ -78,21 +78,46 @@ class SpectrumReader {
 
   void findColumns() {
     const std::vector<TextColumn>& columns = block_.columns;
+    // Of several abscissae the wave number, else the spatial frequency, the first of each.
     std::optional<Abscissa> found;
-    for (std::size_t i = 0; i < columns.size() && !found; ++i) {
-      found = abscissaOf(plainName(columns[i].name));
-      waveColumn_ = i;
-    }
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (const auto one = abscissaOf(plainName(columns[i].name));
+          one && (!found || *one < *found)) {
+        found = one;
+        waveColumn_ = i;
+      }
     if (!found || columns.size() < 2) fail(kWanted);
     abscissa_ = *found;
-    densityColumn_ = waveColumn_ + 1 < columns.size() ? waveColumn_ + 1 : waveColumn_ - 1;
-    // A column that is named as a spectrum is taken before its neighbour.
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      for (const std::string_view word : {"c", "c1", "c2", "psd", "spectrum", "c_iso", "c2_iso",
-                                          "power_spectral_density", "density"})
-        if (plainName(columns[i].name) == word) densityColumn_ = i;
+    findDensity();
     waveSize_ = factorOf(columns[waveColumn_], abscissa_ == Abscissa::Wavelength ? 1 : -1, name_);
     densitySize_ = factorOf(columns[densityColumn_], kind_ == SpectrumKind::C2 ? 4 : 3, name_);
+  }
+
+  /// The column named as the wanted spectrum, else one of any name of spectra, else the neighbour.
+  void findDensity() {
+    constexpr std::array lines{"c1", "c_1d", "psd_1d"};
+    constexpr std::array areas{"c2", "c_iso", "c2_iso", "ciso", "c_2d", "psd_2d"};
+    constexpr std::array any{"c", "psd", "spectrum", "power_spectral_density", "density"};
+    const std::vector<TextColumn>& columns = block_.columns;
+    const auto find = [&](const auto& words) {
+      return std::ranges::find_if(columns, [&](const TextColumn& column) {
+        return std::ranges::find(words, plainName(column.name)) != words.end();
+      });
+    };
+    const bool isOfArea = kind_ == SpectrumKind::C2;
+    auto column = isOfArea ? find(areas) : find(lines);
+    if (column == columns.end()) column = find(any);
+    if (column == columns.end()) {
+      if (const auto other = isOfArea ? find(lines) : find(areas); other != columns.end())
+        fail(message("its column {} is a spectrum of {}, which surface.spectrum_kind does not say",
+                     shortened(other->name), Message(isOfArea ? "a line" : "an area")));
+      for (std::size_t i : {waveColumn_ + 1, waveColumn_ - 1})
+        if (column == columns.end() && i < columns.size() &&
+            !abscissaOf(plainName(columns[i].name)))
+          column = columns.begin() + static_cast<std::ptrdiff_t>(i);
+    }
+    if (column == columns.end()) fail(kWanted);
+    densityColumn_ = static_cast<std::size_t>(column - columns.begin());
   }
 
   double numberAt(std::size_t row, std::size_t column) const {

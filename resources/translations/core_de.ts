@@ -3419,6 +3419,18 @@
         <translation>Zeile %1: '%2' ist keine Zahl</translation>
     </message>
     <message>
+        <source>its column %1 is a spectrum of %2, which surface.spectrum_kind does not say</source>
+        <translation>seine Spalte %1 ist ein Spektrum %2, was surface.spectrum_kind nicht sagt</translation>
+    </message>
+    <message>
+        <source>a line</source>
+        <translation>einer Linie</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>einer Fläche</translation>
+    </message>
+    <message>
         <source>has no rows of numbers</source>
         <translation>hat keine Zeilen mit Zahlen</translation>
     </message>

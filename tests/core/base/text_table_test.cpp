@@ -421,6 +421,32 @@ TEST(TextTable, TellsUnitsFromLengths) {
   EXPECT_FALSE(isKnownUnit("60 mm"));
 }
 
+/// "#" behind a blank begins a comment only behind a row of numbers alone.
+TEST(TextTable, TellsCommentsFromLabelsAndErrors) {
+  const TextTable excel = read("1.5\t2.5\t3\n2.5\t#NV\t4\n3.5\t####\t5\n");
+  ASSERT_EQ(excel.largest().rows, 3u);
+  EXPECT_EQ(excel.largest().at(1, 2), 4);
+  TextTableOptions options;
+  options.keepsTexts = true;
+  const TextTable labels = read("label,v,mu\nTread #1,0.1,0.5\nTread #2,1,0.6\n", options);
+  EXPECT_THAT(labels.largest().texts[0], ElementsAre("Tread #1", "Tread #2"));
+  EXPECT_THAT(labels.largest().column(2), ElementsAre(0.5, 0.6));
+}
+
+/// A column of remarks may begin empty; rows with a remark are rows.
+TEST(TextTable, KeepsRowsWithRemarks) {
+  const std::string text = "v;mu;remark\n0.1;0.5;\n1;0.6;\n10;0.7;stick-slip\n100;0.8;\n";
+  for (const bool keepsTexts : {false, true}) {
+    TextTableOptions options;
+    options.keepsTexts = keepsTexts;
+    const TextTable made = read(text, options);
+    ASSERT_EQ(made.blocks.size(), 1u);
+    EXPECT_THAT(made.largest().column(1), ElementsAre(0.5, 0.6, 0.7, 0.8));
+    EXPECT_EQ(made.largest().columns[2].isText, keepsTexts);
+    if (keepsTexts) EXPECT_THAT(made.largest().texts[2], ElementsAre("", "", "stick-slip", ""));
+  }
+}
+
 // ---- Texts and further columns -----------------------------------------------------------------
 
 TEST(TextTable, KeepsLabelsWhereACallerWantsThem) {

@@ -139,6 +139,27 @@ TEST(Fit, SaysThatAParameterIsNotDetermined) {
 }
 
 /// Without errors in the table they are read from what the fit leaves.
+/// Friction depends on F_N / G alone: without loads in the data both are open, and their ratio is
+/// what they determine.
+TEST(Fit, SaysThatForceAndModulusAreDeterminedByTheirRatioAlone) {
+  FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 5);
+  for (MeasuredPoint& point : data.points) point.velocityError = kNotApplicable;
+  const Scene scene = start(20, 3);
+  FitOptions options;
+  options.hasProfiles = false;
+  const std::vector<VariedParameter> both{{"elastomer.shear_modulus", scene},
+                                          {"load.normal_force", scene}};
+  const Fit fit = fitFriction(scene, {&data, 1}, both, options);
+  EXPECT_FALSE(fit.parameters[0].isDetermined);
+  EXPECT_FALSE(fit.parameters[1].isDetermined);
+  EXPECT_NEAR(fit.correlation(0, 1), 1, 1e-6);
+  ASSERT_EQ(fit.combinations.size(), 2U);
+  const std::vector<double>& exponents = fit.combinations.front().exponents;
+  EXPECT_NEAR(exponents[1] / exponents[0], -1, 1e-3);
+  EXPECT_LT(fit.combinations.front().standardError, 0.2);
+  EXPECT_GT(fit.combinations.back().standardError, std::log(2.0));
+}
+
 TEST(Fit, ReadsTheScatterWhereNoErrorsAreGiven) {
   const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 11, false);
   const Scene scene = start(100, 4);

@@ -142,6 +142,25 @@ TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {
   EXPECT_EQ(file.facts.leftOut, 2U);
 }
 
+/// What stands in brackets behind a modulus is its unit; one that is not known is refused, not
+/// taken for pascals.
+TEST(DmaFile, UnitsInBracketsAreKnownOrRefused) {
+  const auto storageIn = [](const std::string& unit) {
+    return read("f (Hz),T (C),G' " + unit + ",tan delta\n1,20,2,0.1\n10,20,3,0.1\n")
+        .rows.front()
+        .modulus.storage;
+  };
+  EXPECT_DOUBLE_EQ(storageIn("(MN/m\u00B2)"), 2e6);
+  EXPECT_DOUBLE_EQ(storageIn("(kg/cm2)"), 2 * 98066.5);
+  EXPECT_NEAR(storageIn("(ksi)"), 2 * 6894757.293168361, 1e-3);
+  EXPECT_DOUBLE_EQ(storageIn("/MPa"), 2e6);
+  for (const char* unit : {"(furlongs)", "[furlongs]", "/furlongs"})
+    EXPECT_THAT(
+        errorOf(std::string("f (Hz),T (C),G' ") + unit + ",tan delta\n1,20,2,0.1\n10,20,3,0.1\n"),
+        HasSubstr("has the unit furlongs"))
+        << unit;
+}
+
 TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2.0e6x,2e5\n10,20,3.0e6x,4e5\n"),
               HasSubstr("G': line 2: '2.0e6x' is no number"));

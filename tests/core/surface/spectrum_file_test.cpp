@@ -65,6 +65,21 @@ TEST(SpectrumFile, MakesTheEquivalentLineOfAnIsotropicSpectrum) {
   EXPECT_NEAR(squareHeight(parseSpectrum(text, "s", SpectrumKind::C2)) / exact, 1, 1e-4);
 }
 
+/// Of several columns those count that the kind names, and the wave number before a wavelength.
+TEST(SpectrumFile, TakesTheColumnsThatAreMeant) {
+  const double expected = 2 * 1e-18 * 9e4;
+  for (const char* text : {"wave_number,c1,c2\n1e4,1e-18,7e-30\n1e5,1e-18,7e-30\n",
+                           "wave_number,c2,c1\n1e4,7e-30,1e-18\n1e5,7e-30,1e-18\n",
+                           "wavelength,wave_number,c1\n6.28e-4,1e4,1e-18\n6.28e-5,1e5,1e-18\n",
+                           "psd,q,lambda\n1e-18,1e4,6.28e-4\n1e-18,1e5,6.28e-5\n"})
+    EXPECT_NEAR(squareHeight(parseSpectrum(text, "s", SpectrumKind::C1TwoSided)) / expected, 1,
+                1e-12)
+        << text;
+  EXPECT_THROW(parseSpectrum("q,c2\n1e4,1e-30\n1e5,1e-30\n", "s", SpectrumKind::C1TwoSided),
+               InputError);
+  EXPECT_THROW(parseSpectrum("q,c1\n1e4,1e-30\n1e5,1e-30\n", "s", SpectrumKind::C2), InputError);
+}
+
 TEST(SpectrumFile, SaysWhatIsWrongAndWhere) {
   const struct {
     const char* text;
