@@ -443,7 +443,9 @@ TEST(TextTable, KeepsRowsWithRemarks) {
     ASSERT_EQ(made.blocks.size(), 1u);
     EXPECT_THAT(made.largest().column(1), ElementsAre(0.5, 0.6, 0.7, 0.8));
     EXPECT_EQ(made.largest().columns[2].isText, keepsTexts);
-    if (keepsTexts) EXPECT_THAT(made.largest().texts[2], ElementsAre("", "", "stick-slip", ""));
+    if (keepsTexts) {
+      EXPECT_THAT(made.largest().texts[2], ElementsAre("", "", "stick-slip", ""));
+    }
   }
 }
 
