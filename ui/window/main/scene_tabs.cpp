@@ -1,5 +1,6 @@
 #include "ui/window/main/scene_tabs.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QCoreApplication>
 #include <QEvent>
@@ -132,6 +133,12 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
 
 void SceneTabs::showTexts() {
   setAccessibleName(tr("about the scene"));
+  // Qt's own buttons keep the texts of their first language.
+  for (const char* side : {"Left", "Right"})
+    if (auto* button =
+            tabBar()->findChild<QAbstractButton*>(QStringLiteral("Scroll%1Button").arg(side)))
+      button->setAccessibleName(
+          QCoreApplication::translate("QTabBar", QByteArray("Scroll ") + side));
   plot_->setAccessibleName(tr("coefficient of friction against velocity"));
   spectrum_->setAccessibleName(tr("spectrum of the rigid line"));
   statistics_->setAccessibleName(tr("pressures and slopes in contact"));
