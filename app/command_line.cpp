@@ -172,7 +172,7 @@ class CommandLine {
     CLI::App* command = app_.add_subcommand(name, sentence);
     command
         ->add_option("SCENE", common.scene,
-                     "Scene file (JSON), or the name of a shipped scene (figure_1.json)")
+                     "Scene file (JSON), or the name of a shipped scene (figure_1)")
         ->required();
     addShared(*command, common);
     command->footer(fmt::format(

@@ -29,7 +29,9 @@ int runSensitivity(const SheetCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   writeAnswer(command, settings,
               {provenance("sensitivity", scene), sensitivityCsv(exponents),
-               sensitivityJson(scene, exponents), sensitivityText(exponents),
+               sensitivityJson(scene, exponents),
+               sensitivityText(exponents, {Words::tr("parameter"), Words::tr("value"),
+                                           Words::tr("exponent"), Words::tr("error")}),
                sensitivitySheet(scene, exponents)});
   return kDone;
 }

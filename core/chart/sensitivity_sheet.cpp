@@ -72,11 +72,12 @@ DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& a
   return sheet;
 }
 
-std::string sensitivityText(const std::vector<Exponent>& all) {
-  std::size_t widest = 9;
+std::string sensitivityText(const std::vector<Exponent>& all,
+                            const std::array<std::string, 4>& head) {
+  std::size_t widest = head[0].size();
   for (const Exponent& one : all) widest = std::max(widest, one.key.size());
-  std::string text = fmt::format("{:<{}}  {:>12}  {:>10}  {:>10}\n", "parameter", widest, "value",
-                                 "exponent", "error");
+  std::string text =
+      fmt::format("{:<{}}  {:>12}  {:>10}  {:>10}\n", head[0], widest, head[1], head[2], head[3]);
   for (const Exponent& one : all) {
     const std::string error = std::isfinite(one.exponent.standardError)
                                   ? fmt::format("{:.4f}", one.exponent.standardError)

@@ -2,6 +2,7 @@
 // a picture and as tables, sorted by size. Pure; any thread.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,8 +30,9 @@ bool isSignificant(const DiagramBar& bar);
 /// A row for each parameter with its exponent and the standard error; those that may be 0 are last.
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all);
 
-/// For people: aligned columns, in English.
-std::string sensitivityText(const std::vector<Exponent>& all);
+/// For people: aligned columns below these names of parameter, value, exponent and error.
+std::string sensitivityText(const std::vector<Exponent>& all,
+                            const std::array<std::string, 4>& head);
 std::string sensitivityCsv(const std::vector<Exponent>& all);
 std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all);
 

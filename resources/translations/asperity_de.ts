@@ -4571,5 +4571,21 @@
         <source>%1: run times, and what follows from them, are measured again; all other numbers are the same</source>
         <translation>%1: Laufzeiten, und was aus ihnen folgt, sind neu gemessen; alle anderen Zahlen sind dieselben</translation>
     </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
 </context>
 </TS>

@@ -39,6 +39,14 @@ TEST_F(CommandLineTest, CheckSaysWhatTheSceneIs) {
   EXPECT_EQ(program.run("check s.json --quiet").out, "");
 }
 
+/// Shipped scenes go by their names, as materials and lessons do.
+TEST_F(CommandLineTest, AShippedSceneNeedsNoEnding) {
+  const Said bare = program.run("check figure_2");
+  EXPECT_EQ(bare.status, 0) << bare.err;
+  EXPECT_EQ(bare.out, program.run("check figure_2.json").out);
+  expectRefused("check figure_22", 2, "figure_22: cannot be opened");
+}
+
 TEST_F(CommandLineTest, BadInputIsExitTwoAndOneClearLine) {
   program.folder.write("broken.json", "{\"surface\": ");
   program.folder.write("unknown.json", R"({"surface":{"hurts":0.5}})");

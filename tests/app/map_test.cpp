@@ -124,6 +124,7 @@ TEST_F(MapCommandTest, SensitivitiesObeyTheScaling) {
   EXPECT_NEAR(of.at("sliding.velocity"), of.at("elastomer.relaxation_time"), 1e-5);
   const Said people = program.run("sensitivity s.json");
   EXPECT_THAT(people.out, StartsWith("parameter"));
+  EXPECT_THAT(program.run("sensitivity s.json --language de").out, StartsWith("Parameter"));
   const Said files = program.run("sensitivity s.json -o b.csv -o b.png -o b.pdf");
   ASSERT_EQ(files.status, 0) << files.err;
   EXPECT_THAT(read("b.csv"), HasSubstr("\nkey,value,mu_exponent,mu_exponent_standard_error\n"));

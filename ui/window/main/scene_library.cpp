@@ -54,9 +54,9 @@ std::vector<LibraryScene> readLibrary() {
 /// Returns the file of a shipped scene; none where no scene has this name.
 std::optional<std::string> libraryFile(const std::string& name) {
   openResources();
-  QFile file(kFolder + "/" + QString::fromStdString(name));
-  if (!name.ends_with(".json") || name.find('/') != std::string::npos ||
-      !file.open(QIODevice::ReadOnly))
+  const std::string ending = name.ends_with(".json") ? "" : ".json";
+  QFile file(kFolder + "/" + QString::fromStdString(name + ending));
+  if (name.empty() || name.find('/') != std::string::npos || !file.open(QIODevice::ReadOnly))
     return std::nullopt;
   return file.readAll().toStdString();
 }

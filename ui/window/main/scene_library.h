@@ -20,7 +20,8 @@ struct LibraryScene {
 const std::vector<LibraryScene>& libraryScenes();
 
 /// Reads the scene file of this name in the folder (empty: the current one) or, where there is
-/// none, the shipped scene of this name with ".json". Throws InputError where it cannot be read.
+/// none, the shipped scene of this name, with or without ".json". Throws InputError where it cannot
+/// be read.
 Scene readNamedScene(const std::string& name, const std::filesystem::path& folder,
                      const std::vector<std::string>& assignments);
 
