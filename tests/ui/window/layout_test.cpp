@@ -83,7 +83,9 @@ TEST_F(LayoutTest, NothingMovesWhenWorkBeginsOrEnds) {
         const auto found = now.find(widget);
         EXPECT_TRUE(found == now.end() || found->second == place)
             << widget->metaObject()->className() << ' ' << widget->objectName().toStdString() << ' '
-            << when << ' ' << width;
+            << when << ' ' << width << " by " << found->second.x() - place.x() << ", "
+            << found->second.y() - place.y() << "; "
+            << control<QLabel>("factMu").text().toStdString();
       }
     };
     ASSERT_TRUE(waitFor([&] {
