@@ -12,6 +12,7 @@
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/material/element_law.h"
 #include "ui/chart/friction_chart_model.h"
@@ -337,7 +338,8 @@ void StatusLine::showNotes(const NoteSet& notes) {
 
 /// Shows each reading in full or not at all: in a narrow window the least important ones are left
 /// out. A hidden reading returns only with some extra space, so that it does not flicker with the
-/// digits of the others.
+/// digits of the others. Readings are hidden before others are shown, because Qt lays a line out as
+/// soon as a widget in it is shown, and would squeeze the readings of one line too many.
 void StatusLine::fitFacts() {
   constexpr int kAir = 40;  // pixels
   const QMargins around = layout()->contentsMargins();
@@ -348,6 +350,7 @@ void StatusLine::fitFacts() {
   notes_->setVisible(!present_.empty());
   if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
+  std::vector<QLabel*> shown;
   for (QLabel* fact : {mu_, regime_, force_, velocity_, settling_, simulations_, rate_, backend_}) {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
@@ -360,9 +363,13 @@ void StatusLine::fitFacts() {
     const int needed =
         std::max(fact->sizeHint().width(), fact->minimumWidth()) + layout()->spacing();
     fits = fits && room >= needed + (fact->isHidden() ? kAir : 0);
-    fact->setVisible(fits || fact == mu_);
+    if (fits || fact == mu_)
+      shown.push_back(fact);
+    else
+      fact->hide();
     room -= needed;
   }
+  for (QLabel* fact : shown) fact->show();
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
