@@ -122,8 +122,18 @@ double ChartLegend::statusWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(text.replace(number, longest));
 }
 
+/// Whether the status says that a curve is not complete: "37 of 200 realizations", "33 % of the
+/// curve".
+bool ChartLegend::isUnfinished() const {
+  static const QRegularExpression counts(QStringLiteral("(\\d+)\\D+(\\d+)"));
+  const QString text = QString::fromStdString(sheet_.status.text);
+  const auto found = counts.match(text);
+  return text.contains('%') || (found.hasMatch() && found.captured(1) != found.captured(2));
+}
+
 /// Arranges the entries in rows; the first row ends at the status. The last place shows how many
-/// entries did not fit.
+/// entries did not fit. While a curve is computed the legend gets no lower: its first picture, of
+/// one line, has a shorter name, and the chart would move for a moment.
 void ChartLegend::arrange() {
   const QFontMetricsF metrics(font());
   const double height = metrics.height() + 6;
@@ -166,7 +176,8 @@ void ChartLegend::arrange() {
     rest.box = QRectF(x, y, 120, height);
     entries_.push_back(std::move(rest));
   }
-  const int all = static_cast<int>(y + height + 4);
+  int all = static_cast<int>(y + height + 4);
+  if (isUnfinished()) all = std::max(all, minimumHeight());
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
 }
 

@@ -59,6 +59,7 @@ class ChartLegend : public QWidget {
   std::vector<Entry> wanted() const;
   double samples() const;  // width of a sample with its gap, pixels
   double statusWidth() const;
+  bool isUnfinished() const;
   QString tipAt(QPointF place) const;
   const Entry* pinAt(QPointF place) const;
   const Entry* entryAt(QPointF place) const;
