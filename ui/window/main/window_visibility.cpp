@@ -28,12 +28,13 @@ void askForVisibility(QWidget& window) {
   if (!x11 || !x11->connection())
     return;  // other platforms have the interface without a connection
   QLibrary library(QStringLiteral("xcb"), 1);
-  const auto function = [&](auto* type, const char* name) {
-    return reinterpret_cast<decltype(type)>(library.resolve(name));
-  };
-  const auto get = function(&xcb_get_window_attributes, "xcb_get_window_attributes");
-  const auto reply = function(&xcb_get_window_attributes_reply, "xcb_get_window_attributes_reply");
-  const auto change = function(&xcb_change_window_attributes, "xcb_change_window_attributes");
+  // Only the types of the functions are named: the program is not linked with the library.
+  const auto get = reinterpret_cast<decltype(&xcb_get_window_attributes)>(
+      library.resolve("xcb_get_window_attributes"));
+  const auto reply = reinterpret_cast<decltype(&xcb_get_window_attributes_reply)>(
+      library.resolve("xcb_get_window_attributes_reply"));
+  const auto change = reinterpret_cast<decltype(&xcb_change_window_attributes)>(
+      library.resolve("xcb_change_window_attributes"));
   if (!get || !reply || !change) return;
   const auto id = static_cast<xcb_window_t>(window.winId());
   auto* attributes = reply(x11->connection(), get(x11->connection(), id), nullptr);
