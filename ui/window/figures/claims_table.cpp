@@ -148,6 +148,7 @@ int ClaimsTable::unfolded() const {
 }
 
 void ClaimsTable::setClaims(const std::vector<Claim>& claims) {
+  setRowCount(0);  // a row that is chosen unfolds when the choice ends, with its own claim
   claims_ = claims;
   fill();
 }
