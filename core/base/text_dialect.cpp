@@ -165,6 +165,21 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
 
 }  // namespace
 
+char markOf(Separator separator) {
+  switch (separator) {
+    case Separator::Blanks:
+      return ' ';
+    case Separator::Tab:
+      return '\t';
+    case Separator::Semicolon:
+      return ';';
+    case Separator::Bar:
+      return '|';
+    default:
+      return ',';
+  }
+}
+
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   std::string_view line = text.substr(0, end);
@@ -175,10 +190,7 @@ std::string_view takeLine(std::string_view& text) {
 
 bool isComment(std::string_view line) {
   line = trimmedBlanks(line);
-  // What spreadsheets write into a cell without a value.
-  for (const std::string_view word : {"#N/A", "#NV", "#NUM!", "#DIV/0!", "#VALUE!", "#WERT!",
-                                      "#REF!", "#BEZUG!", "#NAME?", "#ZAHL!"})
-    if (line.starts_with(word)) return false;
+  if (beginsWithSpreadsheetError(line)) return false;
   return line.starts_with('#') || line.starts_with('%') || line.starts_with("//") ||
          line.starts_with('!');
 }
@@ -186,10 +198,7 @@ bool isComment(std::string_view line) {
 void splitFields(std::string_view line, Separator separator,
                  std::vector<std::string_view>& fields) {
   fields.clear();
-  const char mark = separator == Separator::Tab         ? '\t'
-                    : separator == Separator::Semicolon ? ';'
-                    : separator == Separator::Bar       ? '|'
-                                                        : ',';
+  const char mark = markOf(separator);
   const bool atBlanks = separator == Separator::Blanks;
   bool second = false;
   std::size_t begin = 0;

@@ -26,6 +26,9 @@ struct TextDialect {
   bool operator==(const TextDialect&) const = default;
 };
 
+/// What separates two fields; a blank where any run of blanks does.
+char markOf(TextDialect::Separator separator);
+
 /// The dialect in which most lines of the text are rows of equally many numbers. Looks at some
 /// places of a long text alone.
 TextDialect detectDialect(std::string_view text);

@@ -111,34 +111,33 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-void decodeText(std::string_view bytes, const std::string& name, DecodedText& decoded) {
+DecodedText::DecodedText(std::string_view bytes, const std::string& name)
+    : text(bytes), encoding("UTF-8") {
   constexpr std::string_view kMark8 = "\xEF\xBB\xBF", kMarkLittle = "\xFF\xFE",
                              kMarkBig = "\xFE\xFF";
   const std::string_view kind = foreignKindOf(bytes);
-  decoded.encoding = "UTF-8";
-  decoded.text = bytes;
   if (kind == "text in UTF-16") {
     const bool hasMark = bytes.starts_with(kMarkLittle) || bytes.starts_with(kMarkBig);
     const bool isLittle = hasMark ? bytes.starts_with(kMarkLittle) : byteAt(bytes, 0) != 0;
-    decoded.converted = utf8OfUtf16(bytes.substr(hasMark ? 2 : 0), isLittle);
-    decoded.text = decoded.converted;
-    decoded.encoding = "UTF-16";
+    converted = utf8OfUtf16(bytes.substr(hasMark ? 2 : 0), isLittle);
+    text = converted;
+    encoding = "UTF-16";
   } else if (!kind.empty()) {
     throw InputError(name, "", message("is {}, not a table of numbers as text", Message(kind)));
   } else if (bytes.starts_with(kMark8)) {
-    decoded.text = bytes.substr(kMark8.size());
+    text = bytes.substr(kMark8.size());
   }
-  if (decoded.encoding == "UTF-8" && !isUtf8(decoded.text)) {
-    decoded.converted = utf8OfLatin1(decoded.text);
-    decoded.text = decoded.converted;
-    decoded.encoding = "Latin-1";
+  if (encoding == "UTF-8" && !isUtf8(text)) {
+    converted = utf8OfLatin1(text);
+    text = converted;
+    encoding = "Latin-1";
   }
   // What fills up the last block of a file is no text.
-  const std::size_t end = decoded.text.find_last_not_of(std::string_view("\0\x1A", 2));
-  decoded.text = decoded.text.substr(0, end == std::string_view::npos ? 0 : end + 1);
-  if (hasLoneReturn(decoded.text)) {
-    decoded.converted = withLineFeeds(decoded.text);
-    decoded.text = decoded.converted;
+  const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));
+  text = text.substr(0, end == std::string_view::npos ? 0 : end + 1);
+  if (hasLoneReturn(text)) {
+    converted = withLineFeeds(text);
+    text = converted;
   }
 }
 

@@ -12,15 +12,13 @@ struct DecodedText {
   std::string_view encoding;  // "UTF-8", "UTF-16" or "Latin-1"
   std::string converted{};    // where the bytes could not stay as they are
 
-  DecodedText() = default;
+  /// From UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or, where the
+  /// bytes are no UTF-8, Latin-1 in Microsoft's variant. The bytes must outlive it. Throws
+  /// InputError naming the file `name` where they are no text.
+  DecodedText(std::string_view bytes, const std::string& name);
   DecodedText(const DecodedText&) = delete;  // the text may be its own
   DecodedText& operator=(const DecodedText&) = delete;
 };
-
-/// Fills `decoded` from UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or,
-/// where the bytes are no UTF-8, Latin-1 in Microsoft's variant. The bytes must outlive `decoded`.
-/// Throws InputError naming the file `name` where they are no text.
-void decodeText(std::string_view bytes, const std::string& name, DecodedText& decoded);
 
 /// Whether all of it is UTF-8.
 bool isUtf8(std::string_view text);

@@ -19,13 +19,6 @@ struct ColumnName {
 /// brackets at the end is a unit whatever it is.
 ColumnName columnName(std::string_view text);
 
-/// Whether the text is a unit of length, time, frequency, temperature, force, pressure, velocity,
-/// angle or a share, with or without brackets around it. "-" and "1" stand for a pure number.
-bool isKnownUnit(std::string_view text);
-
-/// Brackets around all of the text are taken away.
-std::string_view withoutBrackets(std::string_view text);
-
 /// The fields of a line of names for `columns` columns, which may be separated otherwise than the
 /// numbers: the first way of splitting it that gives so many, or else none. A unit behind a blank
 /// stays with its name.

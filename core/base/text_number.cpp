@@ -16,18 +16,21 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// What programs write where there is no value, in lower case.
 constexpr std::array kMissing{
-    "nan"sv,       "-nan"sv,      "+nan"sv,     "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
-    "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv,   "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
-    "1.#j"sv,      "-1.#j"sv,     "inf"sv,      "+inf"sv,     "-inf"sv,      "infinity"sv,
-    "-infinity"sv, "+infinity"sv, "\u221E"sv,   "-\u221E"sv,  "na"sv,        "n/a"sv,
-    "#n/a"sv,      "#nv"sv,       "#num!"sv,    "#div/0!"sv,  "#value!"sv,   "#wert!"sv,
-    "#ref!"sv,     "#bezug!"sv,   "#name?"sv,   "#zahl!"sv,   "null"sv,      "none"sv,
-    "nil"sv,       "missing"sv,   "bad"sv,      "void"sv,     "undef"sv,     "undefined"sv,
-    "n.d."sv,      "n.a."sv,      "nd"sv,       "?"sv,        "."sv,         "\u2013"sv,
-    "\u2014"sv,    "ol"sv,        "overflow"sv, "masked"sv,   "<na>"sv,      "no data"sv,
-    "nodata"sv,    "no_data"sv,   "no-data"sv,  "no value"sv, "fehlt"sv,     "error"sv,
-    "err"sv,       "#error"sv,    "empty"sv,    "out"sv,      "saturated"sv, "clipped"sv,
-    "outlier"sv};
+    "nan"sv,       "-nan"sv,      "+nan"sv,   "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
+    "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv, "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
+    "1.#j"sv,      "-1.#j"sv,     "inf"sv,    "+inf"sv,     "-inf"sv,      "infinity"sv,
+    "-infinity"sv, "+infinity"sv, "\u221E"sv, "-\u221E"sv,  "na"sv,        "n/a"sv,
+    "null"sv,      "none"sv,      "nil"sv,    "missing"sv,  "bad"sv,       "void"sv,
+    "undef"sv,     "undefined"sv, "n.d."sv,   "n.a."sv,     "nd"sv,        "?"sv,
+    "."sv,         "\u2013"sv,    "\u2014"sv, "ol"sv,       "overflow"sv,  "masked"sv,
+    "<na>"sv,      "no data"sv,   "nodata"sv, "no_data"sv,  "no-data"sv,   "no value"sv,
+    "fehlt"sv,     "error"sv,     "err"sv,    "#error"sv,   "empty"sv,     "out"sv,
+    "saturated"sv, "clipped"sv,   "outlier"sv};
+
+/// What spreadsheets write into a cell without a value.
+constexpr std::array kSpreadsheetErrors{"#N/A"sv,    "#NV"sv,    "#NUM!"sv, "#DIV/0!"sv,
+                                        "#VALUE!"sv, "#WERT!"sv, "#REF!"sv, "#BEZUG!"sv,
+                                        "#NAME?"sv,  "#ZAHL!"sv};
 
 constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass"sv, "wahr"sv};
 constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};
@@ -44,7 +47,11 @@ bool isMissing(std::string_view text) {
       text.find_first_not_of("#") == std::string_view::npos)
     return true;
   constexpr std::size_t kLongest = 12;
-  return text.size() <= kLongest && contains(kMissing, lowerCase(text));
+  if (text.size() > kLongest) return false;
+  const std::string word = lowerCase(text);
+  const auto isWord = [&word](std::string_view error) { return lowerCase(error) == word; };
+  return contains(kMissing, word) ||
+         (word.starts_with('#') && std::ranges::any_of(kSpreadsheetErrors, isWord));
 }
 
 /// The bytes of blanks beyond ASCII at the beginning or at the end.
@@ -141,6 +148,15 @@ std::string_view trimmedField(std::string_view text) {
   return text;
 }
 
+std::string_view withoutBrackets(std::string_view text) {
+  text = trimmedField(text);
+  constexpr std::string_view opening = "([{<", closing = ")]}>";
+  if (text.size() < 2) return text;
+  const std::size_t kind = opening.find(text.front());
+  if (kind == std::string_view::npos || text.back() != closing[kind]) return text;
+  return trimmedBlanks(text.substr(1, text.size() - 2));
+}
+
 bool readTextNumber(std::string_view text, char decimal, double& number) {
   if (text.empty() || text.size() > kLongestNumber) return false;
   std::array<char, kLongestNumber + 1> plain{};
@@ -190,6 +206,11 @@ Field readField(std::string_view text, char decimal) {
     if (contains(kFalse, word)) return {FieldKind::Flag, 0};
   }
   return {FieldKind::Text, 0};
+}
+
+bool beginsWithSpreadsheetError(std::string_view text) {
+  return std::ranges::any_of(kSpreadsheetErrors,
+                             [text](std::string_view error) { return text.starts_with(error); });
 }
 
 std::optional<TextQuantity> quantityIn(std::string_view text) {

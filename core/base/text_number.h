@@ -36,6 +36,12 @@ std::string_view trimmedField(std::string_view text);
 /// Blanks of every kind are taken from both ends.
 std::string_view trimmedBlanks(std::string_view text);
 
+/// Brackets around all of the text are taken away.
+std::string_view withoutBrackets(std::string_view text);
+
+/// Whether it begins with what spreadsheets write into a cell without a value: "#N/A", "#DIV/0!".
+bool beginsWithSpreadsheetError(std::string_view text);
+
 /// In lower case, of ASCII alone.
 std::string lowerCase(std::string_view text);
 

@@ -12,6 +12,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
+#include "core/base/text_header.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
 
@@ -24,21 +25,6 @@ constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
 
 bool isBlank(char letter) {
   return letter == ' ' || letter == '\t';
-}
-
-char markOf(TextDialect::Separator separator) {
-  switch (separator) {
-    case TextDialect::Separator::Tab:
-      return '\t';
-    case TextDialect::Separator::Semicolon:
-      return ';';
-    case TextDialect::Separator::Bar:
-      return '|';
-    case TextDialect::Separator::Comma:
-      return ',';
-    default:
-      return ' ';
-  }
 }
 
 /// Reads a row of exactly `numbers.size()` plain numbers; false where there is anything else, which
@@ -82,167 +68,6 @@ bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<d
   return place == end;
 }
 
-/// Without the mark of a comment; a semicolon is one where it separates no fields.
-std::string_view withoutMark(std::string_view line, const TextDialect& dialect) {
-  line = trimmedBlanks(line);
-  const bool orSemicolon = dialect.separator != TextDialect::Separator::Semicolon;
-  while (line.starts_with('#') || line.starts_with('%') || line.starts_with('!') ||
-         (orSemicolon && line.starts_with(';')))
-    line = trimmedBlanks(line.substr(1));
-  if (line.starts_with("//")) line = trimmedBlanks(line.substr(2));
-  return line;
-}
-
-/// Where ":" or "=" ends a key; npos where there is none.
-std::size_t keyEnd(std::string_view line) {
-  constexpr std::string_view kWideColon = "\uFF1A";
-  const std::size_t at = std::min(line.find_first_of(":="), line.find(kWideColon));
-  return at == 0 ? std::string_view::npos : at;
-}
-
-TextEntry entryOf(std::string_view line, std::size_t number, const TextDialect& dialect) {
-  line = withoutMark(line, dialect);
-  TextEntry entry{{}, std::string(line), number};
-  std::vector<std::string_view> fields;
-  splitFields(line, dialect.separator, fields);
-  const auto setKey = [&entry](std::string_view key, std::string_view value) {
-    key = trimmedField(key);
-    while (key.ends_with(':') || key.ends_with('='))
-      key = trimmedBlanks(key.substr(0, key.size() - 1));
-    if (key.empty()) return;
-    while (!value.empty() && (value.back() == ';' || value.back() == ',' || isBlank(value.back())))
-      value.remove_suffix(1);
-    entry.key = key;
-    entry.value = trimmedField(value);
-  };
-  const std::size_t end = keyEnd(line);
-  const std::size_t tab = line.find('\t');
-  const bool isExact = dialect.isExact() && fields.size() > 1;
-  if (isExact && end >= fields.front().size()) {
-    // "Width;10;\u00B5m"
-    std::string value;
-    for (std::size_t i = 1; i < fields.size(); ++i)
-      if (const auto part = trimmedField(fields[i]); !part.empty())
-        value += (value.empty() ? "" : " ") + std::string(part);
-    setKey(fields.front(), value);
-  } else if (end != std::string_view::npos) {
-    constexpr std::size_t kWide = 3;  // bytes of a full-width colon
-    setKey(line.substr(0, end),
-           line.substr(end + (line[end] == ':' || line[end] == '=' ? 1 : kWide)));
-  } else if (const std::size_t semicolon = line.find(';');
-             semicolon != std::string_view::npos && semicolon > 0) {
-    setKey(line.substr(0, semicolon), line.substr(semicolon + 1));
-  } else if (tab != std::string_view::npos && tab > 0) {
-    setKey(line.substr(0, tab), line.substr(tab + 1));
-  } else if ((fields.size() == 2 || fields.size() == 3) &&
-             readField(fields[0], dialect.decimal).kind == FieldKind::Text &&
-             readField(fields[1], dialect.decimal).kind == FieldKind::Number) {
-    setKey(fields[0], line.substr(static_cast<std::size_t>(fields[1].data() - line.data())));
-  }
-  return entry;
-}
-
-struct Line {
-  std::string_view text;
-  std::size_t number = 0;
-};
-
-/// The fields of the lines above a block that may be names, units and comments of its columns; the
-/// nearest line is the first. mayCountRows: the first column may be one of row numbers.
-std::vector<std::vector<std::string>> rowsAbove(const std::vector<Line>& above,
-                                                const TextDialect& dialect, std::size_t columns,
-                                                bool mayCountRows) {
-  constexpr std::size_t kMostRows = 4;
-  std::vector<std::vector<std::string>> rows;
-  for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
-    const std::string_view text = withoutMark(line->text, dialect);
-    if (text.empty()) continue;
-    // A separator in front is an unnamed column, too, be it a tab, which a blank is otherwise. So
-    // is one at the end.
-    std::vector<std::string> fields = splitNames(text, dialect, columns);
-    if (fields.empty() && dialect.isExact()) {
-      std::vector<std::string_view> whole;
-      splitFields(isComment(line->text) ? text : line->text, dialect.separator, whole);
-      if (whole.size() == columns)
-        for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
-    }
-    // Row numbers, which some programs write in front, have no name.
-    if (fields.empty() && columns > 2 && mayCountRows &&
-        (dialect.isExact() || text.starts_with('"'))) {
-      fields = splitNames(text, dialect, columns - 1);
-      if (!fields.empty()) fields.insert(fields.begin(), std::string());
-    }
-    if (fields.empty()) break;
-    const bool isEntry = keyEnd(text) != std::string_view::npos;
-    std::vector<std::string_view> exact;
-    splitFields(text, dialect.separator, exact);
-    if (isEntry && !(dialect.isExact() && columns > 1 && exact.size() >= columns)) break;
-    std::size_t numbers = 0, texts = 0;
-    for (const std::string& field : fields) {
-      const FieldKind kind = readField(field, dialect.decimal).kind;
-      numbers += kind == FieldKind::Number ? 1 : 0;
-      texts += kind == FieldKind::Text ? 1 : 0;
-    }
-    // Numbers may be names of all columns but the first: temperatures, or positions along x.
-    const bool areNames = numbers == 0 || (columns > 2 && numbers + 1 >= columns);
-    if (!areNames || texts == 0) break;
-    rows.push_back(std::move(fields));
-  }
-  return rows;
-}
-
-bool isUnitField(const std::string& field) {
-  return isKnownUnit(field) || withoutBrackets(field).size() != trimmedField(field).size();
-}
-
-/// Whether each field is a unit or empty, and one at least could be nothing else. Among several
-/// units one word may be none, such as "bool" of a column that says what is valid.
-bool areUnits(const std::vector<std::string>& fields) {
-  std::size_t sure = 0, others = 0;
-  for (const std::string& field : fields) {
-    if (trimmedField(field).empty()) continue;
-    const std::string_view inner = withoutBrackets(field);
-    const bool inBrackets = inner.size() != trimmedField(field).size();
-    if (!isUnitField(field))
-      ++others;
-    else if (inBrackets || inner.size() > 1 || inner == "m")
-      ++sure;
-  }
-  return others == 0 ? sure > 0 : others == 1 && sure >= 2;
-}
-
-/// first: the fields of the first row.
-std::vector<TextColumn> namedColumns(const std::vector<Line>& above, const TextDialect& dialect,
-                                     const std::vector<Field>& first) {
-  const std::size_t columns = first.size();
-  std::vector<TextColumn> named(columns);
-  const bool mayCountRows =
-      first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
-  const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
-  const auto units = std::ranges::find_if(rows, areUnits);
-  // Names stand above their units; without units, right above the numbers.
-  const std::vector<std::string>* names = nullptr;
-  if (units == rows.end()) {
-    if (!rows.empty()) names = &rows.front();
-  } else if (units + 1 != rows.end()) {
-    names = &*(units + 1);
-  } else if (units != rows.begin()) {
-    names = &*(units - 1);
-  }
-  for (std::size_t i = 0; i < columns; ++i) {
-    if (names != nullptr) {
-      const ColumnName name = columnName((*names)[i]);
-      named[i].name = name.name;
-      named[i].unit = name.unit;
-    }
-    if (units != rows.end())
-      if (const std::string_view unit = withoutBrackets((*units)[i]);
-          !unit.empty() && isUnitField((*units)[i]))
-        named[i].unit = unit;
-  }
-  return named;
-}
-
 class TableReader {
  public:
   TableReader(std::string_view text, const std::string& name, const TextTableOptions& options,
@@ -251,11 +76,11 @@ class TableReader {
 
   void read() {
     while (!rest_.empty()) {
-      const Line line{takeLine(rest_), ++number_};
+      const TextLine line{takeLine(rest_), ++number_};
       if (whole_.size() - rest_.size() >= nextReport_) report();
       take(line);
     }
-    for (const Line& line : above_) addEntry(line, table_.trailer);
+    for (const TextLine& line : above_) addEntry(line, table_.trailer);
     if (table_.blocks.empty()) refuseWithoutRows();
     clearFlags();
   }
@@ -265,7 +90,7 @@ class TableReader {
 
   /// Names the first line that looks most like a row.
   [[noreturn]] void refuseWithoutRows() {
-    for (const Line& line : above_) {
+    for (const TextLine& line : above_) {
       if (isComment(line.text)) continue;
       readRow(line.text);
       for (std::size_t i = 0; i < fields_.size(); ++i)
@@ -283,7 +108,7 @@ class TableReader {
       options_.progress(1 - static_cast<double>(rest_.size()) / static_cast<double>(whole_.size()));
   }
 
-  void take(const Line& line) {
+  void take(const TextLine& line) {
     if (isOpen_ && appendPlain(line)) return;
     if (trimmedBlanks(line.text).empty()) {
       isDirect_ = false;
@@ -298,21 +123,21 @@ class TableReader {
   }
 
   /// A line that is no row; it may be part of a header.
-  void keep(const Line& line) {
+  void keep(const TextLine& line) {
     if (above_.size() < kMostHeaderLines) above_.push_back(line);
   }
 
   /// The rows go on behind lines that were kept: comments may stand between rows, a header begins a
   /// block of its own.
   bool goesOn() const {
-    return std::ranges::all_of(above_, [this](const Line& line) {
-      return isComment(line.text) && entryOf(line.text, line.number, table_.dialect).key.empty();
+    return std::ranges::all_of(above_, [this](const TextLine& line) {
+      return isComment(line.text) && entryOf(line, table_.dialect).key.empty();
     });
   }
 
   TextBlock& block() { return table_.blocks.back(); }
 
-  bool appendPlain(const Line& line) {
+  bool appendPlain(const TextLine& line) {
     if (hasTexts_) return false;
     row_.resize(block().columns.size());
     if (!readPlainRow(line.text, table_.dialect, row_)) return false;
@@ -322,7 +147,7 @@ class TableReader {
     return true;
   }
 
-  void addRow(const Line& line) {
+  void addRow(const TextLine& line) {
     above_.clear();
     isDirect_ = true;
     if (count_ + row_.size() > kMostNumbers)
@@ -410,7 +235,7 @@ class TableReader {
 
   /// A row that is wrong in one field, or has another width, is an error where the rows go on. So
   /// are several such rows: results of a program below its rows begin with a word.
-  void refuseAmidRows(const Line& line) const {
+  void refuseAmidRows(const TextLine& line) const {
     constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
     const std::vector<TextColumn>& columns = table_.blocks.back().columns;
     const std::size_t numbers = countOf(FieldKind::Number);
@@ -429,7 +254,7 @@ class TableReader {
         fail(message("line {}: column {} is not a number", line.number, i + 1));
   }
 
-  void append(const Line& line) {
+  void append(const TextLine& line) {
     if (!above_.empty() && !goesOn()) return start(line);
     const std::size_t columns = block().columns.size();
     row_.assign(columns, std::numeric_limits<double>::quiet_NaN());
@@ -469,7 +294,7 @@ class TableReader {
   }
 
   /// Whether the fields can be the first row of a block.
-  bool startsBlock(const Line& line) {
+  bool startsBlock(const TextLine& line) {
     if (countOf(FieldKind::Number) == 0) return false;
     if (countOf(FieldKind::Text) == 0) return true;
     if (!options_.keepsTexts || keyEnd(line.text) != std::string_view::npos) return false;
@@ -478,12 +303,12 @@ class TableReader {
                                 [](const TextColumn& column) { return column.name.empty(); });
   }
 
-  void start(const Line& line) {
+  void start(const TextLine& line) {
     // Separators at the ends of all lines enclose nothing, unless the column has a name.
     const auto isNamed = [this](std::size_t columns) {
-      return !above_.empty() &&
-             !splitNames(withoutMark(above_.back().text, table_.dialect), table_.dialect, columns)
-                  .empty();
+      return !above_.empty() && !splitNames(withoutCommentMark(above_.back().text, table_.dialect),
+                                            table_.dialect, columns)
+                                     .empty();
     };
     while (fields_.size() > 1 && trimmedBlanks(fields_.back()).empty() &&
            !isNamed(fields_.size())) {
@@ -504,7 +329,7 @@ class TableReader {
                                       options_.textColumns.end());
       hasTexts_ = hasTexts_ || column.isText;
     }
-    for (const Line& kept : above_) addEntry(kept, fresh.header);
+    for (const TextLine& kept : above_) addEntry(kept, fresh.header);
     above_.clear();
     if (!table_.blocks.empty()) block().values.shrink_to_fit();
     // As many rows as there may be, so that large tables are not moved about.
@@ -515,8 +340,8 @@ class TableReader {
     append(line);
   }
 
-  void addEntry(const Line& line, std::vector<TextEntry>& entries) const {
-    entries.push_back(entryOf(line.text, line.number, table_.dialect));
+  void addEntry(const TextLine& line, std::vector<TextEntry>& entries) const {
+    entries.push_back(entryOf(line, table_.dialect));
   }
 
   std::string_view whole_, rest_;
@@ -529,7 +354,7 @@ class TableReader {
   bool hasTexts_ = false;         // of the last block
   bool isDirect_ = false;         // no blank line since the last row
   std::vector<bool> hasNumbers_;  // each column of the last block, in its first rows at least
-  std::vector<Line> above_;       // lines since the last row
+  std::vector<TextLine> above_;   // lines since the last row
   std::vector<std::string_view> fields_;
   std::vector<Field> kinds_;
   std::vector<double> row_;
@@ -563,8 +388,7 @@ std::string TextTable::entry(std::string_view key, const TextBlock& block) const
 TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options) {
   TextTable table;
-  DecodedText decoded;
-  decodeText(bytes, name, decoded);
+  const DecodedText decoded(bytes, name);
   table.encoding = decoded.encoding;
   table.dialect = detectDialect(decoded.text);
   TableReader(decoded.text, name, options, table).read();

@@ -267,8 +267,7 @@ NamedSheet shiftsSheet(const Material& material) {
   return {"shifts", std::move(sheet)};
 }
 
-// ---- In a scene
-// ----------------------------------------------------------------------------------
+// ---- In a scene --------------------------------------------------------------------------------
 
 /// What a diagram over frequency shows: the band, what was measured, and a bit more.
 FrequencyRange shownRange(const std::optional<FrequencyRange>& measured,

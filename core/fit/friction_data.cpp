@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
-#include "core/base/text_names.h"
+#include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
 

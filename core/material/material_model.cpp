@@ -39,8 +39,7 @@ std::optional<TextTable> tableIn(std::string_view bytes, const std::string& name
 std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table,
                                   const std::string& name, const MaterialChoices& choices) {
   if (bytes.size() > kLargestSeries) return {};
-  DecodedText decoded;
-  decodeText(bytes, name, decoded);
+  const DecodedText decoded(bytes, name);
   PronyChoices series;
   series.instantaneousModulus = choices.instantaneousModulus;
   series.equilibriumModulus = choices.series.equilibriumModulus;

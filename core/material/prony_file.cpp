@@ -76,8 +76,7 @@ bool has(const Line& line, std::string_view word) {
   return std::ranges::find(line.words, word) != line.words.end();
 }
 
-// ---- Abaqus
-// --------------------------------------------------------------------------------------
+// ---- Abaqus ------------------------------------------------------------------------------------
 
 std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std::string& name) {
   const auto isKeyword = [](const Line& line, std::string_view word) {
@@ -143,8 +142,7 @@ std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std:
   return series;
 }
 
-// ---- Ansys
-// ---------------------------------------------------------------------------------------
+// ---- Ansys -------------------------------------------------------------------------------------
 
 std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::string& name) {
   enum class Table { Other, Shear, Shift } table = Table::Other;
@@ -200,8 +198,7 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
   return series;
 }
 
-// ---- A table
-// -------------------------------------------------------------------------------------
+// ---- A table -----------------------------------------------------------------------------------
 
 /// "G_inf", "g∞", "Equilibrium modulus", "E0" and the like, without marks.
 std::string plainWord(std::string_view text) {
@@ -294,8 +291,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   return series;
 }
 
-// ---- All
-// -----------------------------------------------------------------------------------------
+// ---- All ---------------------------------------------------------------------------------------
 
 void checkTerms(const RawSeries& series, const std::string& name) {
   if (series.terms.empty()) throw InputError(name, "", "holds no term of a Prony series");

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/length_unit.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/base/text_units.h"
 #include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
 
@@ -223,8 +223,8 @@ SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps) {
   draft.positionUnit = statedUnit(source, "xy", field.positionUnit);
   draft.heightUnit = statedUnit(source, "z", field.heightUnit);
   const auto points = static_cast<std::size_t>(field.columns * field.rows);
-  appendHeights<double>(source, field.data.substr(0, points * sizeof(double)), false, 1,
-                        grid.height, [](double) { return false; });
+  appendHeights<double>(source, field.data.substr(0, points * sizeof(double)), 1, grid.height,
+                        [](double) { return false; });
 
   const Component* mask = find(components, "/" + std::to_string(channel.number) + "/mask", 'o');
   if (mask == nullptr) return draft;

@@ -5,9 +5,9 @@
 
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
-#include "core/base/length_unit.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text_units.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {
@@ -271,6 +271,12 @@ std::string bytesOf(const RegularFile& regular, const std::stop_token& stop) {
 }
 
 }  // namespace
+
+std::optional<std::int64_t> wholeNumber(double number) {
+  if (!(std::abs(number) <= static_cast<double>(kMostPoints)) || number != std::floor(number))
+    return {};
+  return static_cast<std::int64_t>(number);
+}
 
 void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t rows,
                  std::size_t bytesThere, std::size_t bytesPerPoint) {

@@ -253,8 +253,7 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
   return band;
 }
 
-// ---- The equivalent line
-// --------------------------------------------------------------------------
+// ---- The equivalent line -----------------------------------------------------------------------
 
 double EquivalentSpectra::factor(double q) const {
   const std::size_t bands = profile.bands();

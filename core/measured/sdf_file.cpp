@@ -3,6 +3,7 @@
 // behind the a or b ("aNPL-V1.0"); the header below is the same. Heights are numbers times Zscale,
 // in metres; BAD, the lowest integer or the lowest float marks a point that was not measured.
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -21,16 +22,44 @@ namespace {
 constexpr std::size_t kMagicSize = 8, kIdentity = 10, kDates = 24;
 constexpr std::size_t kNumbersSize = 43;  // of 32-bit counts, which are the longer ones
 
-/// Codes of DataType. The unsigned ones are of BCR alone.
-enum class DataType { Uint8, Uint16, Uint32, Float, Int8, Int16, Int32, Double };
+/// Appends the heights of a grid, whose bytes are the first ones of the data.
+template <class Number>
+void takeHeights(const SurfaceSource& source, std::string_view data, double scale,
+                 SurfaceDraft& draft) {
+  constexpr bool isSigned = std::numeric_limits<Number>::is_signed;
+  const auto bytes =
+      static_cast<std::size_t>(draft.grid.columns * draft.grid.rows) * sizeof(Number);
+  appendHeights<Number>(source, data.substr(0, bytes), scale, draft.grid.height, [](Number number) {
+    return isSigned && number == std::numeric_limits<Number>::lowest();
+  });
+}
 
-constexpr std::size_t kSizes[] = {1, 2, 4, 4, 1, 2, 4, 8};
+/// A type of stored numbers.
+struct DataType {
+  std::size_t size;  // bytes
+  void (*takeHeights)(const SurfaceSource&, std::string_view data, double scale, SurfaceDraft&);
+};
+
+template <class Number>
+constexpr DataType dataType() {
+  return {sizeof(Number), takeHeights<Number>};
+}
+
+/// By the code in the header. The unsigned ones are of BCR alone.
+constexpr std::array kDataTypes{dataType<std::uint8_t>(),  dataType<std::uint16_t>(),
+                                dataType<std::uint32_t>(), dataType<float>(),
+                                dataType<std::int8_t>(),   dataType<std::int16_t>(),
+                                dataType<std::int32_t>(),  dataType<double>()};
 
 struct Header {
   std::int64_t columns = 0, rows = 0;
   double xScale = 0, yScale = 0, zScale = 0;
   int compression = 0, dataType = 0, checkType = 0;
 };
+
+bool isKnownType(int code) {
+  return code >= 0 && code < static_cast<int>(kDataTypes.size());
+}
 
 /// The grid of the header, without heights.
 SurfaceDraft draftOf(const SurfaceSource& source, const Header& header) {
@@ -46,7 +75,7 @@ SurfaceDraft draftOf(const SurfaceSource& source, const Header& header) {
     source.fail(message("{} in the header is not a number above 0", "Zscale"));
   if (header.compression != 0)
     source.fail(message("is compressed, which {} files are not read with", "SDF"));
-  if (header.dataType < 0 || header.dataType > static_cast<int>(DataType::Double))
+  if (!isKnownType(header.dataType))
     source.fail(message("{} {} is not known", "DataType", header.dataType));
   SurfaceDraft draft;
   draft.facts.format = "sdf";
@@ -56,17 +85,6 @@ SurfaceDraft draftOf(const SurfaceSource& source, const Header& header) {
   draft.grid.rowSpacing = header.yScale;
   draft.positionUnit = draft.heightUnit = StatedUnit{"m", 1};
   return draft;
-}
-
-template <class Number>
-void takeHeights(const SurfaceSource& source, std::string_view data, double scale,
-                 SurfaceDraft& draft) {
-  constexpr bool isSigned = std::numeric_limits<Number>::is_signed;
-  const auto bytes =
-      static_cast<std::size_t>(draft.grid.columns * draft.grid.rows) * sizeof(Number);
-  appendHeights<Number>(
-      source, data.substr(0, bytes), false, scale, draft.grid.height,
-      [](Number number) { return isSigned && number == std::numeric_limits<Number>::lowest(); });
 }
 
 enum class Counts { Of16Bits, Of32Bits };
@@ -93,8 +111,7 @@ bool isPossible(const Header& header) {
     return std::isfinite(size) && std::abs(size) >= least && std::abs(size) <= most;
   };
   return header.columns > 0 && header.rows > 0 && isBetween(header.xScale, 1e-15, 1e3) &&
-         isBetween(header.zScale, 1e-20, 1e6) && header.dataType >= 0 &&
-         header.dataType <= static_cast<int>(DataType::Double);
+         isBetween(header.zScale, 1e-20, 1e6) && isKnownType(header.dataType);
 }
 
 /// As the name of the version says.
@@ -122,34 +139,9 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
       readNumbers(reader, possibleCounts(source).value_or(namedCounts(source.bytes)));
   SurfaceDraft draft = draftOf(source, header);
   const std::string_view data = source.bytes.substr(reader.place());
-  requireSize(source, header.columns, header.rows, data.size(),
-              kSizes[static_cast<std::size_t>(header.dataType)]);
-  switch (static_cast<DataType>(header.dataType)) {
-    case DataType::Uint8:
-      takeHeights<std::uint8_t>(source, data, header.zScale, draft);
-      break;
-    case DataType::Uint16:
-      takeHeights<std::uint16_t>(source, data, header.zScale, draft);
-      break;
-    case DataType::Uint32:
-      takeHeights<std::uint32_t>(source, data, header.zScale, draft);
-      break;
-    case DataType::Float:
-      takeHeights<float>(source, data, header.zScale, draft);
-      break;
-    case DataType::Int8:
-      takeHeights<std::int8_t>(source, data, header.zScale, draft);
-      break;
-    case DataType::Int16:
-      takeHeights<std::int16_t>(source, data, header.zScale, draft);
-      break;
-    case DataType::Int32:
-      takeHeights<std::int32_t>(source, data, header.zScale, draft);
-      break;
-    case DataType::Double:
-      takeHeights<double>(source, data, header.zScale, draft);
-      break;
-  }
+  const DataType& type = kDataTypes[static_cast<std::size_t>(header.dataType)];
+  requireSize(source, header.columns, header.rows, data.size(), type.size);
+  type.takeHeights(source, data, header.zScale, draft);
   return draft;
 }
 
@@ -174,8 +166,10 @@ class TextReader {
     // A digit and a blank are the least that a height takes.
     requireSize(source_, header.columns, header.rows, reader_.left() + 1, 2);
     const auto count = static_cast<std::size_t>(header.columns * header.rows);
-    readHeights(source_, reader_, count, header.zScale, '*', draft.grid.height,
-                [](double) { return false; });
+    HeightWords words;
+    words.scale = header.zScale;
+    words.end = '*';
+    readHeights(source_, reader_, count, words, draft.grid.height);
     requireNoMoreHeights(source_, reader_, count);
     return draft;
   }
@@ -203,10 +197,9 @@ class TextReader {
     return fallback;
   }
   double real(const std::string& key, std::string_view fallback = {}) const {
-    double number = 0;
-    if (!readTextNumber(value(key, fallback), '.', number))
-      source_.fail(message("{} in the header is not a number", key));
-    return number;
+    const auto number = numberIn(value(key, fallback));
+    if (!number) source_.fail(message("{} in the header is not a number", key));
+    return *number;
   }
   std::int64_t whole(const std::string& key, std::string_view fallback = {}) const {
     std::int64_t number = 0;
@@ -262,8 +255,7 @@ bool isSdf(const SurfaceSource& source) {
 
 SurfaceDraft readSdf(const SurfaceSource& source) {
   if (source.bytes.starts_with('b')) return readBinary(source);
-  DecodedText decoded;
-  decodeText(source.bytes, source.name, decoded);
+  const DecodedText decoded(source.bytes, source.name);
   return TextReader(source, decoded.text).read();
 }
 

@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 
-#include "core/base/length_unit.h"
 #include "core/base/text_encoding.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/uniform_positions.h"
@@ -28,19 +27,15 @@ struct Axis {
   double step = 0;  // 0: none stated
 };
 
-double numberIn(std::string_view word) {
-  double number = 0;
-  return readTextNumber(word, '.', number) ? number : std::nan("");
-}
-
 /// The axis of a line "CX I 22401 mm 1.0e0 D 2.5e-4"; empty where the line is none.
 std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
   constexpr std::size_t kFewest = 5, kWithStep = 7;
   const std::vector<std::string_view> words = wordsOf(line);
   if (words.size() < kFewest || words[0] != name || words[1].size() != 1) return {};
-  if (!isNumber(words[2]) || !isNumber(words[4])) return {};
-  return Axis{words[1], numberIn(words[2]), words[3], numberIn(words[4]),
-              words.size() >= kWithStep && isNumber(words[6]) ? numberIn(words[6]) : 0};
+  const auto points = numberIn(words[2]), scale = numberIn(words[4]);
+  if (!points || !scale) return {};
+  const auto step = words.size() >= kWithStep ? numberIn(words[6]) : std::nullopt;
+  return Axis{words[1], *points, words[3], *scale, step.value_or(0)};
 }
 
 bool endsRecord(std::string_view line) {
@@ -49,7 +44,9 @@ bool endsRecord(std::string_view line) {
 
 bool isOfNumbers(std::string_view line) {
   const std::vector<std::string_view> words = wordsOf(line);
-  return !words.empty() && std::ranges::all_of(words, isNumber);
+  return !words.empty() && std::ranges::all_of(words, [](std::string_view word) {
+    return numberIn(word).has_value();
+  });
 }
 
 /// Text with blanks for the zero bytes that end its words.
@@ -73,14 +70,14 @@ class Reader {
     readNumbers(static_cast<std::size_t>(points));
     SurfaceDraft draft;
     draft.facts.format = "smd";
+    draft.grid.rows = 1;
+    draft.grid.columns = points;
     draft.positionUnit = statedUnit(source_, "CX", x_.unit);
     draft.heightUnit = statedUnit(source_, "Z (CZ)", z_.unit);
     if (numbers_.size() == static_cast<std::size_t>(points))
       placeAtSteps(draft);
     else
       placeAtPositions(draft);
-    draft.grid.rows = 1;
-    draft.grid.columns = static_cast<std::int64_t>(draft.grid.height.size());
     return draft;
   }
 
@@ -112,31 +109,27 @@ class Reader {
   /// "SPACING CX 2.5e-4".
   void readSpacing(std::string_view line) {
     const std::vector<std::string_view> words = wordsOf(line);
-    if (words.size() >= 3 && words[0] == "SPACING" && words[1] == "CX" && isNumber(words[2]))
-      spacing_ = numberIn(words[2]);
+    if (words.size() >= 3 && words[0] == "SPACING" && words[1] == "CX")
+      spacing_ = numberIn(words[2]).value_or(spacing_);
   }
 
   std::int64_t countOf(const Axis& axis) const {
-    if (!(axis.points >= 1) || axis.points > static_cast<double>(kMostPoints) ||
-        axis.points != std::floor(axis.points))
+    const auto points = wholeNumber(axis.points);
+    if (!points || *points < 1)
       source_.fail(message("the number of points of an axis is not a whole number from 1 to {}",
                            kMostPoints));
     if (axis.scale == 0) source_.fail(message("{} in the header is not a number above 0", "scale"));
-    return static_cast<std::int64_t>(axis.points);
+    return *points;
   }
 
   /// All numbers of record 3: as many as there are points, or twice as many.
   void readNumbers(std::size_t points) {
     std::string_view line = firstLine_.empty() ? reader_.nextLine() : firstLine_;
-    std::size_t lines = 0;
-    for (;; line = reader_.nextLine()) {
-      constexpr std::size_t kStep = std::size_t{1} << 18;
-      if (lines++ % kStep == 0)
-        source_.report(static_cast<double>(numbers_.size()) / static_cast<double>(2 * points));
+    for (bool isFirst = true;; line = reader_.nextLine(), isFirst = false) {
       const std::string_view content = line.substr(0, line.find(kEndOfRecord));
       const std::vector<std::string_view> words =
           wordsOf(line == "EOR" || line == "EOF" ? "" : content);
-      if (lines == 1) inRows_ = words.size() == 2;
+      if (isFirst) inRows_ = words.size() == 2;
       for (const std::string_view word : words) addNumber(word, 2 * points);
       if (endsRecord(line) || reader_.atEnd()) break;
     }
@@ -148,19 +141,17 @@ class Reader {
   }
 
   void addNumber(std::string_view word, std::size_t most) {
-    const Field field = readField(word, '.');
-    if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
-      source_.fail(
-          message("line {}: height {} is not a number", reader_.line(), numbers_.size() + 1));
+    source_.reportPoint(numbers_.size(), most);
+    const double number = heightIn(source_, reader_, word, numbers_.size());
     if (numbers_.size() == most)
       source_.fail(message("line {}: has more than the {} heights that the header says",
                            reader_.line(), most / 2));
-    numbers_.push_back(field.kind == FieldKind::Missing ? std::nan("") : field.value);
+    numbers_.push_back(number);
   }
 
   double heightOf(double number) const {
-    return std::isnan(number) || !std::isfinite(number * z_.scale) ? std::nan("")
-                                                                   : number * z_.scale;
+    const double height = number * z_.scale;
+    return std::isfinite(height) ? height : std::nan("");
   }
 
   void placeAtSteps(SurfaceDraft& draft) {
@@ -178,15 +169,10 @@ class Reader {
     std::vector<double> places, heights;
     for (std::size_t i = 0; i < points; ++i) {
       const double place = numbers_[inTurn ? 2 * i : i];
-      places.push_back(std::isnan(place) ? place : place * x_.scale);
+      places.push_back(place * x_.scale);
       heights.push_back(heightOf(numbers_[inTurn ? 2 * i + 1 : points + i]));
     }
-    PlacedProfile placed = placeUniformly(std::move(places), std::move(heights), {}, source_);
-    draft.grid.height = std::move(placed.height);
-    draft.grid.columnSpacing = placed.spacing;
-    draft.facts.spacingVariation = placed.variation;
-    draft.facts.resampled = placed.resampled;
-    draft.facts.notes = std::move(placed.notes);
+    placeUniformly(std::move(places), std::move(heights), {}, source_, draft);
   }
 
   const SurfaceSource& source_;
@@ -215,8 +201,7 @@ bool isSmd(const SurfaceSource& source) {
 
 SurfaceDraft readSmd(const SurfaceSource& source) {
   const std::string text = withoutZeros(source.bytes);
-  DecodedText decoded;
-  decodeText(text, source.name, decoded);
+  const DecodedText decoded(text, source.name);
   return Reader(source, decoded.text).read();
 }
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <string>
 
-#include "core/base/length_unit.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/measured/byte_reader.h"
@@ -116,6 +115,49 @@ std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_
   return bytes;
 }
 
+/// The grid of the header, without heights.
+SurfaceDraft draftOf(const SurfaceSource& source, Header& header) {
+  SurfaceDraft draft;
+  draft.facts.format = "sur";
+  Topography& grid = draft.grid;
+  grid.columns = header.columns;
+  grid.rows = header.rows;
+  draft.positionUnit = unitOf(source, "X", header.axes[0]);
+  const auto rowUnit = header.rows > 1 ? unitOf(source, "Y", header.axes[1]) : draft.positionUnit;
+  draft.heightUnit = unitOf(source, "Z", header.axes[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    constexpr std::array kNames{"X spacing", "Y spacing", "Z spacing"};
+    const double spacing = header.axes[i].spacing;
+    if ((i != 1 || header.rows > 1) && (!std::isfinite(spacing) || spacing == 0))
+      source.fail(message("{} in the header is not a number above 0", kNames[i]));
+  }
+  grid.columnSpacing = std::abs(header.axes[0].spacing);
+  if (header.rows > 1)
+    grid.rowSpacing = std::abs(header.axes[1].spacing) * (rowUnit ? rowUnit->metres : 1) /
+                      (draft.positionUnit ? draft.positionUnit->metres : 1);
+  // The profiles of a series follow each other by their number, not along y.
+  const bool isSeries = header.type == 4 || header.type == 7;
+  if (isSeries && (!std::isfinite(grid.rowSpacing) || !(grid.rowSpacing > 0)))
+    grid.rowSpacing = grid.columnSpacing;
+  if (header.objects > 1)
+    draft.facts.notes.push_back(
+        message("The first of {} objects in the file is read.", header.objects));
+  return draft;
+}
+
+void takeHeights(const SurfaceSource& source, const Header& header, std::string_view data,
+                 std::vector<double>& heights) {
+  // Two below the lowest height stands where nothing was measured.
+  const std::int64_t gap = std::int64_t{header.lowest} - 2;
+  const bool hasGaps = header.specialPoints != 0;
+  const auto isGap = [gap, hasGaps](auto number) { return hasGaps && number == gap; };
+  const double scale = header.axes[2].spacing;
+  if (header.bits == 16)
+    appendHeights<std::int16_t>(source, data, scale, heights, isGap);
+  else
+    appendHeights<std::int32_t>(source, data, scale, heights, isGap);
+}
+
 }  // namespace
 
 SurfaceDraft readSur(const SurfaceSource& source) {
@@ -139,46 +181,12 @@ SurfaceDraft readSur(const SurfaceSource& source) {
               header.isPacked ? reader.left() * kMostPacked : reader.left(), bytesOfPoint);
   const std::size_t bytes = static_cast<std::size_t>(header.columns * header.rows) * bytesOfPoint;
 
-  SurfaceDraft draft;
-  draft.facts.format = "sur";
-  Topography& grid = draft.grid;
-  grid.columns = header.columns;
-  grid.rows = header.rows;
-  draft.positionUnit = unitOf(source, "X", header.axes[0]);
-  const auto rowUnit = header.rows > 1 ? unitOf(source, "Y", header.axes[1]) : draft.positionUnit;
-  draft.heightUnit = unitOf(source, "Z", header.axes[2]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    constexpr std::array kNames{"X spacing", "Y spacing", "Z spacing"};
-    const double spacing = header.axes[i].spacing;
-    if ((i != 1 || header.rows > 1) && (!std::isfinite(spacing) || spacing == 0))
-      source.fail(message("{} in the header is not a number above 0", kNames[i]));
-  }
-  grid.columnSpacing = std::abs(header.axes[0].spacing);
-  if (header.rows > 1)
-    grid.rowSpacing = std::abs(header.axes[1].spacing) * (rowUnit ? rowUnit->metres : 1) /
-                      (draft.positionUnit ? draft.positionUnit->metres : 1);
-  if (header.type == 4 || header.type == 7) {
-    // The profiles of a series follow each other by their number, not along y.
-    if (!std::isfinite(grid.rowSpacing) || !(grid.rowSpacing > 0))
-      grid.rowSpacing = grid.columnSpacing;
-  }
-  if (header.objects > 1)
-    draft.facts.notes.push_back(
-        message("The first of {} objects in the file is read.", header.objects));
-
+  SurfaceDraft draft = draftOf(source, header);
   const std::string plain = header.isPacked ? unpacked(source, reader, bytes) : std::string();
   const std::string_view data = header.isPacked ? std::string_view(plain) : reader.take(bytes);
   if (data.size() < bytes)
     source.fail(message("the packed heights of the {} file cannot be unpacked", "SUR"));
-  // Two below the lowest height stands where nothing was measured.
-  const std::int64_t gap = std::int64_t{header.lowest} - 2;
-  const bool hasGaps = header.specialPoints != 0;
-  const auto isGap = [gap, hasGaps](auto number) { return hasGaps && number == gap; };
-  const double scale = header.axes[2].spacing;
-  if (header.bits == 16)
-    appendHeights<std::int16_t>(source, data, false, scale, grid.height, isGap);
-  else
-    appendHeights<std::int32_t>(source, data, false, scale, grid.height, isGap);
+  takeHeights(source, header, data, draft.grid.height);
   return draft;
 }
 

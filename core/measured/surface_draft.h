@@ -29,6 +29,11 @@ struct SurfaceSource {
     if (stop.stop_requested()) throw ReadingStopped{};
     if (progress) progress(part);
   }
+  /// The same, now and then, where `done` counts all points one by one.
+  void reportPoint(std::size_t done, std::size_t all) const {
+    constexpr std::size_t kStep = std::size_t{1} << 18;
+    if (done % kStep == 0) report(static_cast<double>(done) / static_cast<double>(all));
+  }
 };
 
 struct StatedUnit {
@@ -47,6 +52,9 @@ struct SurfaceDraft {
 
 /// Points that are read at most: 512 MiB of heights.
 inline constexpr std::int64_t kMostPoints = std::int64_t{1} << 26;
+
+/// Returns the number where it is whole and no count of points is larger; else nothing.
+std::optional<std::int64_t> wholeNumber(double number);
 
 /// Refuses sizes that no file of this many bytes can hold, or that are too large to read.
 /// `bytesPerPoint` 0: not known.

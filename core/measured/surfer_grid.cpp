@@ -41,21 +41,19 @@ SurfaceDraft draftOf(const Extent& extent) {
 }
 
 SurfaceDraft readText(const SurfaceSource& source) {
-  DecodedText decoded;
-  decodeText(source.bytes, source.name, decoded);
+  const DecodedText decoded(source.bytes, source.name);
   WordReader reader(decoded.text);
   reader.nextWord();  // DSAA
   const auto number = [&](std::string_view key) {
-    double value = 0;
-    if (!readTextNumber(reader.nextWord(), '.', value))
+    const auto value = numberIn(reader.nextWord());
+    if (!value)
       source.fail(message("line {}: {} in the header is not a number", reader.line(), key));
-    return value;
+    return *value;
   };
   const auto count = [&](std::string_view key) {
-    const double value = number(key);
-    if (!(value >= 1) || value > static_cast<double>(kMostPoints) || value != std::floor(value))
-      source.fail(message("{} in the header is not a number above 0", key));
-    return static_cast<std::int64_t>(value);
+    const auto value = wholeNumber(number(key));
+    if (!value || *value < 1) source.fail(message("{} in the header is not a number above 0", key));
+    return *value;
   };
   Extent extent;
   extent.columns = count("nx");
@@ -70,8 +68,7 @@ SurfaceDraft readText(const SurfaceSource& source) {
   // A digit and a blank are the least that a height takes.
   requireSize(source, extent.columns, extent.rows, reader.left() + 1, 2);
   const auto points = static_cast<std::size_t>(extent.columns * extent.rows);
-  readHeights(source, reader, points, 1, '\0', draft.grid.height,
-              [](double height) { return height >= kBlanked; });
+  readHeights(source, reader, points, {1, kBlanked}, draft.grid.height);
   requireNoMoreHeights(source, reader, points);
   return draft;
 }
@@ -90,7 +87,7 @@ SurfaceDraft readBytes(const SurfaceSource& source) {
   SurfaceDraft draft = draftOf(extent);
   requireSize(source, extent.columns, extent.rows, reader.left(), sizeof(float));
   const auto bytes = static_cast<std::size_t>(extent.columns * extent.rows) * sizeof(float);
-  appendHeights<float>(source, reader.take(bytes), false, 1, draft.grid.height,
+  appendHeights<float>(source, reader.take(bytes), 1, draft.grid.height,
                        [](float height) { return height >= static_cast<float>(kBlanked); });
   return draft;
 }
@@ -109,7 +106,7 @@ SurfaceDraft readSections(const SurfaceSource& source) {
       requireSize(source, grid.columns, grid.rows, std::min(size, reader.left()), sizeof(double));
       const auto bytes = static_cast<std::size_t>(grid.columns * grid.rows) * sizeof(double);
       appendHeights<double>(
-          source, reader.take(bytes), false, 1, draft.grid.height, [version, blank](double height) {
+          source, reader.take(bytes), 1, draft.grid.height, [version, blank](double height) {
             return height >= kBlanked || (version == 1 ? height >= blank : height == blank);
           });
       return draft;

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/length_unit.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 
@@ -150,84 +150,130 @@ Message columnText(const TextBlock& block, int column) {
   return message("column {} '{}'", column + 1, shortened(name));
 }
 
-ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
-  ColumnRoles roles;
-  const int columns = static_cast<int>(block.columns.size());
-  const auto chosen = [&](int choice, const char* key) {
+namespace {
+
+/// Finds what the columns are: by name first, then by their numbers.
+class RoleFinder {
+ public:
+  RoleFinder(const TextBlock& block, const SurfaceSource& source)
+      : block_(block),
+        positionChoice_(chosen(source, source.choices.positionColumn, "surface.position_column")),
+        heightChoice_(chosen(source, source.choices.heightColumn, "surface.height_column")) {
+    if (positionChoice_ >= 0 && positionChoice_ == heightChoice_)
+      throw InputError(source.name, "surface.height_column",
+                       "is the column of the positions, too; they need one each");
+  }
+
+  ColumnRoles find() {
+    findByName();
+    const std::size_t namedHeights = roles_.heights.size();
+    takeRowsAsHeights();
+    findPositions();
+    findHeights();
+    if (roles_.z >= 0) countCandidates(namedHeights);
+    return std::move(roles_);
+  }
+
+ private:
+  /// The column that the user chose, counted from 0; -1: none.
+  int chosen(const SurfaceSource& source, int choice, const char* key) const {
+    const int columns = static_cast<int>(block_.columns.size());
     if (choice > columns)
       throw InputError(source.name, key, message("the file has {} columns", columns));
     return choice - 1;
-  };
-  const int positionChoice = chosen(source.choices.positionColumn, "surface.position_column");
-  const int heightChoice = chosen(source.choices.heightColumn, "surface.height_column");
-  if (positionChoice >= 0 && positionChoice == heightChoice)
-    throw InputError(source.name, "surface.height_column",
-                     "is the column of the positions, too; they need one each");
+  }
 
-  std::vector<int> lateral;  // columns named y
-  std::vector<int> open;     // columns whose meaning is not known by name
-  for (int i = 0; i < columns; ++i) {
-    const std::string name = lowerCase(block.columns[static_cast<std::size_t>(i)].name);
-    if (i == positionChoice || i == heightChoice) continue;
-    if (begins(kRows, name) && !name.starts_with("y.") && !name.starts_with("y("))
-      lateral.push_back(roles.y = i);
-    else if (roles.x < 0 && (begins(kPositions, name) || isPlaceOfProfile(name)))
-      roles.x = i;
-    else if (begins(kHeights, name))
-      roles.heights.push_back(i);
-    else if (!isOne(kCounts, name))
-      findValidity(block, i, name, roles);
-    if (roles.x != i && roles.y != i && roles.validity != i && !isOne(kCounts, name) &&
-        std::ranges::find(roles.heights, i) == roles.heights.end())
-      open.push_back(i);
+  void findByName() {
+    std::vector<int> lateral;  // columns named y
+    for (int i = 0; i < static_cast<int>(block_.columns.size()); ++i) {
+      const std::string name = lowerCase(nameOf(i));
+      if (i == positionChoice_ || i == heightChoice_) continue;
+      if (begins(kRows, name) && !name.starts_with("y.") && !name.starts_with("y("))
+        lateral.push_back(roles_.y = i);
+      else if (roles_.x < 0 && (begins(kPositions, name) || isPlaceOfProfile(name)))
+        roles_.x = i;
+      else if (begins(kHeights, name))
+        roles_.heights.push_back(i);
+      else if (!isOne(kCounts, name))
+        findValidity(block_, i, name, roles_);
+      if (roles_.x != i && roles_.y != i && roles_.validity != i && !isOne(kCounts, name) &&
+          std::ranges::find(roles_.heights, i) == roles_.heights.end())
+        open_.push_back(i);
+    }
+    // "y" and "y 2" are two curves over x.
+    if (lateral.size() > 1) {
+      roles_.heights.insert(roles_.heights.begin(), lateral.begin(), lateral.end());
+      roles_.y = -1;
+    }
+    roles_.named = roles_.x >= 0 || !roles_.heights.empty();
   }
-  // "y" and "y 2" are two curves over x.
-  if (lateral.size() > 1) {
-    roles.heights.insert(roles.heights.begin(), lateral.begin(), lateral.end());
-    roles.y = -1;
-  }
-  roles.named = roles.x >= 0 || !roles.heights.empty();
-  const std::size_t namedHeights = roles.heights.size();
 
-  // "x" and "y" without "z": y is the height, as a plot has it.
-  const bool yIsHeight = roles.y >= 0 && roles.heights.empty() && heightChoice < 0 && open.empty();
-  if (yIsHeight || (roles.y >= 0 && roles.x < 0 && positionChoice < 0)) {
-    roles.heights.insert(roles.heights.begin(), roles.y);
-    roles.y = -1;
+  /// "x" and "y" without "z": y is the height, as a plot has it.
+  void takeRowsAsHeights() {
+    const bool isHeight =
+        roles_.y >= 0 && roles_.heights.empty() && heightChoice_ < 0 && open_.empty();
+    if (!isHeight && (roles_.y < 0 || roles_.x >= 0 || positionChoice_ >= 0)) return;
+    roles_.heights.insert(roles_.heights.begin(), roles_.y);
+    roles_.y = -1;
   }
-  // Unnamed counts in front of at least two further columns.
-  if (open.size() > 2 && countsRows(block, static_cast<std::size_t>(open.front())) &&
-      block.columns[static_cast<std::size_t>(open.front())].name.empty() && positionChoice < 0 &&
-      isMonotone(block, static_cast<std::size_t>(open[1])))
-    open.erase(open.begin());
-  if (positionChoice >= 0) {
-    roles.x = positionChoice;
-  } else if (roles.x < 0 && !open.empty() &&
-             (open.size() > 1 || !roles.heights.empty() || heightChoice >= 0) &&
-             isMonotone(block, static_cast<std::size_t>(open.front()))) {
-    roles.x = open.front();
-    open.erase(open.begin());
+
+  void findPositions() {
+    if (positionChoice_ >= 0) {
+      roles_.x = positionChoice_;
+      return;
+    }
+    // Unnamed counts in front of at least two further columns.
+    if (open_.size() > 2 && nameOf(open_.front()).empty() && isCount(open_.front()) &&
+        isMonotone(block_, static_cast<std::size_t>(open_[1])))
+      open_.erase(open_.begin());
+    const bool hasHeights = open_.size() > 1 || !roles_.heights.empty() || heightChoice_ >= 0;
+    if (roles_.x < 0 && !open_.empty() && hasHeights &&
+        isMonotone(block_, static_cast<std::size_t>(open_.front()))) {
+      roles_.x = open_.front();
+      open_.erase(open_.begin());
+    }
   }
-  for (const int column : open) roles.heights.push_back(column);
-  if (roles.x < 0 && positionChoice < 0 && heightChoice < 0 && roles.heights.size() > 1) {
-    roles.x = onlyOne(block, roles.heights, Course::Uniform);
-    if (roles.x < 0) roles.x = onlyOne(block, roles.heights, Course::Monotone);
+
+  void findHeights() {
+    roles_.heights.insert(roles_.heights.end(), open_.begin(), open_.end());
+    if (roles_.x < 0 && heightChoice_ < 0 && roles_.heights.size() > 1) {
+      roles_.x = onlyOne(block_, roles_.heights, Course::Uniform);
+      if (roles_.x < 0) roles_.x = onlyOne(block_, roles_.heights, Course::Monotone);
+    }
+    std::erase(roles_.heights, roles_.x);
+    if (heightChoice_ >= 0)
+      roles_.z = heightChoice_;
+    else if (!roles_.heights.empty())
+      roles_.z = roles_.heights.front();
+    else if (roles_.x >= 0 && positionChoice_ < 0)
+      std::swap(roles_.x, roles_.z);  // one column alone holds heights, whatever its name
   }
-  std::erase(roles.heights, roles.x);
-  if (heightChoice >= 0)
-    roles.z = heightChoice;
-  else if (!roles.heights.empty())
-    roles.z = roles.heights.front();
-  else if (roles.x >= 0 && positionChoice < 0)
-    std::swap(roles.x, roles.z);  // one column alone holds heights, whatever its name
-  // Columns in the same unit could be the heights as well; without units, those named like them.
-  const auto unitOf = [&block](int column) -> const std::string& {
-    return block.columns[static_cast<std::size_t>(column)].unit;
-  };
-  for (const int column : roles.heights)
-    if (roles.z >= 0 && unitOf(column) == unitOf(roles.z)) ++roles.candidates;
-  if (namedHeights > 0 && roles.z >= 0 && unitOf(roles.z).empty()) roles.candidates = namedHeights;
-  return roles;
+
+  /// Columns in the same unit could be the heights as well; without units, those named like them.
+  void countCandidates(std::size_t namedHeights) {
+    const std::string& unit = unitOf(roles_.z);
+    const auto isAlike = [&](int column) { return unitOf(column) == unit; };
+    roles_.candidates = static_cast<std::size_t>(std::ranges::count_if(roles_.heights, isAlike));
+    if (namedHeights > 0 && unit.empty()) roles_.candidates = namedHeights;
+  }
+
+  const TextColumn& columnAt(int column) const {
+    return block_.columns[static_cast<std::size_t>(column)];
+  }
+  const std::string& nameOf(int column) const { return columnAt(column).name; }
+  const std::string& unitOf(int column) const { return columnAt(column).unit; }
+  bool isCount(int column) const { return countsRows(block_, static_cast<std::size_t>(column)); }
+
+  const TextBlock& block_;
+  int positionChoice_, heightChoice_;
+  std::vector<int> open_;  // columns whose meaning is not known by name
+  ColumnRoles roles_;
+};
+
+}  // namespace
+
+ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
+  return RoleFinder(block, source).find();
 }
 
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,

@@ -3,10 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/length_unit.h"
 #include "core/base/number_text.h"
-#include "core/base/text_names.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 

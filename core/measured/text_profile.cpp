@@ -5,6 +5,7 @@
 #include "core/measured/uniform_positions.h"
 
 namespace asperity {
+
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source) {
   const ColumnRoles roles = columnRoles(block, source);
@@ -38,15 +39,11 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                                      columnText(block, roles.z)));
     draft.positionUnit = columnUnit(source, table, block, roles.x, false);
     if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, roles.x, false);
-    PlacedProfile placed = placeUniformly(block.column(static_cast<std::size_t>(roles.x)),
-                                          std::move(heights), block.lines, source);
-    grid.height = std::move(placed.height);
-    grid.columnSpacing = placed.spacing;
-    draft.facts.spacingVariation = placed.variation;
-    draft.facts.resampled = placed.resampled;
-    draft.facts.notes.insert(draft.facts.notes.end(), placed.notes.begin(), placed.notes.end());
+    placeUniformly(block.column(static_cast<std::size_t>(roles.x)), std::move(heights), block.lines,
+                   source, draft);
   } else {
     grid.height = std::move(heights);
+    grid.columns = static_cast<std::int64_t>(grid.height.size());
     auto spacing = headerLength(table, block,
                                 {"spacing",
                                  "x spacing",
@@ -82,7 +79,6 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
             ? spacing->unit
             : headerUnit(table, block, false, spacing ? UnitEntries::AndCommon : UnitEntries::Own);
   }
-  grid.columns = static_cast<std::int64_t>(grid.height.size());
   return draft;
 }
 

@@ -123,7 +123,7 @@ double variationOf(std::span<const double> positions, double spacing) {
 /// Places of a uniform grid that the file leaves out become gaps. False where the positions lie on
 /// no such grid of at most twice their number.
 bool fillGaps(std::span<const double> positions, std::span<const double> heights,
-              PlacedProfile& profile) {
+              SurfaceDraft& draft) {
   const auto axis = gridAxis({positions.begin(), positions.end()},
                              2 * static_cast<std::int64_t>(positions.size()));
   if (!axis || axis->places < 2) return false;
@@ -136,10 +136,10 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
     placed[static_cast<std::size_t>(place)] = heights[i];
     isTaken[static_cast<std::size_t>(place)] = true;
   }
-  profile.spacing = axis->spacing;
-  profile.height = std::move(placed);
-  profile.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
-                                  static_cast<std::size_t>(axis->places) - positions.size()));
+  draft.grid.columnSpacing = axis->spacing;
+  draft.grid.height = std::move(placed);
+  draft.facts.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
+                                      static_cast<std::size_t>(axis->places) - positions.size()));
   return true;
 }
 
@@ -165,31 +165,33 @@ void requireNoLeap(std::span<const double> positions, const SurfaceSource& sourc
 }
 
 void interpolate(std::span<const double> positions, std::span<const double> heights,
-                 PlacedProfile& profile) {
+                 SurfaceDraft& draft) {
   const std::size_t count = positions.size();
-  profile.spacing = (positions.back() - positions.front()) / static_cast<double>(count - 1);
-  profile.resampled = true;
-  profile.height.resize(count);
+  const double spacing = (positions.back() - positions.front()) / static_cast<double>(count - 1);
+  std::vector<double> placed(count);
   std::size_t right = 1;
   for (std::size_t i = 0; i < count; ++i) {
-    const double place = positions.front() + profile.spacing * static_cast<double>(i);
+    const double place = positions.front() + spacing * static_cast<double>(i);
     while (right + 1 < count && positions[right] < place) ++right;
     const double part = std::clamp(
         (place - positions[right - 1]) / (positions[right] - positions[right - 1]), 0.0, 1.0);
     const double before = heights[right - 1], after = heights[right];
     if (part == 0)
-      profile.height[i] = before;
+      placed[i] = before;
     else if (part == 1)
-      profile.height[i] = after;
+      placed[i] = after;
     else if (std::isnan(before) || std::isnan(after))
-      profile.height[i] = kNone;
+      placed[i] = kNone;
     else
-      profile.height[i] = before + part * (after - before);
+      placed[i] = before + part * (after - before);
   }
-  profile.notes.push_back(message(
+  draft.grid.columnSpacing = spacing;
+  draft.grid.height = std::move(placed);
+  draft.facts.resampled = true;
+  draft.facts.notes.push_back(message(
       "Positions are not uniform (steps differ by up to {:.3g} %): heights are interpolated "
       "linearly onto {} uniform places.",
-      100 * profile.variation, count));
+      100 * draft.facts.spacingVariation, count));
 }
 
 /// Heights at equal positions become their mean; the number of rows that go.
@@ -279,53 +281,64 @@ std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most)
   return axisThrough(numbers, rounding, kMerged, most);
 }
 
-PlacedProfile placeUniformly(std::vector<double> positions, std::vector<double> heights,
-                             std::span<const std::uint32_t> lines, const SurfaceSource& source) {
-  const auto lineOf = [&lines](std::size_t row) {
-    return row < lines.size() ? lines[row] : row + 1;
-  };
-  PlacedProfile profile;
-  if (const auto spacing = uniformSpacing(positions)) {
-    profile.spacing = std::abs(*spacing);
-    profile.variation = variationOf(positions, *spacing);
-    profile.height = std::move(heights);
-    if (*spacing < 0) {
-      std::ranges::reverse(profile.height);
-      profile.notes.emplace_back("Positions fall from row to row: the profile is turned round.");
-    }
-    return profile;
+namespace {
+
+/// Heights where they are, at positions that are uniform.
+void keepPlaces(std::span<const double> positions, double spacing, std::vector<double> heights,
+                SurfaceDraft& draft) {
+  draft.facts.spacingVariation = variationOf(positions, spacing);
+  draft.grid.columnSpacing = std::abs(spacing);
+  draft.grid.height = std::move(heights);
+}
+
+/// Heights at positions that are not uniform and rise all along.
+void placeRising(std::vector<double> positions, std::vector<double> heights,
+                 const SurfaceSource& source, SurfaceDraft& draft) {
+  if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
+    draft.facts.notes.push_back(
+        message("{} rows repeat a position: the mean of their heights is taken.", gone));
+  if (positions.size() < 2) source.fail("all positions are the same");
+  if (const auto spacing = uniformSpacing(positions))
+    return keepPlaces(positions, *spacing, std::move(heights), draft);
+  const double mean =
+      (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
+  draft.facts.spacingVariation = variationOf(positions, mean);
+  if (fillGaps(positions, heights, draft)) return;
+  requireNoLeap(positions, source);
+  interpolate(positions, heights, draft);
+}
+
+}  // namespace
+
+void placeUniformly(std::vector<double> positions, std::vector<double> heights,
+                    std::span<const std::uint32_t> lines, const SurfaceSource& source,
+                    SurfaceDraft& draft) {
+  const auto spacing = uniformSpacing(positions);
+  bool falls = spacing && *spacing < 0;
+  if (!spacing) {
+    // Every position is needed.
+    const auto lineOf = [&lines](std::size_t row) {
+      return row < lines.size() ? lines[row] : row + 1;
+    };
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (std::isnan(positions[i]))
+        source.fail(message("line {}: the position is missing", lineOf(i)));
+    falls = positions.back() < positions.front();
+    for (std::size_t i = 1; i < positions.size(); ++i)
+      if (falls ? positions[i] > positions[i - 1] : positions[i] < positions[i - 1])
+        source.fail(message(
+            "line {}: the position goes back; positions must rise or fall all along", lineOf(i)));
   }
-  // Beyond this point every position is needed.
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    if (std::isnan(positions[i]))
-      source.fail(message("line {}: the position is missing", lineOf(i)));
-  const bool falls = positions.back() < positions.front();
-  for (std::size_t i = 1; i < positions.size(); ++i)
-    if (falls ? positions[i] > positions[i - 1] : positions[i] < positions[i - 1])
-      source.fail(message("line {}: the position goes back; positions must rise or fall all along",
-                          lineOf(i)));
   if (falls) {
     std::ranges::reverse(positions);
     std::ranges::reverse(heights);
-    profile.notes.emplace_back("Positions fall from row to row: the profile is turned round.");
+    draft.facts.notes.emplace_back("Positions fall from row to row: the profile is turned round.");
   }
-  if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
-    profile.notes.push_back(
-        message("{} rows repeat a position: the mean of their heights is taken.", gone));
-  if (positions.size() < 2) source.fail("all positions are the same");
-  if (const auto spacing = uniformSpacing(positions)) {
-    profile.spacing = *spacing;
-    profile.variation = variationOf(positions, *spacing);
-    profile.height = std::move(heights);
-    return profile;
-  }
-  const double mean =
-      (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
-  profile.variation = variationOf(positions, mean);
-  if (fillGaps(positions, heights, profile)) return profile;
-  requireNoLeap(positions, source);
-  interpolate(positions, heights, profile);
-  return profile;
+  if (spacing)
+    keepPlaces(positions, std::abs(*spacing), std::move(heights), draft);
+  else
+    placeRising(std::move(positions), std::move(heights), source, draft);
+  draft.grid.columns = static_cast<std::int64_t>(draft.grid.height.size());
 }
 
 }  // namespace asperity

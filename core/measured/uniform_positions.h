@@ -10,21 +10,15 @@
 
 namespace asperity {
 
-struct PlacedProfile {
-  std::vector<double> height;
-  double spacing = 0;
-  double variation = 0;    // largest deviation of a step of the file from the mean one, over it
-  bool resampled = false;  // heights are interpolated linearly between the places of the file
-  std::vector<Message> notes;
-};
-
-/// Heights at uniform places. Positions that are uniform but for the rounding of their digits stay
-/// as they are; falling ones are turned round; of heights at one position the mean is taken;
-/// missing places of a uniform grid become gaps; other positions are interpolated linearly onto as
-/// many uniform places, with a note. `lines` are those of the file, for errors; may be empty.
-/// Throws InputError where positions go back or are missing.
-PlacedProfile placeUniformly(std::vector<double> positions, std::vector<double> heights,
-                             std::span<const std::uint32_t> lines, const SurfaceSource& source);
+/// Puts the heights of a profile at uniform places into the draft, and their spacing. Positions
+/// that are uniform but for the rounding of their digits stay as they are; falling ones are turned
+/// round; of heights at one position the mean is taken; missing places of a uniform grid become
+/// gaps; other positions are interpolated linearly onto as many uniform places, with a note.
+/// `lines` are those of the file, for errors; may be empty. Throws InputError where positions go
+/// back or are missing.
+void placeUniformly(std::vector<double> positions, std::vector<double> heights,
+                    std::span<const std::uint32_t> lines, const SurfaceSource& source,
+                    SurfaceDraft& draft);
 
 /// The spacing, of either sign, of positions that are uniform but for rounding; none where they are
 /// not. NaN is passed over.

@@ -2,23 +2,18 @@
 // as words. Pure; any thread.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
-#include "core/base/text_dialect.h"
-#include "core/base/text_number.h"
 #include "core/measured/surface_draft.h"
 
 namespace asperity {
 
 /// Without the mark of UTF-8 at the beginning.
-inline std::string_view withoutByteOrderMark(std::string_view bytes) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  return bytes.starts_with(kMark) ? bytes.substr(kMark.size()) : bytes;
-}
+std::string_view withoutByteOrderMark(std::string_view bytes);
 
 /// Takes one line or word after another from a text, which must outlive it.
 class WordReader {
@@ -31,23 +26,9 @@ class WordReader {
   std::size_t line() const { return line_; }
 
   /// The rest of the line, without the blanks around it.
-  std::string_view nextLine() {
-    line_ = ++ended_;
-    return trimmedBlanks(takeLine(rest_));
-  }
-
+  std::string_view nextLine();
   /// What stands before the next blank or line end; empty at the end of the text.
-  std::string_view nextWord() {
-    constexpr std::string_view kBlanks = " \t\r\n";
-    while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
-      ended_ += rest_.front() == '\n' ? 1 : 0;
-      rest_.remove_prefix(1);
-    }
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
-    rest_.remove_prefix(word.size());
-    line_ = ended_ + 1;
-    return word;
-  }
+  std::string_view nextWord();
 
  private:
   std::string_view rest_;
@@ -56,46 +37,30 @@ class WordReader {
 };
 
 /// The words of a line.
-inline std::vector<std::string_view> wordsOf(std::string_view line) {
-  std::vector<std::string_view> words;
-  splitFields(line, TextDialect::Separator::Blanks, words);
-  return words;
-}
+std::vector<std::string_view> wordsOf(std::string_view line);
 
-/// Whether the word is a number that is finite.
-inline bool isNumber(std::string_view word) {
-  double number = 0;
-  return readTextNumber(word, '.', number);
-}
+/// The word as a number; nothing where it is none that is finite.
+std::optional<double> numberIn(std::string_view word);
 
-/// Appends `count` words as heights, times `scale`. A word for a missing value and a number of
-/// which isGap says so are gaps. Throws InputError where a word is anything else, or where the text
-/// ends before, as it does at a word that begins with `end`.
-template <class IsGap>
-void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t count, double scale,
-                 char end, std::vector<double>& heights, const IsGap& isGap) {
-  constexpr std::size_t kStep = std::size_t{1} << 18;
-  heights.reserve(heights.size() + count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % kStep == 0) source.report(static_cast<double>(i) / static_cast<double>(count));
-    const std::string_view word = reader.nextWord();
-    if (word.empty() || word.front() == end)
-      source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
-    const Field field = readField(word, '.');
-    if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
-      source.fail(message("line {}: height {} is not a number", reader.line(), i + 1));
-    const bool isNone = field.kind == FieldKind::Missing || isGap(field.value) ||
-                        !std::isfinite(field.value * scale);
-    heights.push_back(isNone ? std::numeric_limits<double>::quiet_NaN() : field.value * scale);
-  }
-}
+/// The word as the height with this number, counted from 0; NaN for a word that stands for a
+/// missing value. Throws InputError, with the line that the reader is at, where it is none of
+/// these.
+double heightIn(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+                std::size_t number);
+
+/// How the heights of a file are written.
+struct HeightWords {
+  double scale = 1;                                          // of each number
+  double gapFrom = std::numeric_limits<double>::infinity();  // this number and those above it
+  char end = '\0';                                           // begins what follows the heights
+};
+
+/// Appends `count` words as heights. A word for a missing value is a gap. Throws InputError where a
+/// word is anything else, or where the text ends before.
+void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
+                 const HeightWords& words, std::vector<double>& heights);
 
 /// Refuses a further number behind `count` heights.
-inline void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader,
-                                 std::size_t count) {
-  if (isNumber(reader.nextWord()))
-    source.fail(message("line {}: has more than the {} heights that the header says", reader.line(),
-                        count));
-}
+void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count);
 
 }  // namespace asperity

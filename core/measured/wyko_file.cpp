@@ -9,7 +9,9 @@
 #include <string>
 
 #include "core/base/number_text.h"
+#include "core/base/text_dialect.h"
 #include "core/base/text_encoding.h"
+#include "core/base/text_number.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/word_reader.h"
 
@@ -46,8 +48,7 @@ class Reader {
     Topography along;  // each row of the file is a column of the surface
     along.columns = rows;
     along.rows = columns;
-    readHeights(source_, reader_, static_cast<std::size_t>(columns * rows), scale, '\0',
-                along.height, [](double) { return false; });
+    readHeights(source_, reader_, static_cast<std::size_t>(columns * rows), {scale}, along.height);
     draft.grid = transposed(along);
     draft.heightUnit = StatedUnit{"nm", 1e-9};
     const double pixel = values_.contains("Pixel_size") ? std::abs(number("Pixel_size", 0)) : 0;
@@ -87,9 +88,8 @@ class Reader {
     const auto found = values_.find(key);
     if (found == values_.end() && fallback == 0) source_.fail(message("the header has no {}", key));
     if (found == values_.end()) return fallback;
-    double value = 0;
-    if (!readTextNumber(found->second, '.', value) || value == 0)
-      source_.fail(message("{} in the header is not a number above 0", key));
+    const double value = numberIn(found->second).value_or(0);
+    if (value == 0) source_.fail(message("{} in the header is not a number above 0", key));
     return value;
   }
 
@@ -107,8 +107,7 @@ bool isWyko(const SurfaceSource& source) {
 
 SurfaceDraft readWyko(const SurfaceSource& source) {
   if (!isWyko(source)) source.fail(message("is not a {} file", "Wyko"));
-  DecodedText decoded;
-  decodeText(source.bytes, source.name, decoded);
+  const DecodedText decoded(source.bytes, source.name);
   return Reader(source, decoded.text).read();
 }
 

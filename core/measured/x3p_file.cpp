@@ -305,13 +305,13 @@ class Reader {
       const std::string_view part = std::string_view(bytes).substr(0, all);
       const double scale = axes_[2].isIncremental || axes_[2].isWhole() ? axes_[2].increment : 1;
       if (axes_[2].type == 'I')
-        appendHeights<std::int16_t>(source_, part, false, scale, points_.z, isFree);
+        appendHeights<std::int16_t>(source_, part, scale, points_.z, isFree);
       else if (axes_[2].type == 'L')
-        appendHeights<std::int32_t>(source_, part, false, scale, points_.z, isFree);
+        appendHeights<std::int32_t>(source_, part, scale, points_.z, isFree);
       else if (axes_[2].type == 'F')
-        appendHeights<float>(source_, part, false, scale, points_.z, isFree);
+        appendHeights<float>(source_, part, scale, points_.z, isFree);
       else
-        appendHeights<double>(source_, part, false, scale, points_.z, isFree);
+        appendHeights<double>(source_, part, scale, points_.z, isFree);
     } else {
       ByteReader reader(source_, bytes);
       for (std::size_t i = 0; i < count; ++i) takePoint(reader);
@@ -418,7 +418,9 @@ class Reader {
       made.positionUnit.reset();
     }
     if (rows_ == 1) {
-      if (!axes_[0].isIncremental) placeProfile(made);
+      // A profile whose positions are stored: they may be anything.
+      if (!axes_[0].isIncremental)
+        placeUniformly(points_.x, std::move(grid.height), {}, source_, made);
       return made;
     }
     const auto width = static_cast<std::size_t>(columns_);
@@ -435,17 +437,6 @@ class Reader {
       grid.rowSpacing = grid.columnSpacing;
     }
     return made;
-  }
-
-  /// A profile whose positions are stored: they may be anything.
-  void placeProfile(SurfaceDraft& made) const {
-    PlacedProfile profile = placeUniformly(points_.x, made.grid.height, {}, source_);
-    made.grid.height = std::move(profile.height);
-    made.grid.columns = static_cast<std::int64_t>(made.grid.height.size());
-    made.grid.columnSpacing = profile.spacing;
-    made.facts.spacingVariation = profile.variation;
-    made.facts.resampled = profile.resampled;
-    made.facts.notes.insert(made.facts.notes.end(), profile.notes.begin(), profile.notes.end());
   }
 
   double requireUniform(const std::vector<double>& positions, std::string_view axis) const {

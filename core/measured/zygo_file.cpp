@@ -12,6 +12,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
+#include "core/base/text_number.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/word_reader.h"
 
@@ -62,17 +63,16 @@ class Reader {
   /// Lines are counted from 1, their numbers from 0.
   double number(std::size_t line, std::size_t at) const {
     const std::vector<std::string_view> words = wordsOf(lines_[line - 1]);
-    double value = 0;
-    if (at >= words.size() || !readTextNumber(words[at], '.', value))
-      source_.fail(message("line {}: number {} is missing", line, at + 1));
-    return value;
+    const auto value = at < words.size() ? numberIn(words[at]) : std::nullopt;
+    if (!value) source_.fail(message("line {}: number {} is missing", line, at + 1));
+    return *value;
   }
   std::int64_t whole(std::size_t line, std::size_t at) const {
-    const double value = number(line, at);
-    if (!(std::abs(value) <= static_cast<double>(kMostPoints)) || value != std::floor(value))
+    const auto value = wholeNumber(number(line, at));
+    if (!value)
       source_.fail(message("line {}: number {} is not a whole number from 0 to {}", line, at + 1,
                            kMostPoints));
-    return static_cast<std::int64_t>(value);
+    return *value;
   }
 
   void readPoints(Topography& grid) {
@@ -83,9 +83,7 @@ class Reader {
     std::size_t taken = 0;
     bool hasEnd = false;
     while (!hasEnd && !reader_.atEnd()) {
-      constexpr std::size_t kStep = std::size_t{1} << 18;
-      if (taken % kStep == 0)
-        source_.report(static_cast<double>(taken) / static_cast<double>(points));
+      source_.reportPoint(taken, points);
       const std::string_view line = reader_.nextLine();
       hasEnd = line.starts_with('#');
       if (hasEnd || line.empty()) continue;
@@ -101,9 +99,8 @@ class Reader {
         source_.fail(message("line {}: there is a point at this position already", reader_.line()));
       isTaken[at] = true;
       ++taken;
-      double height = 0;
-      if (words.size() == 3 && readTextNumber(words[2], '.', height))
-        grid.height[at] = height;
+      if (const auto height = numberIn(words[2]); words.size() == 3 && height)
+        grid.height[at] = *height;
       else if (lowerCase(words[2]) != "no" && readField(words[2], '.').kind != FieldKind::Missing)
         source_.fail(message("line {}: the height is not a number", reader_.line()));
     }
@@ -125,8 +122,7 @@ class Reader {
       source_.fail(message("{} in the header is not a number above 0", "WavelengthIn"));
     const auto count = static_cast<std::size_t>(grid.columns * grid.rows);
     requireSize(source_, grid.columns, grid.rows, reader_.left() + 1, 2);
-    readHeights(source_, reader_, count, scale, '#', grid.height,
-                [](double phase) { return phase >= kNoPhase; });
+    readHeights(source_, reader_, count, {scale, kNoPhase, '#'}, grid.height);
     requireNoMoreHeights(source_, reader_, count);
   }
 
@@ -144,8 +140,7 @@ bool isZygo(const SurfaceSource& source) {
 
 SurfaceDraft readZygo(const SurfaceSource& source) {
   if (!isZygo(source)) source.fail(message("is not a {} file", "Zygo"));
-  DecodedText decoded;
-  decodeText(source.bytes, source.name, decoded);
+  const DecodedText decoded(source.bytes, source.name);
   return Reader(source, decoded.text).read();
 }
 

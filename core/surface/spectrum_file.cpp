@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "core/base/input_error.h"
-#include "core/base/length_unit.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 namespace {

@@ -15,6 +15,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
+#include "core/base/text_units.h"
 
 namespace asperity {
 namespace {
@@ -417,7 +418,11 @@ TEST(TextTable, TellsUnitsFromLengths) {
   EXPECT_TRUE(isKnownUnit("1e-6 m"));
   EXPECT_TRUE(isKnownUnit("10^-9 m"));
   EXPECT_TRUE(isKnownUnit("\u00D710\u207B\u2076 m"));
+  EXPECT_TRUE(isKnownUnit("10e-6 m"));
+  EXPECT_TRUE(isKnownUnit("(10^6 Pa)"));
+  EXPECT_TRUE(isKnownUnit("x 10^3 Pa s"));
   EXPECT_FALSE(isKnownUnit("59.00 um"));
+  EXPECT_FALSE(isKnownUnit("10z Pa"));
   EXPECT_FALSE(isKnownUnit("60 mm"));
 }
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/base/length_unit.h"
+#include "core/base/text_units.h"
 #include "tests/core/measured/surface_expectations.h"
 
 namespace asperity::written {
@@ -475,6 +475,10 @@ TEST(LengthUnit, KnowsTheSpellings) {
                                                           {"1e-6 m", 1e-6},
                                                           {"10^-9 m", 1e-9},
                                                           {"\u00D710\u207B\u2076 m", 1e-6},
+                                                          {"100 nm", 1e-7},
+                                                          {"10e-6 m", 1e-5},
+                                                          {"[1000 um]", 1e-3},
+                                                          {"kilometres", 1e3},
                                                           {"pm", 1e-12},
                                                           {"metres", 1},
                                                           {"\u339B", 1e-6}};
@@ -482,8 +486,8 @@ TEST(LengthUnit, KnowsTheSpellings) {
     ASSERT_TRUE(metresPer(text).has_value()) << text;
     EXPECT_NEAR(*metresPer(text), metres, 1e-12 * metres) << text;
   }
-  for (const char* other :
-       {"", "s", "V", "Hz", "m/s", "px", "10^-999 m", "-1 m", "NaN m", "59.00 um", "2 m"})
+  for (const char* other : {"", "s", "V", "Hz", "m/s", "px", "10^-999 m", "-1 m", "NaN m",
+                            "59.00 um", "2 m", "106 m", "10z m"})
     EXPECT_FALSE(metresPer(other).has_value()) << other;
 }
 

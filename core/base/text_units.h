@@ -1,10 +1,17 @@
-// Units of length as files write them. Pure; any thread.
+// Units in text files: which words are one, and units of length. Pure; any thread.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
 namespace asperity {
+
+/// Whether the word is a unit of length, time, frequency, temperature, force, pressure, velocity,
+/// angle or a share. "-" and "1" stand for a pure number.
+bool isUnitWord(std::string_view text);
+
+/// Returns the same of a unit with or without brackets around it, or with a power of ten in front.
+bool isKnownUnit(std::string_view text);
 
 /// Returns the number of metres in one of this unit: "m", "mm", "\u00B5m", "um", "microns", "nm",
 /// "\u00C5", "in", "mil", "1e-6 m", "10^-9 m", with or without brackets; letters large or small.

@@ -1,0 +1,166 @@
+#include "core/base/text_header.h"
+
+#include <algorithm>
+
+#include "core/base/text_names.h"
+#include "core/base/text_number.h"
+#include "core/base/text_units.h"
+
+namespace asperity {
+
+std::string_view withoutCommentMark(std::string_view line, const TextDialect& dialect) {
+  line = trimmedBlanks(line);
+  const bool orSemicolon = dialect.separator != TextDialect::Separator::Semicolon;
+  while (line.starts_with('#') || line.starts_with('%') || line.starts_with('!') ||
+         (orSemicolon && line.starts_with(';')))
+    line = trimmedBlanks(line.substr(1));
+  if (line.starts_with("//")) line = trimmedBlanks(line.substr(2));
+  return line;
+}
+
+std::size_t keyEnd(std::string_view line) {
+  constexpr std::string_view kWideColon = "\uFF1A";
+  const std::size_t at = std::min(line.find_first_of(":="), line.find(kWideColon));
+  return at == 0 ? std::string_view::npos : at;
+}
+
+TextEntry entryOf(const TextLine& kept, const TextDialect& dialect) {
+  const std::string_view line = withoutCommentMark(kept.text, dialect);
+  TextEntry entry{{}, std::string(line), kept.number};
+  std::vector<std::string_view> fields;
+  splitFields(line, dialect.separator, fields);
+  const auto setKey = [&entry](std::string_view key, std::string_view value) {
+    key = trimmedField(key);
+    while (key.ends_with(':') || key.ends_with('='))
+      key = trimmedBlanks(key.substr(0, key.size() - 1));
+    if (key.empty()) return;
+    entry.key = key;
+    entry.value = trimmedField(value.substr(0, value.find_last_not_of(";, \t") + 1));
+  };
+  const std::size_t end = keyEnd(line);
+  const std::size_t tab = line.find('\t');
+  const bool isExact = dialect.isExact() && fields.size() > 1;
+  if (isExact && end >= fields.front().size()) {
+    // "Width;10;\u00B5m"
+    std::string value;
+    for (std::size_t i = 1; i < fields.size(); ++i)
+      if (const auto part = trimmedField(fields[i]); !part.empty())
+        value += (value.empty() ? "" : " ") + std::string(part);
+    setKey(fields.front(), value);
+  } else if (end != std::string_view::npos) {
+    constexpr std::size_t kWide = 3;  // bytes of a full-width colon
+    setKey(line.substr(0, end),
+           line.substr(end + (line[end] == ':' || line[end] == '=' ? 1 : kWide)));
+  } else if (const std::size_t semicolon = line.find(';');
+             semicolon != std::string_view::npos && semicolon > 0) {
+    setKey(line.substr(0, semicolon), line.substr(semicolon + 1));
+  } else if (tab != std::string_view::npos && tab > 0) {
+    setKey(line.substr(0, tab), line.substr(tab + 1));
+  } else if ((fields.size() == 2 || fields.size() == 3) &&
+             readField(fields[0], dialect.decimal).kind == FieldKind::Text &&
+             readField(fields[1], dialect.decimal).kind == FieldKind::Number) {
+    setKey(fields[0], line.substr(static_cast<std::size_t>(fields[1].data() - line.data())));
+  }
+  return entry;
+}
+
+namespace {
+
+/// The fields of the lines above a block that may be names, units and comments of its columns; the
+/// nearest line is the first. mayCountRows: the first column may be one of row numbers.
+std::vector<std::vector<std::string>> rowsAbove(const std::vector<TextLine>& above,
+                                                const TextDialect& dialect, std::size_t columns,
+                                                bool mayCountRows) {
+  constexpr std::size_t kMostRows = 4;
+  std::vector<std::vector<std::string>> rows;
+  for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
+    const std::string_view text = withoutCommentMark(line->text, dialect);
+    if (text.empty()) continue;
+    // A separator in front is an unnamed column, too, be it a tab, which a blank is otherwise. So
+    // is one at the end.
+    std::vector<std::string> fields = splitNames(text, dialect, columns);
+    if (fields.empty() && dialect.isExact()) {
+      std::vector<std::string_view> whole;
+      splitFields(isComment(line->text) ? text : line->text, dialect.separator, whole);
+      if (whole.size() == columns)
+        for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
+    }
+    // Row numbers, which some programs write in front, have no name.
+    if (fields.empty() && columns > 2 && mayCountRows &&
+        (dialect.isExact() || text.starts_with('"'))) {
+      fields = splitNames(text, dialect, columns - 1);
+      if (!fields.empty()) fields.insert(fields.begin(), std::string());
+    }
+    if (fields.empty()) break;
+    const bool isEntry = keyEnd(text) != std::string_view::npos;
+    std::vector<std::string_view> exact;
+    splitFields(text, dialect.separator, exact);
+    if (isEntry && !(dialect.isExact() && columns > 1 && exact.size() >= columns)) break;
+    std::size_t numbers = 0, texts = 0;
+    for (const std::string& field : fields) {
+      const FieldKind kind = readField(field, dialect.decimal).kind;
+      numbers += kind == FieldKind::Number ? 1 : 0;
+      texts += kind == FieldKind::Text ? 1 : 0;
+    }
+    // Numbers may be names of all columns but the first: temperatures, or positions along x.
+    const bool areNames = numbers == 0 || (columns > 2 && numbers + 1 >= columns);
+    if (!areNames || texts == 0) break;
+    rows.push_back(std::move(fields));
+  }
+  return rows;
+}
+
+bool isUnitField(const std::string& field) {
+  return isKnownUnit(field) || withoutBrackets(field).size() != trimmedField(field).size();
+}
+
+/// Whether each field is a unit or empty, and one at least could be nothing else. Among several
+/// units one word may be none, such as "bool" of a column that says what is valid.
+bool areUnits(const std::vector<std::string>& fields) {
+  std::size_t sure = 0, others = 0;
+  for (const std::string& field : fields) {
+    if (trimmedField(field).empty()) continue;
+    const std::string_view inner = withoutBrackets(field);
+    const bool inBrackets = inner.size() != trimmedField(field).size();
+    if (!isUnitField(field))
+      ++others;
+    else if (inBrackets || inner.size() > 1 || inner == "m")
+      ++sure;
+  }
+  return others == 0 ? sure > 0 : others == 1 && sure >= 2;
+}
+
+}  // namespace
+
+std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const TextDialect& dialect,
+                                     const std::vector<Field>& first) {
+  const std::size_t columns = first.size();
+  std::vector<TextColumn> named(columns);
+  const bool mayCountRows =
+      first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
+  const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
+  const auto units = std::ranges::find_if(rows, areUnits);
+  // Names stand above their units; without units, right above the numbers.
+  const std::vector<std::string>* names = nullptr;
+  if (units == rows.end()) {
+    if (!rows.empty()) names = &rows.front();
+  } else if (units + 1 != rows.end()) {
+    names = &*(units + 1);
+  } else if (units != rows.begin()) {
+    names = &*(units - 1);
+  }
+  for (std::size_t i = 0; i < columns; ++i) {
+    if (names != nullptr) {
+      const ColumnName name = columnName((*names)[i]);
+      named[i].name = name.name;
+      named[i].unit = name.unit;
+    }
+    if (units != rows.end())
+      if (const std::string_view unit = withoutBrackets((*units)[i]);
+          !unit.empty() && isUnitField((*units)[i]))
+        named[i].unit = unit;
+  }
+  return named;
+}
+
+}  // namespace asperity

@@ -1,0 +1,71 @@
+#include "core/measured/word_reader.h"
+
+#include <cmath>
+
+#include "core/base/text_dialect.h"
+#include "core/base/text_number.h"
+
+namespace asperity {
+
+std::string_view withoutByteOrderMark(std::string_view bytes) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return bytes.starts_with(kMark) ? bytes.substr(kMark.size()) : bytes;
+}
+
+std::string_view WordReader::nextLine() {
+  line_ = ++ended_;
+  return trimmedBlanks(takeLine(rest_));
+}
+
+std::string_view WordReader::nextWord() {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  while (!rest_.empty() && kBlanks.find(rest_.front()) != std::string_view::npos) {
+    ended_ += rest_.front() == '\n' ? 1 : 0;
+    rest_.remove_prefix(1);
+  }
+  const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+  rest_.remove_prefix(word.size());
+  line_ = ended_ + 1;
+  return word;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view line) {
+  std::vector<std::string_view> words;
+  splitFields(line, TextDialect::Separator::Blanks, words);
+  return words;
+}
+
+std::optional<double> numberIn(std::string_view word) {
+  double number = 0;
+  return readTextNumber(word, '.', number) ? std::optional(number) : std::nullopt;
+}
+
+double heightIn(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+                std::size_t number) {
+  const Field field = readField(word, '.');
+  if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
+    source.fail(message("line {}: height {} is not a number", reader.line(), number + 1));
+  return field.value;
+}
+
+void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
+                 const HeightWords& words, std::vector<double>& heights) {
+  heights.reserve(heights.size() + count);
+  for (std::size_t i = 0; i < count; ++i) {
+    source.reportPoint(i, count);
+    const std::string_view word = reader.nextWord();
+    if (word.empty() || word.front() == words.end)
+      source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
+    const double number = heightIn(source, reader, word, i);
+    const double height = number * words.scale;
+    heights.push_back(number >= words.gapFrom || !std::isfinite(height) ? std::nan("") : height);
+  }
+}
+
+void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count) {
+  if (numberIn(reader.nextWord()))
+    source.fail(message("line {}: has more than the {} heights that the header says", reader.line(),
+                        count));
+}
+
+}  // namespace asperity
