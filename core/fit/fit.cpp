@@ -227,31 +227,42 @@ MatrixXd covarianceOfLines(const FrictionWithDerivatives& found) {
   return about * about.transpose() / (static_cast<double>(lines) * static_cast<double>(lines - 1));
 }
 
-/// The inverse of a symmetric matrix; directions that it knows nothing of get a very large value in
-/// place of an infinite one.
-MatrixXd inverse(const MatrixXd& matrix) {
-  constexpr double kNothing = 1e-15;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
-  const double floor = std::max(kNothing * solver.eigenvalues().maxCoeff(),
-                                std::numeric_limits<double>::min() * 1e10);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(floor).cwiseInverse().asDiagonal() *
-         solver.eigenvectors().transpose();
-}
+/// What the points know of the parameters, a symmetric matrix, by its principal directions.
+class Information {
+ public:
+  explicit Information(const MatrixXd& matrix) : directions_(matrix) {}
 
-/// The covariance of the directions of which the points know nothing, such as that of force and
-/// modulus together, whose ratio alone matters: along them the response to the points' errors is 0,
-/// but their values may be any.
-MatrixXd openDirections(const MatrixXd& information) {
-  constexpr double kOpen = 1e-10;  // of the best known direction
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(information);
-  const double floor =
-      std::max(kOpen * solver.eigenvalues().maxCoeff(), std::numeric_limits<double>::min() * 1e10);
-  MatrixXd open = MatrixXd::Zero(information.rows(), information.cols());
-  for (Eigen::Index k = 0; k < information.rows(); ++k)
-    if (solver.eigenvalues()[k] < floor)
-      open += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose() / floor;
-  return open;
-}
+  /// The inverse; directions of which the points know nothing get a very large value in place of an
+  /// infinite one.
+  MatrixXd inverse() const {
+    constexpr double kNothing = 1e-15;
+    const VectorXd known = directions_.eigenvalues().cwiseMax(least(kNothing));
+    return directions_.eigenvectors() * known.cwiseInverse().asDiagonal() *
+           directions_.eigenvectors().transpose();
+  }
+
+  /// The covariance of the directions of which the points know nothing, such as that of force and
+  /// modulus together, whose ratio alone matters: along them the response to the points' errors is
+  /// 0, but their values may be any.
+  MatrixXd openCovariance() const {
+    constexpr double kOpen = 1e-10;
+    const MatrixXd& axes = directions_.eigenvectors();
+    MatrixXd open = MatrixXd::Zero(axes.rows(), axes.cols());
+    for (Eigen::Index k = 0; k < axes.cols(); ++k)
+      if (directions_.eigenvalues()[k] < least(kOpen))
+        open += axes.col(k) * axes.col(k).transpose() / least(kOpen);
+    return open;
+  }
+
+ private:
+  /// This share of the best known direction, and never 0.
+  double least(double share) const {
+    return std::max(share * directions_.eigenvalues().maxCoeff(),
+                    std::numeric_limits<double>::min() * 1e10);
+  }
+
+  Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
+};
 
 /// How far a parameter's place may be wrong before it counts as open.
 double openBeyond(const VariedParameter& parameter) {
@@ -264,7 +275,8 @@ class Fitting {
  public:
   Fitting(const Scene& scene, std::span<const FrictionData> data,
           std::span<const VariedParameter> parameters, const FitOptions& options)
-      : parameters_(parameters),
+      : data_(data),
+        parameters_(parameters),
         options_(options),
         objective_(scene, data, parameters, options),
         hasErrors_(std::ranges::all_of(data, &FrictionData::hasErrors)),
@@ -323,10 +335,10 @@ class Fitting {
         slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
     const MatrixXd lines = covarianceOfLines(found);
-    const MatrixXd information = slopes.transpose() * weights.asDiagonal() * slopes;
-    const MatrixXd response = inverse(information) * slopes.transpose() * weights.asDiagonal();
+    const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
+    const MatrixXd response = information.inverse() * slopes.transpose() * weights.asDiagonal();
     const MatrixXd ofErrors = MatrixXd(variances.asDiagonal()) + lines;
-    covariance_ = response * ofErrors * response.transpose() + openDirections(information);
+    covariance_ = response * ofErrors * response.transpose() + information.openCovariance();
     fit_.computed = found.points;
     const MatrixXd band = slopes * covariance_ * slopes.transpose();
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -417,6 +429,10 @@ class Fitting {
   }
 
   void addNotes() {
+    // What the tables were taken for comes first.
+    for (const FrictionData& table : data_)
+      for (const Message& note : table.notes)
+        fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
     for (const FittedParameter& parameter : fit_.parameters) {
       if (!parameter.isDetermined)
         fit_.notes.push_back(message(
@@ -439,6 +455,7 @@ class Fitting {
     }
   }
 
+  std::span<const FrictionData> data_;
   std::span<const VariedParameter> parameters_;
   const FitOptions& options_;
   Objective objective_;
@@ -453,14 +470,7 @@ class Fitting {
 
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
                 std::span<const VariedParameter> parameters, const FitOptions& options) {
-  Fit fit = Fitting(scene, data, parameters, options).run();
-  // What the tables were taken for comes first.
-  std::vector<Message> taken;
-  for (const FrictionData& table : data)
-    for (const Message& note : table.notes)
-      taken.push_back(message("{}: {}", Message::name(table.name), note));
-  fit.notes.insert(fit.notes.begin(), taken.begin(), taken.end());
-  return fit;
+  return Fitting(scene, data, parameters, options).run();
 }
 
 }  // namespace asperity
