@@ -12,10 +12,9 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 
-#include "app/batch_file.h"
 #include "app/command_options.h"
+#include "app/command_table.h"
 #include "app/completions.h"
 #include "app/dictionary.h"
 #include "app/interruption.h"
@@ -24,12 +23,9 @@
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
-#include "core/lesson/lesson_file.h"
 #include "core/material/material_library.h"
-#include "core/paper/figure.h"
 #include "core/scene/parameter_help.h"
 #include "core/scene/scene_file.h"
-#include "core/study/study_file.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
 #include "ui/window/main/scene_library.h"
@@ -39,8 +35,6 @@ namespace {
 
 constexpr const char* kDescription =
     "Asperity shows and computes how a viscoelastic elastomer slides over a randomly rough line.";
-
-constexpr const char* kLastLanguage = "the one used last, or that of the desktop";
 
 class CommandLine {
  public:
@@ -53,26 +47,7 @@ class CommandLine {
                   "Print all scene keys, columns and options as Markdown");
     app_.set_help_flag("-h,--help", "Show this help");
     app_.require_subcommand(0, 1);
-    app_.add_option("SCENE", window_.scene, "Scene file (JSON) to open in the window");
-    addShared(app_, window_, kLastLanguage);
-    addCheck();
-    addCurve();
-    addMap();
-    addSensitivity();
-    addCutoff();
-    addMotion();
-    addRender();
-    addSurface();
-    addMaterial();
-    addFit();
-    addFigure();
-    addOpen();
-    addBatch();
-    addStudy();
-    addAccuracy();
-    addExplain();
-    addColumns();
-    addLesson();
+    commands_.declareIn(app_, remake);
     app_.footer(fmt::format(
         "Exit status: {} done, {} the run failed, {} bad input or usage, {} interrupted, {} "
         "terminated.\n{}",
@@ -99,10 +74,11 @@ class CommandLine {
       throw errorOf(app_, error);
     }
     refuseWordsBeforeCommand(app_);
-    for (const CommonOptions* common : allCommon_)
+    for (const CommonOptions* common : commands_.common())
       if (!common->language.empty()) chooseLanguage(common->language);
     if (const auto commands = app_.get_subcommands(); !commands.empty())
-      for (CommonOptions* common : allCommon_) common->given = givenOptions(*commands.front());
+      for (CommonOptions* common : commands_.common())
+        common->given = givenOptions(*commands.front());
     if (!completions_.empty()) {
       const std::string script = completionScript(app_, completions_);
       if (script.empty())
@@ -114,12 +90,12 @@ class CommandLine {
       fmt::print("{}", dictionaryMarkdown(app_));
       return kDone;
     }
-    return selected_ ? selected_() : runWindowCommand(window_);
+    return commands_.run();
   }
 
   /// What a remade file says, which its command has instead of a scene file.
   void setRemade(const Remake& remake) {
-    for (CommonOptions* common : allCommon_) {
+    for (CommonOptions* common : commands_.common()) {
       if (remake.found) common->remade = remake.found;
       common->isPart = !remake.part.empty();
     }
@@ -143,506 +119,9 @@ class CommandLine {
             : message("unknown command '{}'; did you mean '{}'?", shortened(word), nearest));
   }
 
-  bool timing() const { return std::ranges::any_of(allCommon_, &CommonOptions::timing); }
+  bool timing() const { return std::ranges::any_of(commands_.common(), &CommonOptions::timing); }
 
  private:
-  void addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage = "en") {
-    allCommon_.push_back(&common);
-    app.add_option("--set", common.assignments,
-                   "Set a scene key, e.g. --set load.normal_force=0.1; may be repeated, the last "
-                   "value of a key counts")
-        ->type_name("KEY=VALUE")
-        ->take_all()
-        ->allow_extra_args(false);
-    limitWhole(app.add_option("--threads", common.threads,
-                              "Number of threads; 0: as many as the machine has"),
-               0, 1024);
-    if (&app != &app_) {  // the command that opens the window prints nothing
-      app.add_flag("--quiet", common.quiet, "Show neither progress nor summary");
-      app.add_flag("--json", common.json, "Write the answer as JSON to standard output");
-    }
-    app.add_flag("--timing", common.timing, "Write the run time to standard error");
-    app.add_option("--language", common.language,
-                   fmt::format("Language of pictures and messages: {} (default: {})",
-                               languageCodes(), usualLanguage));
-  }
-
-  CLI::App* addCommand(const char* name, const char* sentence, CommonOptions& common,
-                       std::function<int()> action) {
-    CLI::App* command = app_.add_subcommand(name, sentence);
-    command
-        ->add_option("SCENE", common.scene,
-                     "Scene file (JSON), or the name of a shipped scene (figure_1)")
-        ->required();
-    addShared(*command, common);
-    command->footer(fmt::format(
-        "Keys of a scene for --set, with their ranges and units: asperity {} --help keys", name));
-    command->callback([this, action = std::move(action)] { selected_ = action; });
-    return command;
-  }
-
-  void addCheck() {
-    CLI::App* command =
-        app_.add_subcommand("check", "Read scenes, check them, and print what they describe");
-    command
-        ->add_option("SCENE", check_.scenes,
-                     "Scene files (JSON), names of shipped scenes, or - for standard input")
-        ->required();
-    addShared(*command, check_.common);
-    command->footer(
-        "Keys of a scene for --set, with their ranges and units: asperity check --help "
-        "keys");
-    command->callback([this] { selected_ = [this] { return runCheck(check_); }; });
-  }
-  void addCurve() {
-    CLI::App* command =
-        addCommand("curve", "Friction over velocity, averaged over the realizations", curve_.common,
-                   [this] { return runCurve(curve_); });
-    addOutputs(
-        command, curve_.outputs,
-        "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
-        "or .pdf; may be repeated (default: CSV to standard output)");
-    addCurveOptions(*command, curve_.curves);
-    addPictureOptions(*command, curve_.picture, "1200x800", "print", FigurePart::Curve);
-    addColumnChoice(command, curve_.columns);
-    command
-        ->add_option("--realizations-table", curve_.realizationTable,
-                     "FILE.csv or .json for the values of each random line at each velocity")
-        ->type_name("FILE")
-        ->group(kTableGroup);
-  }
-  void addMap() {
-    CLI::App* command = addCommand("map", "Friction over two parameters, as colours and as a table",
-                                   map_.common, [this] { return runMap(map_); });
-    const auto side = [&](const char* option, std::string& value, const char* sentence) {
-      command->add_option(option, value, sentence)->type_name("KEY=FROM:TO:N")->required();
-    };
-    side("--x", map_.x,
-         "Parameter along x, such as sliding.velocity=1e-5:1e3:64; units, :log and :linear as in "
-         "load.normal_force=1mN:10N:64:log");
-    side("--y", map_.y, "Parameter along y");
-    command
-        ->add_option("--show", map_.quantity,
-                     "What the picture shows: a column of a curve (asperity columns), or exponent, "
-                     "d ln mu / d ln x")
-        ->capture_default_str();
-    addOutputs(command, map_.outputs,
-               "FILE.csv (one row a cell, x fastest), .json, .png, .svg, .pdf, .eps or .tif; may "
-               "be repeated "
-               "(default: CSV to standard output)");
-    addPictureOptions(*command, map_.picture, "1200x900", "print", FigurePart::Chart);
-    addColumnChoice(command, map_.columns);
-  }
-  void addSensitivity() {
-    CLI::App* command =
-        addCommand("sensitivity", "How much friction changes with each parameter of a scene",
-                   sensitivity_.common, [this] { return runSensitivity(sensitivity_); });
-    addOutputs(command, sensitivity_.outputs,
-               "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: a table "
-               "for people "
-               "to standard output)");
-    addPictureOptions(*command, sensitivity_.picture, "1200x800", "print", FigurePart::Chart);
-  }
-  void addCutoff() {
-    CLI::App* command = addCommand(
-        "cutoff", "Friction against the short-wave cut-off: which waves of the line make it",
-        cutoff_.common, [this] { return runCutoff(cutoff_); });
-    addOutputs(command, cutoff_.outputs,
-               "FILE.csv, .json, .png, .svg, .pdf, .eps or .tif; may be repeated (default: CSV to "
-               "standard "
-               "output)");
-    addPictureOptions(*command, cutoff_.picture, "1200x1000", "print", FigurePart::Chart);
-  }
-  void addMotion() {
-    CLI::App* command = addCommand("motion", "Friction, indentation, contact and power in time",
-                                   motion_.common, [this] { return runMotion(motion_); });
-    addOutputs(
-        command, motion_.outputs,
-        "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
-        "or .pdf; may be repeated (default: CSV to standard output)");
-    limitWhole(command
-                   ->add_option("--every", motion_.every,
-                                "Write one row for this number of time steps, and the last step; "
-                                "pictures show all steps")
-                   ->capture_default_str(),
-               1, 1000000000);
-    limitWhole(command
-                   ->add_option("--lines", motion_.lines,
-                                "Number of random lines; the column realization numbers them, and "
-                                "pictures show their mean")
-                   ->capture_default_str(),
-               1, 1000000);
-    addPictureOptions(*command, motion_.picture, "1200x1000", "print", FigurePart::Chart);
-    addColumnChoice(command, motion_.columns);
-  }
-  void addRender() {
-    CLI::App* command = addCommand("render", "Pictures and films of the contact, without a screen",
-                                   render_.common, [this] { return runRender(render_); });
-    command
-        ->add_option("-o,--output", render_.output,
-                     "FILE.png, .svg, .pdf, .eps or .tif for one picture; FILE.mp4, .webm, .gif or "
-                     ".webp for a "
-                     "film; a folder for frame_0001.png and on; FILE.csv, .json or - (CSV to "
-                     "standard output) for a table of the contact")
-        ->required();
-    command
-        ->add_option("--layout", render_.layout,
-                     "contact, curve, both, or transient: the contact above strips over time")
-        ->capture_default_str();
-    command->add_option("--overlay", render_.overlay,
-                        "Colour the contact by none, pressure, relaxation (time since contact) or "
-                        "power (dissipated) (default: pressure)");
-    addViewOptions(*command, render_.view);
-    addCurveOptions(*command, render_.curves);
-    addPictureOptions(*command, render_.picture, "1280x720", "light", FigurePart::Curve);
-    TimeArguments& time = render_.time;
-    limitWhole(command->add_option("--frames", time.frames,
-                                   "Number of frames (default: 60 per period, or 60 for a motion)"),
-               1, 1000000);
-    limit(command->add_option("--fps", time.framesPerSecond,
-                              "Frames per second of film (default: 25)"),
-          0.001, 1000);
-    limit(command->add_option("--duration", time.duration,
-                              "Length of the film in seconds, instead of --frames"),
-          0.001, 1e6, "s");
-    limit(command->add_option("--cycles", time.cycles,
-                              "Number of periods of the line that pass (default: 1)"),
-          1e-6, 1e6);
-    limit(command->add_option("--slow-motion", time.slowMotion,
-                              "Seconds of film per simulated second"),
-          1e-12, 1e15);
-    limit(
-        command->add_option("--at", time.at,
-                            "One picture, after this time of sliding (default: the start of steady "
-                            "sliding, the end of a motion)"),
-        0, 1e12, "s");
-    limit(command->add_option(
-              "--slid", time.slid,
-              "One picture of steady sliding, after this sliding distance, instead of --at"),
-          0, 1e12, "m");
-    command->add_flag("--resume", render_.resume,
-                      "Keep the frames of an interrupted run and make the missing ones");
-    command
-        ->add_option("--table", render_.table,
-                     "Of .csv and .json: shape (point by point), contacts, gaps, or power (its "
-                     "balance) (default: shape)")
-        ->type_name("NAME")
-        ->group(kTableGroup);
-    addColumnChoice(command, render_.columns);
-  }
-  void addSurface() {
-    CLI::App* command = addCommand(
-        "surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
-        surface_.common, [this] { return runSurface(surface_); });
-    addOutputs(
-        command, surface_.outputs,
-        "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "
-        "FILE.png, .svg, .pdf, .eps or .tif; - is CSV to standard output; may repeat");
-    command
-        ->add_option("--table", surface_.table,
-                     "Of .csv: line (position, height), spectrum, or statistics")
-        ->type_name("NAME")
-        ->capture_default_str()
-        ->group(kTableGroup);
-    addColumnChoice(command, surface_.columns);
-    addPictureOptions(*command, surface_.picture, "1280x800", "light", FigurePart::Chart);
-  }
-  void addFit() {
-    CLI::App* command = addCommand("fit", "Parameters of a scene that fit measured friction",
-                                   fit_.common, [this] { return runFit(fit_); });
-    command
-        ->add_option("--data", fit_.data,
-                     "Table of velocity and mu, where known with mu_error, normal_force or "
-                     "nominal_pressure, temperature, label; may be repeated")
-        ->type_name("FILE")
-        ->take_all()
-        ->allow_extra_args(false);
-    command
-        ->add_option("--vary", fit_.varied,
-                     "Key that is fitted, with limits if there are some; may be repeated")
-        ->type_name("KEY[=LOW:HIGH]")
-        ->required()
-        ->take_all()
-        ->allow_extra_args(false);
-    command
-        ->add_option("-o,--output", fit_.output,
-                     "Folder for fit.json, fitted.scene.json, fit.csv, pictures")
-        ->required();
-    command->add_flag("--no-profiles", fit_.withoutProfiles,
-                      "Leave out the profiles of the objective, which take most of the time");
-    addPictureOptions(*command, fit_.picture, "1200x900", "print", FigurePart::Curve);
-    addColumnChoice(command, fit_.columns);
-  }
-  void addMaterial() {
-    CLI::App* command = app_.add_subcommand(
-        "material", "A material for scenes from measured moduli or a ready Prony series");
-    MaterialCommand& material = material_;
-    command
-        ->add_option("FILE", material.common.scene,
-                     "Table of moduli over frequency at one or more temperatures, or a Prony "
-                     "series as finite-element programs write them; of a scene it is shown where "
-                     "its rubber is used")
-        ->required();
-    command
-        ->add_option("-o,--output", material.output, "Folder for material.json, tables, pictures")
-        ->required();
-    std::vector<CLI::Option*> fit;
-    const auto text = [&](const char* option, std::string& value, const char* sentence) {
-      fit.push_back(command->add_option(option, value, sentence));
-      return fit.back();
-    };
-    text("--reference-temperature", material.referenceTemperature,
-         "Temperature of the master curve, such as 20C (default: 25C where it was measured)");
-    fit.push_back(command->add_option("--terms", material.terms,
-                                      "Number of relaxation times (default: as few as reach the "
-                                      "smallest residual)"));
-    limitWhole(fit.back(), 1, 64);
-    fit.push_back(command->add_flag("--vertical-shifts", material.isVertical,
-                                    "Shift the moduli as well, which a scene does not use"));
-    text("--shift", material.shift,
-         "Shift with temperature in material.json: auto, wlf, arrhenius or table")
-        ->capture_default_str();
-    text("--modulus", material.modulus,
-         "What was measured: auto (by the columns), shear or tension")
-        ->capture_default_str();
-    fit.push_back(command
-                      ->add_option("--poisson-ratio", material.poissonRatio,
-                                   "Of moduli of tension: G = E / (2 (1 + nu))")
-                      ->capture_default_str());
-    limit(fit.back(), 0, 0.5);
-    text("--temperature", material.temperature,
-         "Temperature of a file that does not state one, such as 20C");
-    fit.push_back(command
-                      ->add_option("--temperature-tolerance", material.temperatureTolerance,
-                                   "Rows closer in temperature are one isotherm")
-                      ->capture_default_str());
-    limit(fit.back(), 0.001, 100, "K");
-    fit.push_back(command
-                      ->add_option("--leave-out", material.leftOut,
-                                   "Temperature of an isotherm that is not used; may be repeated")
-                      ->take_all()
-                      ->allow_extra_args(false));
-    text("--equilibrium-modulus", material.equilibriumModulus,
-         "Shear modulus in equilibrium, such as 2MPa, instead of the fitted one");
-    text("--instantaneous-modulus", material.instantaneousModulus,
-         "Shear modulus of a sudden deformation, of a series of relative moduli");
-    fit.push_back(command->add_flag("--liquid", material.isLiquid,
-                                    "Allow an equilibrium modulus of 0, with which nothing slides "
-                                    "steadily"));
-    DmaChoices& columns = material.columns;
-    text("--frequency-column", columns.frequencyColumn, "Name or number of the column");
-    text("--temperature-column", columns.temperatureColumn, "Name or number of the column");
-    text("--storage-column", columns.storageColumn, "Name or number of the column");
-    text("--loss-column", columns.lossColumn, "Name or number of the column");
-    text("--tan-delta-column", columns.lossTangentColumn, "Name or number of the column");
-    text("--magnitude-column", columns.magnitudeColumn, "Name or number of the column");
-    text("--phase-column", columns.phaseColumn, "Name or number of the column");
-    text("--strain-column", columns.strainColumn, "Name or number of the column");
-    text("--frequency-unit", columns.frequencyUnit, "Hz or rad/s, instead of the file's");
-    text("--temperature-unit", columns.temperatureUnit, "C, K or F, instead of the file's");
-    text("--modulus-unit", columns.modulusUnit, "Pa, kPa, MPa or GPa, instead of the file's");
-    command->add_option("--name", material.name,
-                        "Name of the material (default: that of the file)");
-    command->add_option("--source", material.source,
-                        "Where the numbers come from, kept in material.json");
-    addPictureOptions(*command, material.picture, "1200x800", "print", FigurePart::Chart);
-    addColumnChoice(command, material.tableColumns);
-    addShared(*command, material.common);
-    command->callback([this, fit = std::move(fit)] {
-      for (const CLI::Option* option : fit)
-        for (const std::string& value : option->results())
-          material_.written.emplace_back(option->get_name(), value);
-      selected_ = [this] { return runMaterial(material_); };
-    });
-  }
-  void addFigure() {
-    CLI::App* command = app_.add_subcommand(
-        "figure",
-        "The figures of Li et al. (2013): data, pictures, and a check of the paper's claims");
-    std::string words;
-    for (const FigureEntry& entry : figureEntries())
-      words += fmt::format("  {:8} {}\n", entry.word, entry.headline);
-    command
-        ->add_option("NAME", figure_.names,
-                     "One or more of the figures below, paper for 1 to 6, or all")
-        ->required();
-    command->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
-        ->required();
-    limitWhole(command
-                   ->add_option("--realizations", figure_.realizations,
-                                "Number of random lines to average over")
-                   ->capture_default_str(),
-               1, 1000000);
-    addPictureOptions(*command, figure_.picture, "that of the figure", "print", FigurePart::Curve);
-    addColumnChoice(command, figure_.columns);
-    addShared(*command, figure_.common);
-    command->footer("Figures:\n" + words);
-    command->callback([this] { selected_ = [this] { return runFigure(figure_); }; });
-  }
-  void addOpen() {
-    CLI::App* command =
-        app_.add_subcommand("open", "Open the window with the scene that made a file");
-    command
-        ->add_option("FILE", open_.common.scene,
-                     "PNG, SVG, PDF, film, CSV or JSON that Asperity wrote; a scene may be dropped "
-                     "on the window in the same way")
-        ->required();
-    addShared(*command, open_.common, kLastLanguage);
-    command->add_flag(
-        "--remake", open_.remakes,
-        "Make the file again from what it says of itself, and open no window; options "
-        "of the command that made it replace its own");
-    command->add_option("-o,--output", open_.output,
-                        "With --remake: the new file (default: the file itself)");
-    command
-        ->add_option("--from", open_.from,
-                     "With --remake: the folder of the files that FILE was made from, or the store "
-                     "of its study (default: looked for beside FILE, in the folders above it and "
-                     "in the present one)")
-        ->type_name("PATH");
-    command->allow_extras();
-    command->footer(
-        "With --json the scene is printed as a scene file, and no window opens.\n"
-        "Everything that says how it was made can be remade: what curve, map, sensitivity, cutoff, "
-        "motion, render and surface wrote, and each picture and table in a folder of fit, "
-        "material, "
-        "study analyse, batch, accuracy (whose run times are measured again) and figure.");
-    command->callback([this, command] {
-      open_.others = command->remaining();
-      if (!open_.remakes && !open_.others.empty())
-        throw CLI::ExtrasError(command->get_name(), open_.others);
-      selected_ = [this] {
-        for (const auto& [option, value] :
-             {std::pair{"--output", &open_.output}, {"--from", &open_.from}})
-          if (!open_.remakes && !value->empty()) throw InputError("", option, "is of --remake");
-        return open_.remakes ? remake() : runOpen(open_);
-      };
-    });
-  }
-  void addBatch() {
-    CLI::App* command = app_.add_subcommand(
-        "batch",
-        "Run many scenes and sweeps of their keys: pictures, data and one page that shows all");
-    command->add_option("FILE", batch_.common.scene, "The batch (JSON), see below")->required();
-    command->add_option("-o,--output", batch_.output, "Folder for all files")->required();
-    command->add_flag("--contact-sheet", batch_.contactSheet,
-                      "Make contact sheets of more than 100 scenes, too");
-    addPictureOptions(*command, batch_.picture, "the batch's", "light", FigurePart::Curve);
-    addColumnChoice(command, batch_.columns);
-    addShared(*command, batch_.common);
-    command->remove_option(
-        command->get_option("--set"));  // each entry of the batch has its own "set"
-    command->footer(kBatchFormat);
-    command->callback([this] { selected_ = [this] { return runBatch(batch_); }; });
-  }
-  void addStudy() {
-    CLI::App* study = app_.add_subcommand(
-        "study", "Very many simulations: a space of scene keys, in a store that survives kills");
-    study->require_subcommand(1);
-    study->footer(kStudyFormat);
-    // An action has what it reads as its first word, and no --set: the study says everything.
-    const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
-                            int (*work)(const StudyCommand&)) {
-      CLI::App* app = study->add_subcommand(name, sentence);
-      addShared(*app, command.common);
-      app->remove_option(app->get_option("--set"));
-      app->callback(
-          [this, &command, work] { selected_ = [&command, work] { return work(command); }; });
-      return app;
-    };
-    CLI::App* run = action("run", "Run a study, or what is missing of it", studyRun_, runStudyRun);
-    run->add_option("STUDY", studyRun_.study, "The study (JSON), see below")->required();
-    run->add_option("-o,--output", studyRun_.output,
-                    "STORE: a file that keeps all results; run again, it goes on");
-    run->add_option("--shard", studyRun_.shard,
-                    "Only part I of N, into a store of its own that 'merge' joins with the others")
-        ->type_name("I/N");
-    run->add_flag("--plan", studyRun_.plan, "Show what it will cost, and compute nothing");
-    run->footer(kStudyFormat);
-    CLI::App* merge =
-        action("merge", "Join the stores of shards, in any order", studyMerge_, runStudyMerge);
-    merge->add_option("STORES", studyMerge_.stores, "Stores of one study")->required();
-    merge
-        ->add_option("-o,--output", studyMerge_.output,
-                     "STORE for all of them; what it has already counts too")
-        ->required();
-    CLI::App* table = action("table", "The results as a table", studyTable_, runStudyTable);
-    table->add_option("STORE", studyTable_.study, "Store of a study")->required();
-    addOutputs(table, studyTable_.outputs,
-               "FILE.csv (its first line, # asperity: ..., says how it was made) or FILE.json; may "
-               "be repeated (default: CSV to standard output)");
-    table
-        ->add_option("--shape", studyTable_.shape,
-                     "wide: a row for each simulation; long: a row for each of its numbers")
-        ->capture_default_str();
-    CLI::App* show = action("show", "What a store has: state, rate, failures with their messages",
-                            studyShow_, runStudyShow);
-    show->add_option("STORE", studyShow_.study, "Store of a study")->required();
-    CLI::App* analyse =
-        action("analyse", "Sensitivity indices, main effects, correlations, percentiles",
-               studyAnalyse_, runStudyAnalyse);
-    analyse->add_option("STORE", studyAnalyse_.study, "Store of a study")->required();
-    analyse
-        ->add_option("-o,--output", studyAnalyse_.output,
-                     "Folder for analysis.json, tables and pictures")
-        ->required();
-    addPictureOptions(*analyse, studyAnalyse_.picture, "1400x900", "print");
-  }
-  void addAccuracy() {
-    CLI::App* command =
-        addCommand("accuracy", "What accuracy costs: error against time of every method",
-                   accuracy_.common, [this] { return runAccuracy(accuracy_); });
-    command->add_option("-o,--output", accuracy_.output, "Folder for tables and diagrams")
-        ->required();
-    addPictureOptions(*command, accuracy_.picture, "that of the diagrams", "print",
-                      FigurePart::Chart);
-    addColumnChoice(command, accuracy_.columns);
-  }
-  void addExplain() {
-    CLI::App* command = addCommand(
-        "explain", "The plan: what runs, what does not run and why, and the expected cost",
-        explain_.common, [this] { return runExplain(explain_); });
-    command->add_flag("--analyze", explain_.analyze, "Run it as well and add the measured cost");
-    CLI::Option* x = command->add_option(
-        "--x", explain_.x, "With --y: what 'asperity map' with these sides will cost");
-    CLI::Option* y = command->add_option("--y", explain_.y, "The other side of that map");
-    for (CLI::Option* side : {x, y}) side->type_name("KEY=FROM:TO:N");
-    x->needs(y);
-    y->needs(x);
-  }
-  void addColumns() {
-    CLI::App* command =
-        app_.add_subcommand("columns", "All columns of all tables: name, unit, meaning, equation");
-    addShared(*command, columns_);
-    command->remove_option(command->get_option("--set"));  // this command has no scene
-    command->callback([this] { selected_ = [this] { return runColumns(columns_); }; });
-  }
-  void addLesson() {
-    CLI::App* command = app_.add_subcommand(
-        "lesson", "Lessons: what they ask, and handouts of them for students and teachers");
-    command->add_option("LESSON", lesson_.common.scene,
-                        "Name of a shipped lesson, or a file (default: lists the shipped ones)");
-    addShared(*command, lesson_.common);
-    command->remove_option(command->get_option("--set"));  // its scenes are the lesson's own
-    addOutputs(command, lesson_.outputs, "Handout FILE.html or FILE.pdf; may be repeated");
-    command->add_flag("--teacher", lesson_.forTeacher,
-                      "The handout has the answers, as computed, and the teacher's notes");
-    command->footer(kLessonFormat);
-    command->callback([this] { selected_ = [this] { return runLesson(lesson_); }; });
-  }
-  static void addColumnChoice(CLI::App* command, std::string& columns) {
-    command
-        ->add_option("--columns", columns,
-                     "Columns of tables, in this order, separated by commas ('asperity columns' "
-                     "lists them; default: all)")
-        ->type_name("NAMES")
-        ->group(kTableGroup);
-  }
-  static void addOutputs(CLI::App* command, std::vector<std::string>& outputs,
-                         const char* sentence) {
-    command->add_option("-o,--output", outputs, sentence)->take_all()->allow_extra_args(false);
-  }
-
   /// Whether "keys" stands behind --help, or behind "help".
   static bool asksForKeys(const std::vector<std::string>& reversed) {
     for (std::size_t i = 0; i + 1 < reversed.size(); ++i)
@@ -663,8 +142,8 @@ class CommandLine {
   }
 
   /// Runs the command that made the file on the file's own scene.
-  int remake() {
-    Remake remake = remakeOf(open_);
+  static int remake(const OpenCommand& open) {
+    Remake remake = remakeOf(open);
     std::optional<RemakeFolder> folder;
     if (!remake.part.empty()) {
       folder.emplace();
@@ -679,11 +158,11 @@ class CommandLine {
     if (status != kDone && !remake.isOfMany) return status;
     if (folder) {
       folder->take(remake);
-      printSummary(open_.common.json || remake.output == "-", open_.common.quiet,
+      printSummary(open.common.json || remake.output == "-", open.common.quiet,
                    remake.output == "-" ? std::string() : wroteLine(remake.output));
     }
     if (remake.hasTimes)
-      printSummary(true, open_.common.quiet,
+      printSummary(true, open.common.quiet,
                    filled(Words::tr("%1: run times, and what follows from them, are measured "
                                     "again; all other numbers are the same"),
                           {remake.output}));
@@ -693,25 +172,7 @@ class CommandLine {
   CLI::App app_;
   std::string completions_;
   bool printsDictionary_ = false;
-  std::vector<CommonOptions*> allCommon_;
-  CommonOptions window_, columns_;
-  CheckCommand check_;
-  LessonCommand lesson_;
-  CurveCommand curve_;
-  MapCommand map_;
-  SheetCommand sensitivity_, cutoff_;
-  MotionCommand motion_;
-  RenderCommand render_;
-  SurfaceCommand surface_;
-  MaterialCommand material_;
-  FitCommand fit_;
-  FigureCommand figure_;
-  OpenCommand open_;
-  BatchCommand batch_;
-  StudyCommand studyRun_, studyMerge_, studyTable_, studyShow_, studyAnalyse_;
-  AccuracyCommand accuracy_;
-  ExplainCommand explain_;
-  std::function<int()> selected_;
+  CommandTable commands_;
 };
 
 /// Prints an error to stderr. Errors of stderr itself (closed, full) are ignored: nothing else can
@@ -727,10 +188,6 @@ void fillClosedStreams() {
   for (const int stream : {0, 1, 2})
     if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
 }
-
-}  // namespace
-
-namespace {
 
 /// Returns what standard input holds. Throws InputError where it is more than a scene may be.
 std::string standardInput() {

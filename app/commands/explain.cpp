@@ -2,13 +2,153 @@
 // why, and the expected cost of the run, or of a map; with --analyze also the real cost.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/command_line.h"
-#include "app/explanation_text.h"
 #include "app/output.h"
+#include "core/accuracy/explanation.h"
+#include "core/base/text.h"
+#include "core/friction/theories/theory.h"
 #include "core/run/motion_accuracy.h"
 #include "core/scene/scene_check.h"
+#include "ui/draw/ticks.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
+namespace {
+
+std::string timeText(double seconds) {
+  if (seconds < 120) return quantity(seconds, "s");
+  return seconds < 7200 ? shortNumber(seconds / 60) + " min" : shortNumber(seconds / 3600) + " h";
+}
+
+std::string percent(double part) {
+  return shortNumber(100 * part, 2) + " %";
+}
+
+std::string budgetText(const ErrorBudget& error) {
+  std::string parts;
+  const auto add = [&](const std::string& name, double part) {
+    if (!std::isfinite(part)) return;
+    if (!parts.empty()) parts += Words::tr(", ");
+    parts += name + " " + percent(part);
+  };
+  add(Words::tr("resolution"), error.resolution);
+  add(Words::tr("standard error"), error.standardError);
+  add(Words::tr("force balance"), error.forceBalance);
+  add(Words::tr("time step"), error.timeStep);
+  add(Words::tr("settling"), error.settling);
+  const std::string text = fmt::format("{} ({})", percent(error.total()), parts);
+  if (!std::isfinite(error.modelDifference)) return text;
+  return filled(Words::tr("%1; differs from the resolved line by %2"),
+                {text, percent(error.modelDifference)});
+}
+
+std::string workText(const Prediction& prediction) {
+  if (prediction.steps > 0)
+    return filled(
+        Words::tr("%1 steps of %2 elements, without drawing"),
+        {fmt::format("{:.0f}", prediction.steps), fmt::format("{:.0f}", prediction.elements)});
+  return filled(Words::tr("%1 simulations"), {fmt::format("{:.0f}", prediction.simulations)});
+}
+
+std::string threadsText(int threads) {
+  return threads == 1 ? Words::tr("one thread")
+                      : filled(Words::tr("%1 threads"), {std::to_string(threads)});
+}
+
+std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
+  std::string text;
+  int number = 0;
+  for (const PlanStage& stage : stages) {
+    if (stage.runs != running) continue;
+    const std::string name = translated(stage.name), reason = translated(stage.reason);
+    text += running ? fmt::format("  {:>2}. {}: {}\n", ++number, name, reason)
+                    : "   -  " + filled(Words::tr("no %1: %2"), {name, reason}) + "\n";
+  }
+  return text;
+}
+
+/// Time, memory and error below each other.
+std::string costLines(const std::string& time, const std::string& memory,
+                      const ErrorBudget& error) {
+  std::string text;
+  for (const auto& [name, value] : {std::pair{Words::tr("time"), time},
+                                    {Words::tr("memory"), memory},
+                                    {Words::tr("error"), budgetText(error)}})
+    text += fmt::format("      {:<10}{}\n", name, value);
+  return text;
+}
+
+std::string mebibytes(double bytes) {
+  return shortNumber(bytes / (1 << 20), 2) + " MiB";
+}
+
+std::string mapLines(const MapCost& map) {
+  const std::string columns = std::to_string(map.columns), rows = std::to_string(map.rows);
+  const std::string lines = fmt::format("{:.0f}", map.lines);
+  const std::string work =
+      map.different > 0
+          ? filled(Words::tr("%1 times %2 states, %3 of them different, on %4 lines each"),
+                   {columns, rows, std::to_string(map.different), lines})
+          : filled(Words::tr("%1 times %2 states on %3 lines each"), {columns, rows, lines});
+  return Words::tr("the map") + "\n" +
+         fmt::format("      {:<10}{}\n", Words::tr("time"),
+                     filled(Words::tr("%1 on %2 (%3)"),
+                            {timeText(map.seconds), threadsText(map.threads), work}));
+}
+
+/// The plan of a scene and what it will cost, as a person reads them, in the language in use.
+std::string explanationText(const Explanation& explanation) {
+  const Scene& scene = explanation.scene;
+  std::string text =
+      scene.title.empty() ? std::string() : printable(translated(scene.title)) + "\n";
+  text += filled(Words::tr("asperity %1 runs"), {explanation.verb}) + "\n" +
+          stageLines(explanation.stages, true) + Words::tr("and leaves out") + "\n" +
+          stageLines(explanation.stages, false);
+  if (std::isfinite(explanation.fewSummitsVelocity))
+    text +=
+        filled(Words::tr("above %1 few summits carry the load (region IV): F_N / (4 eta v), the "
+                         "height that the contacts of one period climb together, is below 0.1 "
+                         "h; the border belongs to the finite period and moves with it"),
+               {quantity(explanation.fewSummitsVelocity, "m/s")}) +
+        "\n";
+  if (!explanation.excitation.empty()) text += translated(explanation.excitation) + "\n";
+  const bool isMirrored =
+      scene.surface.kind == SurfaceKind::Measured && scene.surface.processing.seam == Seam::Mirror;
+  if (std::isfinite(explanation.normalForce) &&
+      (isMirrored || scene.load.kind == LoadKind::Pressure))
+    text +=
+        filled(isMirrored ? Words::tr("F_N = %1 on one period of %2, which is twice the file's; "
+                                      "F_N / L = %3")
+                          : Words::tr("F_N = %1 on one period of %2; F_N / L = %3"),
+               {quantity(explanation.normalForce, "N"), quantity(explanation.length, "m"),
+                quantity(explanation.normalForce / explanation.length, "N/m")}) +
+        "\n";
+  for (const Theory theory : theoriesBeside(scene))
+    text += translated(
+                message("{}: {}", Message(entryOf(theory).name), Message(entryOf(theory).range))) +
+            "\n";
+  for (const Note note : explanation.notes.list())
+    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
+  if (const auto& predicted = explanation.predicted)
+    text += Words::tr("predicted") + "\n" +
+            costLines(filled(Words::tr("%1 on %2 (%3)"),
+                             {timeText(predicted->seconds), threadsText(predicted->threads),
+                              workText(*predicted)}),
+                      mebibytes(predicted->memory), predicted->error);
+  if (const auto& measured = explanation.measured)
+    text += Words::tr("measured") + "\n" +
+            costLines(timeText(measured->seconds),
+                      filled(Words::tr("%1 more than before"), {mebibytes(measured->memory)}),
+                      measured->error);
+  if (explanation.map) text += mapLines(*explanation.map);
+  return text;
+}
+
+}  // namespace
 
 int runExplain(const ExplainCommand& command) {
   const Scene scene = sceneOf(command.common);

@@ -1,0 +1,74 @@
+// All commands with their options, declared once: help, completions, the dictionary and parsing are
+// made from them. Main thread.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "app/command_line.h"
+
+namespace CLI {
+class App;
+}
+
+namespace asperity {
+
+class CommandTable {
+ public:
+  /// Adds all commands, and the options of the one that opens the window, to `app`, which must
+  /// outlive the table. remake: what `open --remake` does.
+  void declareIn(CLI::App& app, std::function<int(const OpenCommand&)> remake);
+
+  /// Returns the options that every command takes, for each of them.
+  const std::vector<CommonOptions*>& common() const { return common_; }
+
+  /// Runs the command that was parsed, or opens the window where none was. Returns its status.
+  int run() const;
+
+ private:
+  void addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage = "en");
+  CLI::App* addCommand(const char* name, const char* sentence, CommonOptions& common,
+                       std::function<int()> action);
+  void addCheck();
+  void addCurve();
+  void addMap();
+  void addSensitivity();
+  void addCutoff();
+  void addMotion();
+  void addRender();
+  void addSurface();
+  void addFit();
+  void addMaterial();
+  void addFigure();
+  void addOpen();
+  void addBatch();
+  void addStudy();
+  void addAccuracy();
+  void addExplain();
+  void addColumns();
+  void addLesson();
+
+  CLI::App* app_ = nullptr;
+  std::function<int(const OpenCommand&)> remake_;
+  std::vector<CommonOptions*> common_;
+  CommonOptions window_, columns_;
+  CheckCommand check_;
+  LessonCommand lesson_;
+  CurveCommand curve_;
+  MapCommand map_;
+  SheetCommand sensitivity_, cutoff_;
+  MotionCommand motion_;
+  RenderCommand render_;
+  SurfaceCommand surface_;
+  MaterialCommand material_;
+  FitCommand fit_;
+  FigureCommand figure_;
+  OpenCommand open_;
+  BatchCommand batch_;
+  StudyCommand studyRun_, studyMerge_, studyTable_, studyShow_, studyAnalyse_;
+  AccuracyCommand accuracy_;
+  ExplainCommand explain_;
+  std::function<int()> selected_;  // runs the command that was parsed
+};
+
+}  // namespace asperity
