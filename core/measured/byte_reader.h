@@ -61,8 +61,10 @@ void appendHeights(const SurfaceSource& source, std::string_view bytes, double s
     source.reportPoint(i, count);
     Number number{};
     std::memcpy(&number, bytes.data() + i * sizeof(Number), sizeof(Number));
-    const double height = static_cast<double>(number) * scale;
-    heights[before + i] = isGap(number) || !std::isfinite(height) ? std::nan("") : height;
+    bool isNone = isGap(number);
+    if constexpr (std::is_floating_point_v<Number>) isNone = isNone || !std::isfinite(number);
+    const double height = isNone ? std::nan("") : static_cast<double>(number) * scale;
+    heights[before + i] = std::isfinite(height) ? height : std::nan("");
   }
 }
 

@@ -58,7 +58,7 @@ void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t co
       source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
     const double number = heightIn(source, reader, word, i);
     const double height = number * words.scale;
-    heights.push_back(number >= words.gapFrom || !std::isfinite(height) ? std::nan("") : height);
+    heights.push_back(!std::isfinite(height) || number >= words.gapFrom ? std::nan("") : height);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "core/friction/ensemble.h"
 #include "core/scene/plan.h"
 #include "core/surface/line_source.h"
+#include "tests/core/error_from.h"
 #include "tests/core/small_scene.h"
 #include "tests/core/temporary_folder.h"
 
@@ -238,17 +239,9 @@ TEST(Pilot, AFileThatIsNoProfileIsRefused) {
        {std::string("hello\n") + good, good + "20001e-6,much\n", good + "1,1\n", good.substr(0, 40),
         std::string("\x89PNG\r\n\x1a\n") + good}) {
     folder.write("p.csv", bad);
-    const auto complaint = [](const auto& work) -> std::string {
-      try {
-        work();
-      } catch (const InputError& error) {
-        return error.what();
-      }
-      return "none";
-    };
-    const std::string ofRun = complaint([&] { frictionCurve(scene); });
-    EXPECT_NE(ofRun, "none");
-    EXPECT_EQ(complaint([&] { explain(scene); }), ofRun);
+    const std::string ofRun = errorFrom([&] { frictionCurve(scene); });
+    EXPECT_NE(ofRun, "no error");
+    EXPECT_EQ(errorFrom([&] { explain(scene); }), ofRun);
   }
 }
 

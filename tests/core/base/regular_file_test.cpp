@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -13,12 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string refusal(const std::filesystem::path& file) {
-  try {
-    RegularFile{file};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return errorFrom([&] { RegularFile{file}; });
 }
 
 TEST(RegularFile, IsReadFromAnyPlace) {

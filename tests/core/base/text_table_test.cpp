@@ -16,6 +16,7 @@
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
@@ -32,12 +33,7 @@ std::vector<double> firstColumn(const std::string& text) {
 }
 
 std::string errorOf(const std::string& text, const TextTableOptions& options = {}) {
-  try {
-    read(text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return errorFrom([&] { read(text, options); });
 }
 
 // ---- One table in many dialects ----------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
@@ -20,21 +21,11 @@ FigureStyle with(const std::string& word, const std::string& value) {
 }
 
 std::string refusal(const std::string& word, const std::string& value) {
-  try {
-    with(word, value);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing";
+  return errorFrom([&] { with(word, value); });
 }
 
 std::string refusedFile(const std::string& json) {
-  try {
-    styleFromJson(json, "mine.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing";
+  return errorFrom([&] { styleFromJson(json, "mine.json"); });
 }
 
 DiagramSheet twoCurves() {
@@ -76,7 +67,7 @@ TEST(PictureSize, IsInPixelsOrOnPaper) {
 TEST(FigureOptions, RefuseWhatTheyDoNotKnow) {
   EXPECT_THAT(refusal("font-size", "huge"), HasSubstr("'huge' is not a number"));
   EXPECT_THAT(refusal("font-size", "100"), HasSubstr("outside 4 to 72 pt"));
-  EXPECT_EQ(refusal("font-size", "7pt"), "nothing");
+  EXPECT_EQ(refusal("font-size", "7pt"), "no error");
   EXPECT_THAT(refusal("legend", "left"), HasSubstr("left is not one of auto, none, inside, below"));
   EXPECT_THAT(refusal("curve-style", "2=pink"), HasSubstr("'pink' is neither a colour"));
   EXPECT_THAT(refusal("curve-style", "0=black"), HasSubstr("NUMBER=WORDS"));

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
@@ -19,12 +20,7 @@ FrictionData parsed(const std::string& text) {
 }
 
 std::string errorOf(const std::string& text) {
-  try {
-    parsed(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { parsed(text); });
 }
 
 TEST(FrictionData, ReadsVelocityAndFriction) {

@@ -17,6 +17,7 @@
 #include "core/material/element_law.h"
 #include "core/scene/columns.h"
 #include "tests/core/elastomers.h"
+#include "tests/core/error_from.h"
 #include "tests/core/small_scene.h"
 
 namespace asperity {
@@ -61,15 +62,6 @@ void expectCellsOfCurves(const ParameterMap& map, double tolerance) {
         EXPECT_NEAR(cell.muLaw, own.muLaw, 1e-12 * own.muLaw);
       }
     }
-}
-
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
 }
 
 /// To 1e-12; with arms to what rounding leaves of their balance (kRoundingResidual of
@@ -126,7 +118,7 @@ TEST(ParameterMap, OfParametersThatMatterElsewhereOnTheMap) {
   scene.elastomer.temperature = scene.elastomer.shift.referenceTemperature = 300;
   const ParameterRange x = rangeFromOption("--x", "elastomer.temperature=290:310:3");
   const ParameterRange y = rangeFromOption("--y", "elastomer.shift.c1=4:12:2");
-  EXPECT_THAT(refusal([&] { mapAxis(scene, y); }), testing::HasSubstr("changes nothing"));
+  EXPECT_THAT(errorFrom([&] { mapAxis(scene, y); }), testing::HasSubstr("changes nothing"));
   const ParameterMap map = parameterMap(scene, mapAxis(scene, x, &y), mapAxis(scene, y, &x));
   EXPECT_NE(map.at(0, 0).mu, map.at(0, 1).mu);
   EXPECT_EQ(map.at(1, 0).mu, map.at(1, 1).mu);
@@ -231,7 +223,9 @@ TEST(ParameterMap, TheExponentIsThatOfAPower) {
 
 TEST(ParameterMap, RefusesWhatMakesNoSense) {
   const Scene scene = smallScene();
-  const auto says = [&](const std::string& range) { return refusal([&] { side(scene, range); }); };
+  const auto says = [&](const std::string& range) {
+    return errorFrom([&] { side(scene, range); });
+  };
   EXPECT_NE(says("load.normal_farce=1:2:3").find("load.normal_force"), std::string::npos);
   EXPECT_NE(says("surface.kind=1:2:3").find("surface.kind"), std::string::npos);
   EXPECT_NE(says("surface.slope=0.1:0.2:3").find("surface.slope"), std::string::npos);
@@ -244,14 +238,14 @@ TEST(ParameterMap, RefusesWhatMakesNoSense) {
   EXPECT_NE(says("surface.elements=100:100.2:5").find("surface.elements"), std::string::npos);
   EXPECT_NE(says("surface.hurst=0:1.4:5").find("0 to 1"), std::string::npos);
   const MapAxis x = side(scene, "load.normal_force=1:2:3");
-  EXPECT_NE(refusal([&] { parameterMap(scene, x, x); }).find("both sides"), std::string::npos);
+  EXPECT_NE(errorFrom([&] { parameterMap(scene, x, x); }).find("both sides"), std::string::npos);
   Scene target = scene;
   target.accuracy.targetRelativeError = 0.01;
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(errorFrom([&] {
               parameterMap(target, x, side(scene, "sliding.velocity=1:2:2"));
             }).find("accuracy.target_relative_error"),
             std::string::npos);
-  EXPECT_NE(refusal([&] {
+  EXPECT_NE(errorFrom([&] {
               parameterMap(scene, side(scene, "load.normal_force=1:2:900"),
                            side(scene, "sliding.velocity=1:2:900"));
             }).find("100000"),

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
@@ -20,12 +21,7 @@ DmaFile read(const std::string& text, const DmaChoices& choices = {}) {
 }
 
 std::string errorOf(const std::string& text, const DmaChoices& choices = {}) {
-  try {
-    read(text, choices);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { read(text, choices); });
 }
 
 void expectRow(const MeasuredModulus& row, double kelvin, double hertz, double storage,

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
@@ -23,12 +24,7 @@ std::optional<PronyFile> read(const std::string& text, const PronyChoices& choic
 }
 
 std::string errorOf(const std::string& text, const PronyChoices& choices = {}) {
-  try {
-    read(text, choices);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { read(text, choices); });
 }
 
 /// G_0 = 4 MPa: G_i = 2 and 1 MPa at 0.1 and 10 s, 1 MPa is left.

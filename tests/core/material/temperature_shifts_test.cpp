@@ -9,22 +9,13 @@
 #include "core/base/input_error.h"
 #include "core/material/element_law.h"
 #include "core/material/temperature_fit.h"
+#include "tests/core/error_from.h"
 #include "tests/core/material/synthetic_rubber.h"
 
 namespace asperity {
 namespace {
 
 using testing::HasSubstr;
-
-template <class Work>
-std::string errorOf(const Work& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// Reduced frequency f a_T with the a_T that made the sweeps.
 TEST(TemperatureShifts, KnownShiftsComeBack) {
@@ -116,11 +107,11 @@ TEST(TemperatureShifts, OneIsothermIsItsOwnMasterCurve) {
 TEST(TemperatureShifts, WhatCannotBeShiftedIsSaidInOneLine) {
   const SyntheticRubber rubber;
   const std::vector<Isotherm> apart{rubber.sweep(258.15, 1, 3, 5), rubber.sweep(298.15, 1, 3, 5)};
-  EXPECT_THAT(errorOf([&] { masterCurve(apart, 298.15); }), HasSubstr("do not overlap"));
+  EXPECT_THAT(errorFrom([&] { masterCurve(apart, 298.15); }), HasSubstr("do not overlap"));
   std::vector<Isotherm> swapped = rubber.sweeps(15);
   std::swap(swapped[3].points, swapped[4].points);
-  EXPECT_THAT(errorOf([&] { masterCurve(swapped, 298.15); }), HasSubstr("out of order"));
-  EXPECT_THAT(errorOf([&] { masterCurve(rubber.sweeps(15), 20); }),
+  EXPECT_THAT(errorFrom([&] { masterCurve(swapped, 298.15); }), HasSubstr("out of order"));
+  EXPECT_THAT(errorFrom([&] { masterCurve(rubber.sweeps(15), 20); }),
               HasSubstr("--reference-temperature: 20 K is outside"));
 }
 
@@ -147,17 +138,17 @@ TEST(Isotherms, EqualFrequenciesAreAveraged) {
 }
 
 TEST(Isotherms, BadRowsAreSaidInOneLine) {
-  EXPECT_THAT(errorOf([] {
+  EXPECT_THAT(errorFrom([] {
                 isothermsOf({{300, {1, 1e6, 1e5}}, {310, {1, 1e6, 1e5}}});
               }),
               HasSubstr("one frequency alone at"));
-  EXPECT_THAT(errorOf([] {
+  EXPECT_THAT(errorFrom([] {
                 isothermsOf({{300, {1, 1e6, -1}}, {300, {2, 1e6, 1}}});
               }),
               HasSubstr("loss modulus: -1 at"));
   std::vector<MeasuredModulus> ramp;
   for (int i = 0; i < 40; ++i) ramp.push_back({280 + 0.25 * i, {1.0 + i % 3, 1e6, 1e5}});
-  EXPECT_THAT(errorOf([&] { isothermsOf(ramp); }), HasSubstr("without a gap"));
+  EXPECT_THAT(errorFrom([&] { isothermsOf(ramp); }), HasSubstr("without a gap"));
 }
 
 // ---- Formulas

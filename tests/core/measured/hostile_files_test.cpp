@@ -11,6 +11,7 @@
 #include <map>
 
 #include "core/base/processor_time.h"
+#include "tests/core/error_from.h"
 #include "tests/core/measured/binary_writers.h"
 #include "tests/core/measured/instrument_writers.h"
 #include "tests/core/measured/surface_expectations.h"
@@ -76,7 +77,7 @@ void readOrRefuse(const std::string& bytes, const std::string& what) {
 
 TEST(HostileFiles, AreReadOrRefusedWhereverTheyAreCutOff) {
   for (const auto& [name, bytes] : samples()) {
-    EXPECT_TRUE(errorOf(bytes) == "none" || name == "utf-16") << name << ": " << errorOf(bytes);
+    EXPECT_TRUE(errorOf(bytes) == "no error" || name == "utf-16") << name << ": " << errorOf(bytes);
     for (std::size_t size = 0; size < bytes.size(); ++size)
       readOrRefuse(bytes.substr(0, size), fmt::format("{} cut off at {}", name, size));
   }
@@ -94,13 +95,8 @@ TEST(HostileFiles, AreReadOrRefusedWhicheverByteIsWrong) {
 
 TEST(HostileFiles, ThatAreNoFilesAreRefused) {
   const TemporaryFolder folder;
-  const auto errorOfFile = [](const std::filesystem::path& file) -> std::string {
-    try {
-      readMeasuredFile(file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+  const auto errorOfFile = [](const std::filesystem::path& file) {
+    return errorFrom([&] { readMeasuredFile(file); });
   };
   EXPECT_THAT(errorOfFile(folder.path()), HasSubstr("is a folder"));
   EXPECT_THAT(errorOfFile(folder / "none.txt"), HasSubstr("none.txt"));
@@ -118,7 +114,7 @@ TEST(HostileFiles, OfSizesThatOverflowAreRefused) {
   EXPECT_THAT(errorOf(bytes), HasSubstr("at most"));
   const std::string field =
       gwyObject("GwyDataField", gwyInt("xres", 2000000000) + gwyInt("yres", 2000000000));
-  EXPECT_NE(errorOf(gwy(gwyMember("/0/data", field))), "none");
+  EXPECT_NE(errorOf(gwy(gwyMember("/0/data", field))), "no error");
 }
 
 TEST(HostileFiles, StopWhereTheyAreAsked) {
@@ -164,14 +160,7 @@ TEST(Gwyddion, ReadsWhatIsOfNoKnownKind) {
 TEST(Gwyddion, IsNamedWhereItIsNotInstalled) {
   const TemporaryFolder folder;
   const auto file = folder.write("scan.xyz", std::string("\x01\x02\x00\x03 some instrument", 20));
-  const auto error = [&file]() -> std::string {
-    try {
-      readMeasuredFile(file);
-    } catch (const InputError& what) {
-      return what.what();
-    }
-    return "none";
-  };
+  const auto error = [&file]() { return errorFrom([&] { readMeasuredFile(file); }); };
   {
     const FakeGwyddion none(folder, "");
     EXPECT_THAT(error(), HasSubstr("only Gwyddion reads, which is not installed"));

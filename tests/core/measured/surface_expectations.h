@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/measured/measured_file.h"
+#include "tests/core/error_from.h"
 #include "tests/core/measured/written_surface.h"
 
 namespace asperity::written {
@@ -16,14 +17,9 @@ inline MeasuredFile read(const std::string& bytes, const ReadingChoices& choices
   return readMeasuredBytes(bytes, "surface.dat", choices);
 }
 
-/// The message of the error; "none" where there is none.
+/// The message of the error; "no error" where there is none.
 inline std::string errorOf(const std::string& bytes, const ReadingChoices& choices = {}) {
-  try {
-    read(bytes, choices);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return errorFrom([&] { read(bytes, choices); });
 }
 
 /// The known surface, heights within `tolerance` (m), spacings to `relative` of themselves.

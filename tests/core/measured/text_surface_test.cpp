@@ -105,7 +105,7 @@ TEST(TextProfile, AsksForUnitsThatCannotBeMetres) {
   expectProfile(read(text(1, 1), choices));
   EXPECT_THAT(errorOf("z\n1e-6\n2e-6\n1e-6\n3e-6\n"), HasSubstr("how far its points are apart"));
   // Stated units are believed, however long or steep.
-  EXPECT_EQ(errorOf("x (m),z (m)\n0,0\n10,1000\n20,-1000\n"), "none");
+  EXPECT_EQ(errorOf("x (m),z (m)\n0,0\n10,1000\n20,-1000\n"), "no error");
   choices.heightUnit = "furlong";
   EXPECT_THAT(errorOf(text(1, 1), choices), HasSubstr("surface.height_unit"));
   EXPECT_THAT(errorOf("x (s),z (um)\n0,1\n1,2\n2,3\n"),

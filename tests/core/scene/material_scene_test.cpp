@@ -9,6 +9,7 @@
 #include "core/material/material_library.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -34,12 +35,7 @@ class MaterialScene : public testing::Test {
     return readScene(json, "s.json", folder_.path(), assignments);
   }
   std::string errorOf(const std::string& json, const Assignments& assignments = {}) const {
-    try {
-      read(json, assignments);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return errorFrom([&] { read(json, assignments); });
   }
 
   TemporaryFolder folder_;

@@ -11,6 +11,7 @@
 
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -110,12 +111,7 @@ TEST(Provenance, ALargeFileIsReadAtBothEnds) {
 }
 
 std::string refusal(const std::filesystem::path& file) {
-  try {
-    readProvenance(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return errorFrom([&] { readProvenance(file); });
 }
 
 TEST(Provenance, RefusesFilesWithoutAScene) {
@@ -186,7 +182,7 @@ TEST(Provenance, ResultsOfManyScenesOrNoneAreForRemakingAlone) {
   EXPECT_EQ(found.parts[1].origin["error"], "why");
   const auto none = folder.write(
       "n.json", R"({"verb":"material","origin":{"file":"dma.csv","sha256":"0"},"name":"x"})");
-  EXPECT_NE(refusal(none), "");
+  EXPECT_NE(refusal(none), "no error");
   const FoundScene material = findResult(none);
   EXPECT_EQ(material.verb, "material");
   EXPECT_EQ(inputsOf(material)[0].name, "dma.csv");

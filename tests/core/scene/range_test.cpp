@@ -6,18 +6,16 @@
 #include <string>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
 
 std::string refusal(const std::string& text) {
-  try {
+  return errorFrom([&] {
     const ParameterRange range = rangeFromOption("--over", text);
     checkRange(range, Scene{});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  });
 }
 
 TEST(Range, IsLogarithmicWhereTheSliderIs) {
@@ -53,7 +51,7 @@ TEST(Range, WholeNumbersAreRoundedWithoutRepeats) {
 }
 
 TEST(Range, ALinearKeyMayTouchZeroAndALogarithmicOneSaysSo) {
-  EXPECT_EQ(refusal("interface.friction_coefficient=0:1:3"), "");
+  EXPECT_EQ(refusal("interface.friction_coefficient=0:1:3"), "no error");
   EXPECT_EQ(refusal("interface.friction_coefficient=0:1:3:log"),
             "interface.friction_coefficient: a logarithmic range needs ends above 0; 0 is not");
 }
@@ -71,7 +69,7 @@ TEST(Range, BadTextIsOneLineWithItsKey) {
   EXPECT_EQ(refusal("load.normal_force=1:2mm:3"),
             "load.normal_force: 2mm is a length; wanted is a force, such as 3.4 mN");
   for (const char* text : {"1:2", "1:2:3:4", "1:2:x", "1:2:3:lin", "1:2:3:log:log", "1:2:2.5"})
-    EXPECT_NE(refusal(std::string("load.normal_force=") + text), "") << text;
+    EXPECT_NE(refusal(std::string("load.normal_force=") + text), "no error") << text;
   EXPECT_EQ(refusal("load.normal_force=1:2:0"),
             "load.normal_force: 0 points are outside 1 to 100000");
 }

@@ -4,6 +4,7 @@
 
 #include "core/base/input_error.h"
 #include "core/scene/parameters.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -12,12 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string errorOf(const std::string& json, const std::vector<std::string>& assignments = {}) {
-  try {
-    readScene(json, "s.json", {}, assignments);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
 }
 
 TEST(SceneFile, WhatIsLeftOutHasItsDefault) {

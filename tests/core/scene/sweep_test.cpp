@@ -6,6 +6,7 @@
 
 #include "core/base/input_error.h"
 #include "core/scene/scene_file.h"
+#include "tests/core/error_from.h"
 
 namespace asperity {
 namespace {
@@ -23,21 +24,11 @@ Scene sceneOver(const std::string& key, const std::string& from, const std::stri
 
 std::string errorOver(const std::string& key, const std::string& from, const std::string& to,
                       const std::vector<std::string>& more = {}) {
-  try {
-    sceneOver(key, from, to, more);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { sceneOver(key, from, to, more); });
 }
 
 std::string errorOf(const std::string& json, const std::vector<std::string>& assignments = {}) {
-  try {
-    readScene(json, "s.json", {}, assignments);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { readScene(json, "s.json", {}, assignments); });
 }
 
 TEST(AnotherAxis, EndsAreTypedInTheUnitOfTheirKey) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -16,12 +17,7 @@ ParameterStudy parse(const std::string& members, const std::filesystem::path& fo
 }
 
 std::string refusal(const std::string& members) {
-  try {
-    parse(members);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
+  return errorFrom([&] { parse(members); });
 }
 
 TEST(StudyFile, ReadsAGrid) {
@@ -194,12 +190,7 @@ TEST(StudyFile, MistakesOfATableNameFileAndLine) {
   const TemporaryFolder folder;
   const auto says = [&](const std::string& table) -> std::string {
     folder.write("rows.csv", table);
-    try {
-      parse(R"("space":{"rows":"rows.csv"})", folder.path());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "not refused";
+    return errorFrom([&] { parse(R"("space":{"rows":"rows.csv"})", folder.path()); });
   };
   EXPECT_THAT(says("load.normal_forse,surface.seed\n0.01,1\n0.02,2\n"),
               testing::HasSubstr("the nearest known one is load.normal_force"));

@@ -12,6 +12,7 @@
 
 #include "core/base/input_error.h"
 #include "core/study/study_merge.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -44,15 +45,6 @@ std::vector<std::int64_t> chunksIn(const StudyStore& store) {
     return true;
   });
   return numbers;
-}
-
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "not refused";
 }
 
 /// Changes a store behind the program's back.
@@ -123,18 +115,18 @@ TEST_F(StudyStoreTest, AnotherStudyIsRefusedWithTheDifference) {
   std::string other = kStudy;
   other.replace(other.find("22"), 2, "23");
   const ParameterStudy changed = readStudy(other, "s.json", {});
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "s", changed, {}); }),
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "s", changed, {}); }),
               testing::AllOf(testing::HasSubstr("/s: is the store of another study"),
                              testing::HasSubstr("space.load.normal_force")));
 }
 
 TEST_F(StudyStoreTest, AnotherShardIsRefused) {
   storeWithout("s", {}, {2, 3});
-  EXPECT_THAT(refusal([&] {
+  EXPECT_THAT(errorFrom([&] {
                 StudyStore(folder / "s", study, {1, 3});
               }),
               testing::HasSubstr("of shard 2/3, not of shard 1/3"));
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "s", study, {}); }),
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "s", study, {}); }),
               testing::HasSubstr("of shard 2/3, not of the whole study"));
 }
 
@@ -142,16 +134,17 @@ TEST_F(StudyStoreTest, ForeignFilesAreNamed) {
   folder.write("text", "not a store at all, but long enough to be one");
   folder.write("empty", "");
   folder.write("picture", "\x89PNG\r\n\x1a\n and so on");
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "text"); }),
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "text"); }),
               testing::HasSubstr("is not the store of a study"));
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "picture"); }), testing::HasSubstr("PNG"));
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "empty"); }), testing::HasSubstr("is empty"));
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "nothing"); }), testing::HasSubstr("is not there"));
-  EXPECT_THAT(refusal([&] { StudyStore{folder.path()}; }), testing::HasSubstr("is a folder"));
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "text", study, {}); }),
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "picture"); }), testing::HasSubstr("PNG"));
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "empty"); }), testing::HasSubstr("is empty"));
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "nothing"); }),
+              testing::HasSubstr("is not there"));
+  EXPECT_THAT(errorFrom([&] { StudyStore{folder.path()}; }), testing::HasSubstr("is a folder"));
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "text", study, {}); }),
               testing::HasSubstr("is not the store of a study"));
   execute(folder / "other.db", "CREATE TABLE t (a)");
-  EXPECT_THAT(refusal([&] { StudyStore(folder / "other.db"); }),
+  EXPECT_THAT(errorFrom([&] { StudyStore(folder / "other.db"); }),
               testing::HasSubstr("is a database, but not the store of a study"));
   EXPECT_EQ(folder.read(folder / "text"), "not a store at all, but long enough to be one");
 }
@@ -159,7 +152,7 @@ TEST_F(StudyStoreTest, ForeignFilesAreNamed) {
 TEST_F(StudyStoreTest, ANewerSchemaIsRefused) {
   const auto file = storeWithout("s", {});
   execute(file, "PRAGMA user_version=2");
-  EXPECT_THAT(refusal([&] { StudyStore{file}; }),
+  EXPECT_THAT(errorFrom([&] { StudyStore{file}; }),
               testing::HasSubstr("has schema 2; this program knows 1: a newer one is needed"));
 }
 
@@ -167,7 +160,7 @@ TEST_F(StudyStoreTest, AChangedNumberIsFound) {
   const auto file = storeWithout("s", {});
   execute(file, "UPDATE chunks SET numbers = zeroblob(length(numbers)) WHERE number = 3");
   const StudyStore store(file);
-  EXPECT_THAT(refusal([&] { chunksIn(store); }),
+  EXPECT_THAT(errorFrom([&] { chunksIn(store); }),
               testing::HasSubstr("is damaged: chunk 3 is not what was written"));
 }
 
@@ -201,7 +194,7 @@ TEST_F(StudyStoreTest, ACutFileIsNamed) {
   for (const std::size_t length : {whole.size() / 2, whole.size() - 4096, std::size_t{100}}) {
     std::filesystem::remove(folder / "c");
     folder.write("c", whole.substr(0, length));
-    EXPECT_THAT(refusal([&] {
+    EXPECT_THAT(errorFrom([&] {
                   const StudyStore store(folder / "c");
                   store.check();
                   chunksIn(store);
@@ -257,7 +250,7 @@ TEST_F(StudyStoreTest, AShardOfAnotherStudyIsRefused) {
   text.replace(text.find("0.001"), 5, "0.002");
   const ParameterStudy other = readStudy(text, "s.json", {});
   StudyStore(folder / "p2", other, {2, 2}).add(chunkOf(other, 1));
-  EXPECT_THAT(refusal([&] {
+  EXPECT_THAT(errorFrom([&] {
                 mergeStores({one, folder / "p2"}, folder / "merged");
               }),
               testing::AllOf(testing::HasSubstr("/p2: is of another study than"),
@@ -271,7 +264,7 @@ TEST_F(StudyStoreTest, DifferentResultsOfOneChunkAreRefused) {
   StudyChunk chunk = chunkOf(study, 2);
   chunk.values[0] += 1;
   two.add(chunk);
-  EXPECT_THAT(refusal([&] {
+  EXPECT_THAT(errorFrom([&] {
                 mergeStores({one, folder / "b"}, folder / "merged");
               }),
               testing::HasSubstr("/b: has other results of chunk 2"));

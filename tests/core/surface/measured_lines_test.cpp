@@ -11,6 +11,7 @@
 #include <random>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 #include "tests/core/isotropic_surface.h"
 
 namespace asperity {
@@ -56,13 +57,10 @@ std::vector<double> nodesOf(const FourierLine& line, std::size_t points) {
 }
 
 std::string errorOf(const Scene& scene, const Topography& topography) {
-  try {
+  return errorFrom([&] {
     const MeasuredLines lines(scene, fileOf(topography));
     lines.modes(0);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  });
 }
 
 TEST(MeasuredLines, OfAMirroredProfileAreTwiceAsLongAndEven) {

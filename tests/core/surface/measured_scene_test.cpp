@@ -20,6 +20,7 @@
 #include "core/scene/scene_file.h"
 #include "core/surface/measured_summary.h"
 #include "core/surface/surface_file.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -74,12 +75,7 @@ class MeasuredScene : public testing::Test {
   }
 
   std::string errorOf(const std::vector<std::string>& settings, const std::string& file = "p.txt") {
-    try {
-      LineSource(scene(settings, file), 1);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return errorFrom([&] { LineSource(scene(settings, file), 1); });
   }
 
   TemporaryFolder folder_;

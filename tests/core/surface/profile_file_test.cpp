@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "tests/core/error_from.h"
 #include "tests/core/temporary_folder.h"
 
 namespace asperity {
@@ -16,12 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string errorOf(const std::string& text) {
-  try {
-    parseProfile(text, "p.csv");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return errorFrom([&] { parseProfile(text, "p.csv"); });
 }
 
 TEST(ProfileFile, PositionAndHeightWithAHeader) {
@@ -181,15 +177,10 @@ TEST(ProfileExtent, IsThatOfTheWholeFile) {
 TEST(ProfileExtent, AFaultAtEitherEndIsFoundWithItsRow) {
   const TemporaryFolder folder;
   const std::string good = waves(40000, true);
-  const auto complaint = [&](const std::string& text) -> std::string {
-    try {
-      profileExtent(folder.write("p.csv", text));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+  const auto complaint = [&](const std::string& text) {
+    return errorFrom([&] { profileExtent(folder.write("p.csv", text)); });
   };
-  EXPECT_EQ(complaint(good), "none");
+  EXPECT_EQ(complaint(good), "no error");
   EXPECT_THAT(complaint(good + "high,1\n"), HasSubstr("row 40002: column 1 is not a number"));
   EXPECT_THAT(complaint(good + "0,1\n"), HasSubstr("positions must increase"));
   EXPECT_THAT(complaint(good + "9,1\n"), HasSubstr("positions must be uniform"));
