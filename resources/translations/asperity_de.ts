@@ -2554,11 +2554,11 @@
     </message>
     <message>
         <source>μ of the local friction</source>
-        <translation>μ der örtlichen Reibung</translation>
+        <translation>μ der lokalen Reibung</translation>
     </message>
     <message>
         <source>μ with the local friction</source>
-        <translation>μ mit der örtlichen Reibung</translation>
+        <translation>μ mit der lokalen Reibung</translation>
     </message>
     <message>
         <source>mean of the ratios of force to load</source>

@@ -17,6 +17,7 @@
 #include "ui/window/lesson/lesson_pane.h"
 #include "ui/window/lesson/lessons.h"
 #include "ui/window/lesson/prediction_point.h"
+#include "ui/window/main/scene_tabs.h"
 
 namespace asperity {
 namespace {
@@ -26,6 +27,8 @@ using testing::IsEmpty;
 constexpr QSize kSmall(1024, 700);
 constexpr QSize kLeastChart(300, 100);    // pixels of a chart that can be read
 constexpr QSize kLeastContact(300, 150);  // and of the contact
+
+constexpr int kLayoutPatience = 1500;  // ms, until a layout has settled
 
 using Faults = std::vector<std::string>;
 
@@ -125,9 +128,14 @@ TEST_P(LessonLayout, EveryStepIsWholeAndReachedInASmallWindow) {
       useLanguage(language);
       EXPECT_EQ(cutOffIn(lessons.pane()), "");
       Faults faults;
-      findWideWords(lessons.pane(), faults);
-      findOverlaps(*window->findChild<QDockWidget*>("lessonDock"), faults);
-      findWhatIsOutOfSight(*window, faults);
+      const auto isWhole = [&] {
+        faults.clear();
+        findWideWords(lessons.pane(), faults);
+        findOverlaps(*window->findChild<QDockWidget*>("lessonDock"), faults);
+        findWhatIsOutOfSight(*window, faults);
+        return faults.empty();
+      };
+      (void)QTest::qWaitFor(isWhole, kLayoutPatience);
       if (std::string_view(language) == "en") findUnreached(*window, faults);
       EXPECT_THAT(faults, IsEmpty());
     }

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
+#include <QTableWidget>
 #include <QToolButton>
 
 #include "tests/core/lesson/lesson_samples.h"
@@ -382,6 +383,92 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   EXPECT_EQ(read.steps[0].scene.load.normalForce, 0.005);
   EXPECT_EQ(read.steps[1].scene.load.normalForce, 0.007);
   EXPECT_TRUE(editor.mayClose());
+}
+
+/// By mouse and keys alone, as a teacher who has never seen a lesson's file.
+TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
+  TemporaryFolder folder;
+  LessonEditor& editor = lessons().showEditor({}, {});
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&editor));
+  const auto write = [&](const char* name, const char* text) {
+    auto& field = *editor.findChild<QWidget*>(name);
+    field.setFocus();
+    QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&field, text);
+  };
+  const auto press = [&](const char* name) {
+    QTest::mouseClick(editor.findChild<QPushButton*>(name), Qt::LeftButton);
+  };
+  const auto choose = [&](const char* name, int index) {
+    auto& box = *editor.findChild<QComboBox*>(name);
+    box.setFocus();
+    while (box.currentIndex() < index) QTest::keyClick(&box, Qt::Key_Down);
+  };
+  const auto change = [&](const char* list, const char* key, const char* value) {
+    emit editor.findChild<QToolButton*>(list)->menu()->aboutToShow();
+    editor.findChild<QAction*>(QStringLiteral("%1With:%2").arg(list, key))->trigger();
+    QTest::keyClicks(editor.findChild<QWidget*>(QStringLiteral("%1:%2").arg(list, key)), value);
+  };
+  write("editorTitle", "Mine");
+  write("editorGoal", "You see three things.");
+
+  press("editorAdd");
+  EXPECT_TRUE(editor.findChild<QWidget*>("editorText")->hasFocus());
+  QTest::keyClicks(QApplication::focusWidget(), "Look at the contact.");
+  choose("editorKind", 1);
+  write("editorQuestion", "Which side is touched?");
+  auto& table = *editor.findChild<QTableWidget*>("editorChoices");
+  const char* sides[] = {"the front", "the back"};
+  for (int row = 0; row < 2; ++row) {
+    table.setFocus();
+    table.setCurrentCell(row, 0);
+    QTest::keyClicks(&table, sides[row]);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  }
+  table.setFocus();
+  table.setCurrentCell(0, 1);
+  QTest::keyClick(&table, Qt::Key_Space);
+  EXPECT_EQ(editor.complaint(), QString());
+
+  type("load.normal_force", "5 mN");
+  press("editorAdd");
+  QTest::keyClicks(QApplication::focusWidget(), "Twice the load.");
+  choose("editorKind", 2);
+  choose("editorValue", 1);
+  change("editorValueSet", "load.normal_force", "10 mN");
+  change("editorAfter", "load.normal_force", "10 mN");
+  write("editorQuestion", "How many times as large is friction?");
+  EXPECT_EQ(editor.complaint(), QString());
+
+  press("editorAdd");
+  QTest::keyClicks(QApplication::focusWidget(), "The whole curve.");
+  choose("editorKind", 3);
+  write("editorQuestion", "How large is friction at 0.1 m/s?");
+  write("editorX", "0.1");
+  EXPECT_EQ(editor.complaint(), QString());
+
+  const std::string file = (folder / "mine.json").string();
+  ASSERT_TRUE(editor.saveTo(QString::fromStdString(file)));
+  const Lesson read = readLessonFile(file);
+  ASSERT_EQ(read.steps.size(), 3U);
+  EXPECT_EQ(predictionsOf(read), 3);
+  EXPECT_TRUE(read.steps[0].prediction->choices[0].isRight);
+  EXPECT_EQ(read.steps[1].prediction->answer->set,
+            std::vector<std::string>{"load.normal_force=0.01"});
+  EXPECT_EQ(read.steps[1].scene.load.normalForce, 0.005);
+  EXPECT_EQ(read.steps[2].scene.load.normalForce, 0.005);
+  EXPECT_EQ(read.steps[2].prediction->x, 0.1);
+
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(1);
+  press("editorTry");
+  EXPECT_FALSE(editor.isVisible());
+  for (int step = 0; step < 3; ++step) {
+    EXPECT_EQ(lessons().step(), step);
+    click("lessonShow");
+    ASSERT_TRUE(waitForAnswer());
+    click("lessonNext");
+  }
+  EXPECT_TRUE(editor.isVisible());
 }
 
 TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {

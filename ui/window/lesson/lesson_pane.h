@@ -62,6 +62,7 @@ class LessonPane : public QWidget {
   void addChoices(const LessonPrediction& prediction, const LessonPage& page);
   void addNumber(const LessonPage& page);
   void clearInput();
+  void scroll(bool isRevealed);
   void showButtons();
   void check();
   std::optional<GivenAnswer> typedAnswer() const;
