@@ -1,8 +1,9 @@
 // Walks through a lesson on a real display and saves a picture of the screen of every step, before
 // and after its answer. Usage: lesson_screenshot FOLDER --lesson NAME [--dark] [--size WxH]
-// [--language CODE] [--only STEP] [--every] [--list] [--notes] [--editor STEP]. With --every each
-// picture is saved at three sizes, in both themes and both languages, in a folder for each, such as
-// "1024x700 dark de"; the display has to be as large as the largest.
+// [--language CODE] [--only STEP] [--every] [--list] [--notes] [--editor STEP] [--handout FILE
+// [--teacher]]. With --every each picture is saved at three sizes, in both themes and both
+// languages, in a folder for each, such as "1024x700 dark de"; the display has to be as large as
+// the largest.
 #include <QApplication>
 #include <QCheckBox>
 #include <QCommandLineParser>
@@ -20,6 +21,7 @@
 
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
+#include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lessons.h"
@@ -54,7 +56,7 @@ bool saveEvery(MainWindow& window, const QString& folder, const QString& name) {
       useLanguage(language);
       for (const bool isDark : {false, true}) {
         window.appearance().setDark(isDark);
-        settle(window, 350);
+        settle(window, size.width() > 2000 ? 1500 : 600);  // a large contact is drawn for longer
         const QDir in(QStringLiteral("%1/%2x%3 %4 %5")
                           .arg(folder)
                           .arg(size.width())
@@ -94,7 +96,9 @@ int main(int argc, char** argv) {
                      {"every", "each picture at every size, in every theme and language"},
                      {"list", "the page of all lessons"},
                      {"notes", "that page with the notes for teachers"},
-                     {"editor", "the editor at a step, from 1", "STEP"}});
+                     {"editor", "the editor at a step, from 1; 0: the lesson", "STEP"},
+                     {"handout", "instead, a handout as HTML or PDF", "FILE"},
+                     {"teacher", "the handout is for teachers"}});
   parser.process(application);
   const QString folder = parser.positionalArguments().value(0);
   prepareApplication(application);
@@ -111,6 +115,12 @@ int main(int argc, char** argv) {
     return save(window, folder + "/list.png") ? 0 : 1;
   }
   if (!window.lessons().open(parser.value("lesson"))) return 1;
+  if (parser.isSet("handout")) {
+    HandoutOptions options;
+    options.forTeacher = parser.isSet("teacher");
+    writeHandout(parser.value("handout").toStdString(), *window.lessons().lesson(), options);
+    return 0;
+  }
   if (parser.isSet("editor")) {
     LessonEditor& editor = window.lessons().showEditor(*window.lessons().lesson(), {});
     editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(parser.value("editor").toInt());

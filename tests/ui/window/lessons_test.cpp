@@ -320,6 +320,19 @@ TEST_F(LessonsTest, GoesForwardAndBackByKeys) {
   EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
 }
 
+/// The picture's title, too, which is that of the step; what was changed stays.
+TEST_F(LessonsTest, ALessonChangesItsLanguage) {
+  ASSERT_TRUE(lessons().open("load_and_friction"));
+  press("load.normal_force");
+  const double force = session().scene().load.normalForce;
+  useLanguage("de");
+  EXPECT_EQ(said("lessonStepTitle"), "Das Gesetz von Amontons");
+  EXPECT_EQ(session().scene().title, "Das Gesetz von Amontons");
+  EXPECT_EQ(session().scene().load.normalForce, force);
+  useLanguage("en");
+  EXPECT_EQ(session().scene().title, "Amontons' law");
+}
+
 TEST_F(LessonsTest, AStepBringsItsTabToTheFront) {
   const std::pair<const char*, const char*> tabs[] = {
       {"curve", "frictionPlot"},    {"spectrum", "spectrumView"},  {"statistics", "statisticsView"},
@@ -389,6 +402,7 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
 TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   TemporaryFolder folder;
   LessonEditor& editor = lessons().showEditor({}, {});
+  editor.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&editor));
   const auto write = [&](const char* name, const char* text) {
     auto& field = *editor.findChild<QWidget*>(name);
@@ -549,7 +563,7 @@ TEST_F(LessonsTest, TheEditorChangesParametersInPlainWords) {
   EXPECT_EQ(editor.complaint(), QString());
   editor.findChild<QToolButton*>("editorSetWithout:load.normal_force")->click();
   EXPECT_EQ(editor.lesson().steps[1].set, std::vector<std::string>{"sliding.velocity=0.003"});
-  EXPECT_EQ(editor.findChild<QLineEdit*>("editorSet:sliding.velocity")->text(), "0.003 m/s");
+  EXPECT_EQ(editor.findChild<QLineEdit*>("editorSet:sliding.velocity")->text(), "3 mm/s");
 }
 
 /// Nothing of the editor is a word of the file: no key, no column, no member.

@@ -73,7 +73,7 @@ void AssignmentList::showRows() {
     before = before->previousInFocusChain();
   if (rows_) {
     column_->removeWidget(rows_);
-    rows_->hide();
+    rows_->setParent(nullptr);
     rows_->deleteLater();  // one of its buttons may have been pressed
   }
   rows_ = new QWidget;
@@ -84,7 +84,7 @@ void AssignmentList::showRows() {
   column_->insertWidget(0, rows_);
   rows_->setVisible(!assignments_.empty());
   for (QWidget* field : rows_->findChildren<QWidget*>())
-    if (field->focusPolicy() & Qt::TabFocus) {
+    if (field->focusPolicy() & Qt::TabFocus && before->window() == window()) {
       setTabOrder(before, field);
       before = field;
     }

@@ -43,7 +43,9 @@ namespace {
 constexpr int kContactWidth = 1500, kContactHeight = 420, kChartWidth = 1300, kChartHeight = 600;
 constexpr float kPictureScale = 2;
 // On paper, in millimetres.
-constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kFootHeight = 8;
+constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
+                 kFootHeight = 8;
+constexpr double kShort = 0.65;   // of a page: what stays together if it is short
 constexpr int kResolution = 300;  // per inch
 
 QString utf(const std::string& text) {
@@ -55,12 +57,15 @@ struct Picture {
   QString name;  // what a person who cannot see it is told
 };
 
-/// A block of the page: HTML, or a picture. On paper it is never parted, nor from the next one if
-/// it stays with that: a heading with its text, a question with what is answered to it.
+/// Whether a block stays on the page of the next one: a heading does with its text; a question with
+/// the pictures above it where that leaves no large part of a page empty.
+enum class Stays { No, IfShort, Always };
+
+/// A block of the page: HTML, or a picture. On paper it is never parted.
 struct Block {
   QString html;
   std::optional<Picture> picture{};
-  bool staysWithNext = false;
+  Stays withNext = Stays::No;
 };
 
 Scene untitled(Scene scene) {
@@ -86,16 +91,16 @@ class HandoutMaker {
   }
 
  private:
-  void add(const QString& html, bool staysWithNext = false) {
-    blocks_.push_back({html, {}, staysWithNext});
+  void add(const QString& html, Stays withNext = Stays::No) {
+    blocks_.push_back({html, {}, withNext});
   }
 
   void addHead() {
-    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", true);
+    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", Stays::Always);
     add("<p><b>" + utf(Words::tr("Goal")) + ":</b> " + plainText(lesson_.goal).toHtmlEscaped() +
         " (" + utf(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
     if (!options_.forTeacher || lesson_.notes.empty()) return;
-    add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", true);
+    add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", Stays::Always);
     add(richText(shown(lesson_.notes)));
   }
 
@@ -104,15 +109,15 @@ class HandoutMaker {
     add(QStringLiteral("<h2>%1. %2</h2>")
             .arg(number + 1)
             .arg(plainText(step.title).toHtmlEscaped()),
-        true);
+        Stays::Always);
     add(richText(shown(step.text)));
     const std::size_t text = blocks_.size() - 1;
     addContact(step.scene);
     if (isDrawnInto(step) || !step.show.hidesCurve) addChart(step, step.scene, isDrawnInto(step));
-    blocks_[text].staysWithNext = blocks_.size() > text + 1;
+    keepTogether(text);
     if (!step.prediction) return;
     // What is drawn into an empty chart is the answer to the question below it.
-    if (isDrawnInto(step)) blocks_.back().staysWithNext = true;
+    blocks_.back().withNext = isDrawnInto(step) ? Stays::Always : Stays::IfShort;
     addQuestion(*step.prediction);
     if (options_.forTeacher) addAnswer(step);
   }
@@ -235,13 +240,19 @@ class HandoutMaker {
     if (answer.choice >= 0 && prediction.answer)
       said += QStringLiteral(" (%1)").arg(QString::fromStdString(numberInWords(answer.number)));
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>",
-        !step.reveal.empty());
+        step.reveal.empty() ? Stays::No : Stays::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
     const std::size_t last = blocks_.size() - 1;
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
     if (step.show.hidesCurve && !step.show.hidesCurveAfter)
       addChart(step, step.revealedScene, false);
-    blocks_[last].staysWithNext = blocks_.size() > last + 1;
+    keepTogether(last);
+  }
+
+  /// Keeps a text with the picture below it, and that one with another.
+  void keepTogether(std::size_t text) {
+    for (std::size_t i = text; i + 1 < blocks_.size(); ++i)
+      blocks_[i].withNext = i == text ? Stays::Always : Stays::IfShort;
   }
 
   const Lesson& lesson_;
@@ -273,6 +284,7 @@ class HandoutPages {
       if (i > 0) writer_.newPage();
       double y = 0;
       for (const std::size_t part : pages[i]) {
+        y += part == pages[i].front() ? 0 : parts_[part].above;
         drawPart(part, y);
         y += parts_[part].height;
       }
@@ -283,6 +295,7 @@ class HandoutPages {
  private:
   struct Part {
     std::unique_ptr<QTextDocument> text;  // none: a picture
+    double above = 0;                     // dots, of the gap below what is above it on the page
     double height = 0;                    // dots, with the gap below
   };
 
@@ -304,8 +317,22 @@ class HandoutPages {
                        "p{margin:0 0 6px 0} ul{margin:0 0 6px 0} li{margin:0 0 3px 0}"));
     part.text->setHtml(block.html);
     part.text->setTextWidth(writer_.width());
-    part.height = part.text->size().height();
+    part.above = block.html.startsWith("<h2") ? dots(kHeadingGap) : 0;
+    part.height = part.text->size().height() + dots(kTextGap);
     return part;
+  }
+
+  /// Returns the end of the parts that stay together in any case.
+  std::size_t endOfGroup(std::size_t first) const {
+    std::size_t end = first + 1;
+    while (end < parts_.size() && blocks_[end - 1].withNext == Stays::Always) ++end;
+    return end;
+  }
+
+  double heightOf(std::size_t first, std::size_t end) const {
+    double height = 0;
+    for (std::size_t i = first; i < end; ++i) height += parts_[i].above + parts_[i].height;
+    return height;
   }
 
   /// Returns the parts of each page.
@@ -314,13 +341,16 @@ class HandoutPages {
     std::vector<std::vector<std::size_t>> pages(1);
     double used = 0;
     for (std::size_t first = 0; first < parts_.size();) {
-      std::size_t end = first + 1;
-      double height = parts_[first].height;
-      while (end < parts_.size() && blocks_[end - 1].staysWithNext) height += parts_[end++].height;
-      const bool isTooLarge = height > room;
-      if (isTooLarge) {
+      std::size_t end = endOfGroup(first);
+      double height = heightOf(first, end);
+      while (end < parts_.size() && blocks_[end - 1].withNext == Stays::IfShort &&
+             heightOf(first, endOfGroup(end)) <= kShort * room) {
+        end = endOfGroup(end);
+        height = heightOf(first, end);
+      }
+      if (height > room) {
         end = first + 1;
-        height = parts_[first].height;
+        height = heightOf(first, end);
       }
       if (used > 0 && used + height > room) {
         pages.emplace_back();
@@ -377,13 +407,14 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
           "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
           "</style></head>\n<body>\n";
   for (const Block& block : HandoutMaker(lesson, options).make()) {
-    if (block.staysWithNext) html += "<div class=\"stays\">";
+    const bool stays = block.withNext != Stays::No;
+    if (stays) html += "<div class=\"stays\">";
     html += block.html.toUtf8();
     if (block.picture)
       html += "<p><img alt=\"" + block.picture->name.toHtmlEscaped().toUtf8() +
               "\" src=\"data:image/png;base64," + pngBytes(block.picture->image).toBase64() +
               "\"></p>";
-    html += block.staysWithNext ? "</div>\n" : "\n";
+    html += stays ? "</div>\n" : "\n";
   }
   return html + "</body>\n</html>\n";
 }

@@ -72,6 +72,11 @@ QString LessonForm::textOf(const LessonText& text) const {
   return QString::fromStdString(isGerman_ ? text.german : text.english);
 }
 
+void LessonForm::showIn(QLineEdit& line, const QString& text) {
+  line.setText(text);
+  line.setCursorPosition(0);
+}
+
 void LessonForm::write(LessonText& text, const QString& written) const {
   (isGerman_ ? text.german : text.english) = written.trimmed().toStdString();
 }

@@ -52,6 +52,8 @@ class LessonForm : public QWidget {
   void tell();
 
   QString textOf(const LessonText& text) const;
+  /// Shows a text from its beginning.
+  static void showIn(QLineEdit& line, const QString& text);
   void write(LessonText& text, const QString& written) const;
 
  signals:

@@ -147,6 +147,12 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   all->addWidget(scroll_, 1);
   all->addLayout(foot);
 
+  // Texts get their heights one after the other, and others with the width of the window.
+  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
+    if (!isScrolledByHand_) scroll();
+  });
+  connect(scroll_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
+          [this] { isScrolledByHand_ = true; });
   connect(back_, &QPushButton::clicked, this, &LessonPane::backWanted);
   connect(show_, &QPushButton::clicked, this, &LessonPane::surrendered);
   connect(next_, &QPushButton::clicked, this, [this] {
@@ -223,15 +229,17 @@ void LessonPane::showStep(const LessonPage& page) {
   next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
   fill(*reveal_, reveal);
   showButtons();
-  QTimer::singleShot(0, this, [this, isRevealed = page.answer != nullptr] { scroll(isRevealed); });
+  isRevealed_ = page.answer != nullptr;
+  isScrolledByHand_ = false;
+  QTimer::singleShot(0, this, &LessonPane::scroll);
 }
 
 /// Shows the beginning of a step. Of an answer it shows all from the question on; where there is no
 /// room for that, its beginning: from the question, or from the verdict if that would be out of
 /// sight.
-void LessonPane::scroll(bool isRevealed) {
+void LessonPane::scroll() {
   QScrollBar& bar = *scroll_->verticalScrollBar();
-  if (!isRevealed) return bar.setValue(0);
+  if (!isRevealed_) return bar.setValue(0);
   const int end = bar.maximum();
   const auto isSeen = [&](const QWidget& part, int from) {
     return part.geometry().bottom() <= from + scroll_->viewport()->height();

@@ -150,7 +150,13 @@ void Lessons::buildDock() {
     keep_->setAccessibleName(tr("keep results"));
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
-    if (isRunning()) showPage();
+    if (isRunning()) {
+      // The scene has the step's title, and keeps what the student changed.
+      Scene scene = parts_.document.scene();
+      scene.title = shown(present().title);
+      if (!(scene == parts_.document.scene())) parts_.document.edit(scene);
+      showPage();
+    }
     showTitle();
   });
 }

@@ -76,9 +76,9 @@ void PredictionFields::addChoices() {
 void PredictionFields::show(const LessonStep& step) {
   const LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
-  question_->setText(page_.textOf(prediction.question));
-  right_->setText(page_.textOf(prediction.right));
-  wrong_->setText(page_.textOf(prediction.wrong));
+  LessonForm::showIn(*question_, page_.textOf(prediction.question));
+  LessonForm::showIn(*right_, page_.textOf(prediction.right));
+  LessonForm::showIn(*wrong_, page_.textOf(prediction.wrong));
   tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
   x_->setText(prediction.x ? shownNumber(*prediction.x) : QString());
   value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
