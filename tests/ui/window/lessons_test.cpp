@@ -402,8 +402,6 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
 TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   TemporaryFolder folder;
   LessonEditor& editor = lessons().showEditor({}, {});
-  editor.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&editor));
   const auto write = [&](const char* name, const char* text) {
     auto& field = *editor.findChild<QWidget*>(name);
     field.setFocus();
@@ -427,8 +425,8 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   write("editorGoal", "You see three things.");
 
   press("editorAdd");
-  EXPECT_TRUE(editor.findChild<QWidget*>("editorText")->hasFocus());
-  QTest::keyClicks(QApplication::focusWidget(), "Look at the contact.");
+  EXPECT_EQ(editor.focusWidget(), editor.findChild<QWidget*>("editorText"));
+  QTest::keyClicks(editor.focusWidget(), "Look at the contact.");
   choose("editorKind", 1);
   write("editorQuestion", "Which side is touched?");
   auto& table = *editor.findChild<QTableWidget*>("editorChoices");
@@ -437,7 +435,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
     table.setFocus();
     table.setCurrentCell(row, 0);
     QTest::keyClicks(&table, sides[row]);
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTest::keyClick(table.findChildren<QLineEdit*>().last(), Qt::Key_Return);
   }
   table.setFocus();
   table.setCurrentCell(0, 1);
@@ -446,7 +444,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
 
   type("load.normal_force", "5 mN");
   press("editorAdd");
-  QTest::keyClicks(QApplication::focusWidget(), "Twice the load.");
+  QTest::keyClicks(editor.focusWidget(), "Twice the load.");
   choose("editorKind", 2);
   choose("editorValue", 1);
   change("editorValueSet", "load.normal_force", "10 mN");
@@ -455,7 +453,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   EXPECT_EQ(editor.complaint(), QString());
 
   press("editorAdd");
-  QTest::keyClicks(QApplication::focusWidget(), "The whole curve.");
+  QTest::keyClicks(editor.focusWidget(), "The whole curve.");
   choose("editorKind", 3);
   write("editorQuestion", "How large is friction at 0.1 m/s?");
   write("editorX", "0.1");

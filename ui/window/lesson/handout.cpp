@@ -45,7 +45,7 @@ constexpr float kPictureScale = 2;
 // On paper, in millimetres.
 constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
                  kFootHeight = 8;
-constexpr double kShort = 0.65;   // of a page: what stays together if it is short
+constexpr double kShort = 0.72;   // of a page: what stays together if it is short
 constexpr int kResolution = 300;  // per inch
 
 QString utf(const std::string& text) {
