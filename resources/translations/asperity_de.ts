@@ -658,6 +658,25 @@
     </message>
 </context>
 <context>
+    <name>asperity::AssignmentList</name>
+    <message>
+        <source>Change a parameter…</source>
+        <translation>Parameter ändern…</translation>
+    </message>
+    <message>
+        <source>Removes this change</source>
+        <translation>Entfernt diese Änderung</translation>
+    </message>
+    <message>
+        <source>remove the change of “%1”</source>
+        <translation>die Änderung von „%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>Allowed: %1</source>
+        <translation>Erlaubt: %1</translation>
+    </message>
+</context>
+<context>
     <name>asperity::AxisChoosers</name>
     <message>
         <source>horizontal axis</source>
@@ -1934,6 +1953,45 @@
     </message>
 </context>
 <context>
+    <name>asperity::HandoutSaver</name>
+    <message>
+        <source>Handout</source>
+        <translation>Arbeitsblatt</translation>
+    </message>
+    <message>
+        <source>A handout for students has the questions; one for teachers has the answers and the notes, too.</source>
+        <translation>Ein Arbeitsblatt für Lernende hat die Fragen; eines für Lehrende hat auch die Antworten und die Hinweise.</translation>
+    </message>
+    <message>
+        <source>For &amp;students</source>
+        <translation>Für &amp;Lernende</translation>
+    </message>
+    <message>
+        <source>For &amp;teachers</source>
+        <translation>Für L&amp;ehrende</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save handout</source>
+        <translation>Arbeitsblatt speichern</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf);;Web page (*.html)</source>
+        <translation>PDF (*.pdf);;Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>The program draws the pictures and computes the answers…</source>
+        <translation>Das Programm zeichnet die Bilder und berechnet die Antworten…</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>asperity::ImportCommands</name>
     <message>
         <source>Open surface…</source>
@@ -2092,10 +2150,6 @@
         <translation>(ohne Titel)</translation>
     </message>
     <message>
-        <source>step %1, </source>
-        <translation>Schritt %1, </translation>
-    </message>
-    <message>
         <source>What is to be seen here?</source>
         <translation>Was ist hier zu sehen?</translation>
     </message>
@@ -2118,6 +2172,114 @@
     <message>
         <source>Lessons (*.json);;All files (*)</source>
         <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>notes for teachers</source>
+        <translation>Hinweise für Lehrende</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>changed with the answer</source>
+        <translation>mit der Antwort geändert</translation>
+    </message>
+    <message>
+        <source>tab in front</source>
+        <translation>Reiter vorn</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>controls</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>choices</source>
+        <translation>Antworten zur Auswahl</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>computed answer</source>
+        <translation>berechnete Antwort</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>place on the axis</source>
+        <translation>Stelle auf der Achse</translation>
+    </message>
+    <message>
+        <source>if right</source>
+        <translation>wenn richtig</translation>
+    </message>
+    <message>
+        <source>if wrong</source>
+        <translation>wenn falsch</translation>
+    </message>
+    <message>
+        <source>said with the answer</source>
+        <translation>mit der Antwort gesagt</translation>
+    </message>
+    <message>
+        <source>values of the texts</source>
+        <translation>Werte der Texte</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>choice %1</source>
+        <translation>Antwort %1</translation>
+    </message>
+    <message>
+        <source>&amp;Handout…</source>
+        <translation>&amp;Arbeitsblatt…</translation>
+    </message>
+    <message>
+        <source>Pages to print, as PDF or as a web page</source>
+        <translation>Seiten zum Drucken, als PDF oder als Webseite</translation>
     </message>
 </context>
 <context>
@@ -2188,42 +2350,6 @@
     <message>
         <source>Lessons (*.json);;All files (*)</source>
         <translation>Lektionen (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Handout</source>
-        <translation>Arbeitsblatt</translation>
-    </message>
-    <message>
-        <source>A handout for students has the questions; one for teachers has the answers and the notes, too.</source>
-        <translation>Ein Arbeitsblatt für Lernende hat die Fragen; eines für Lehrende hat auch die Antworten und die Hinweise.</translation>
-    </message>
-    <message>
-        <source>For &amp;students</source>
-        <translation>Für &amp;Lernende</translation>
-    </message>
-    <message>
-        <source>For &amp;teachers</source>
-        <translation>Für L&amp;ehrende</translation>
-    </message>
-    <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Save handout</source>
-        <translation>Arbeitsblatt speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf);;Web page (*.html)</source>
-        <translation>PDF (*.pdf);;Webseite (*.html)</translation>
-    </message>
-    <message>
-        <source>The program draws the pictures and computes the answers…</source>
-        <translation>Das Programm zeichnet die Bilder und berechnet die Antworten…</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -2304,28 +2430,12 @@
         <translation>Eine leere Zeile beginnt einen Absatz; *Wort* und **Wort** heben hervor; eine Zeile, die mit „- “ beginnt, ist ein Punkt einer Liste</translation>
     </message>
     <message>
-        <source>Change of keys</source>
-        <translation>Geänderte Schlüssel</translation>
-    </message>
-    <message>
-        <source>Tab</source>
-        <translation>Reiter</translation>
-    </message>
-    <message>
         <source>Vertical axis</source>
         <translation>Senkrechte Achse</translation>
     </message>
     <message>
         <source>Free controls</source>
         <translation>Freie Regler</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>alle</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keiner</translation>
     </message>
     <message>
         <source>%1 controls</source>
@@ -2335,36 +2445,84 @@
         <source>free controls: %1</source>
         <translation>freie Regler: %1</translation>
     </message>
+    <message>
+        <source>Changed in the scene</source>
+        <translation>In der Szene geändert</translation>
+    </message>
+    <message>
+        <source>What this step changes in the scene that the step before leaves</source>
+        <translation>Was dieser Schritt an der Szene ändert, die der Schritt davor hinterlässt</translation>
+    </message>
+    <message>
+        <source>Tab in front</source>
+        <translation>Reiter vorn</translation>
+    </message>
+    <message>
+        <source>Friction curve</source>
+        <translation>Reibungskurve</translation>
+    </message>
+    <message>
+        <source>Motion in time</source>
+        <translation>Zeitverlauf</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Influences</source>
+        <translation>Einflüsse</translation>
+    </message>
+    <message>
+        <source>What students may change once they have answered</source>
+        <translation>Was Lernende ändern dürfen, sobald sie geantwortet haben</translation>
+    </message>
+    <message>
+        <source>Other controls</source>
+        <translation>Andere Regler</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>in sight, but locked</source>
+        <translation>zu sehen, aber gesperrt</translation>
+    </message>
+    <message>
+        <source>free, too</source>
+        <translation>auch frei</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Auswählen…</translation>
+    </message>
 </context>
 <context>
     <name>asperity::LessonValueFields</name>
     <message>
         <source>Computed answer</source>
         <translation>Berechnete Antwort</translation>
-    </message>
-    <message>
-        <source>the value with these keys</source>
-        <translation>der Wert mit diesen Schlüsseln</translation>
-    </message>
-    <message>
-        <source>its ratio to the value of the step</source>
-        <translation>sein Verhältnis zum Wert des Schritts</translation>
-    </message>
-    <message>
-        <source>the place of the largest value</source>
-        <translation>die Stelle des größten Werts</translation>
-    </message>
-    <message>
-        <source>the exponent with which it depends on a key</source>
-        <translation>der Exponent, mit dem er von einem Schlüssel abhängt</translation>
-    </message>
-    <message>
-        <source>of the column</source>
-        <translation>der Spalte</translation>
-    </message>
-    <message>
-        <source>over the key</source>
-        <translation>über dem Schlüssel</translation>
     </message>
     <message>
         <source>from</source>
@@ -2375,12 +2533,92 @@
         <translation>bis</translation>
     </message>
     <message>
-        <source>Two values of the key, both above 0, between which the slope of the curve in logarithms is computed</source>
-        <translation>Zwei Werte des Schlüssels über 0, zwischen denen die Steigung der Kurve in Logarithmen berechnet wird</translation>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>with the keys</source>
-        <translation>mit den Schlüsseln</translation>
+        <source>standard error of μ</source>
+        <translation>Standardfehler von μ</translation>
+    </message>
+    <message>
+        <source>μ by Eq. (11)</source>
+        <translation>μ nach Gl. (11)</translation>
+    </message>
+    <message>
+        <source>dimensionless velocity</source>
+        <translation>dimensionslose Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>dimensionless force</source>
+        <translation>dimensionslose Kraft</translation>
+    </message>
+    <message>
+        <source>μ of the local friction</source>
+        <translation>μ der lokalen Reibung</translation>
+    </message>
+    <message>
+        <source>μ with the local friction</source>
+        <translation>μ mit der lokalen Reibung</translation>
+    </message>
+    <message>
+        <source>mean of the ratios of force to load</source>
+        <translation>Mittel der Verhältnisse von Kraft zu Last</translation>
+    </message>
+    <message>
+        <source>ratio of the mean force to the mean load</source>
+        <translation>Verhältnis der mittleren Kraft zur mittleren Last</translation>
+    </message>
+    <message>
+        <source>share of its load on an element that just touches</source>
+        <translation>Lastanteil eines Elements, das gerade berührt</translation>
+    </message>
+    <message>
+        <source>whether it rests on frequencies that were not measured</source>
+        <translation>ob es auf nicht gemessenen Frequenzen beruht</translation>
+    </message>
+    <message>
+        <source>normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>nominal pressure</source>
+        <translation>nomineller Druck</translation>
+    </message>
+    <message>
+        <source>number of contacts</source>
+        <translation>Anzahl der Kontakte</translation>
+    </message>
+    <message>
+        <source>the value after the changes below</source>
+        <translation>der Wert nach den Änderungen unten</translation>
+    </message>
+    <message>
+        <source>how many times as large as in this step</source>
+        <translation>wievielmal so groß wie in diesem Schritt</translation>
+    </message>
+    <message>
+        <source>where on the axis it is largest</source>
+        <translation>wo auf der Achse er am größten ist</translation>
+    </message>
+    <message>
+        <source>the power of a parameter with which it grows</source>
+        <translation>mit welcher Potenz eines Parameters er wächst</translation>
+    </message>
+    <message>
+        <source>of the quantity</source>
+        <translation>der Größe</translation>
+    </message>
+    <message>
+        <source>of the parameter</source>
+        <translation>des Parameters</translation>
+    </message>
+    <message>
+        <source>Two values of the parameter, both above 0, between which the slope of the curve in logarithms is computed</source>
+        <translation>Zwei Werte des Parameters, beide über 0, zwischen denen die Steigung der Kurve in Logarithmen berechnet wird</translation>
+    </message>
+    <message>
+        <source>after the changes</source>
+        <translation>nach den Änderungen</translation>
     </message>
 </context>
 <context>
@@ -3099,7 +3337,7 @@
     </message>
     <message>
         <source>none</source>
-        <translation>keiner</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>a choice</source>
@@ -3126,32 +3364,12 @@
         <translation>leer: nach dem größten Wert wird gefragt</translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
         <source>If right</source>
         <translation>Wenn richtig</translation>
     </message>
     <message>
         <source>If wrong</source>
         <translation>Wenn falsch</translation>
-    </message>
-    <message>
-        <source>{answer} and {given} stand for the two answers</source>
-        <translation>{answer} und {given} stehen für die beiden Antworten</translation>
-    </message>
-    <message>
-        <source>The curve is hidden until the answer</source>
-        <translation>Die Kurve ist bis zur Antwort verborgen</translation>
-    </message>
-    <message>
-        <source>Change when revealed</source>
-        <translation>Änderung beim Auflösen</translation>
-    </message>
-    <message>
-        <source>What is revealed</source>
-        <translation>Auflösung</translation>
     </message>
     <message>
         <source>choices</source>
@@ -3180,6 +3398,46 @@
     <message>
         <source>Choices</source>
         <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Tolerance in %</source>
+        <translation>Toleranz in %</translation>
+    </message>
+    <message>
+        <source>How far a right answer may be from the computed one; of a point, the factor on the chart is 1.5 for 50 %</source>
+        <translation>Wie weit eine richtige Antwort von der berechneten entfernt sein darf; bei einem Punkt heißen 50 % ein Faktor 1,5 im Diagramm</translation>
+    </message>
+    <message>
+        <source>Write {answer} where the computed answer belongs, and {given} where the student&apos;s does</source>
+        <translation>Schreiben Sie {answer}, wo die berechnete Antwort stehen soll, und {given}, wo die der Lernenden stehen soll</translation>
+    </message>
+    <message>
+        <source>The curve is</source>
+        <translation>Die Kurve ist</translation>
+    </message>
+    <message>
+        <source>in sight</source>
+        <translation>zu sehen</translation>
+    </message>
+    <message>
+        <source>hidden until the answer</source>
+        <translation>bis zur Antwort verborgen</translation>
+    </message>
+    <message>
+        <source>hidden throughout</source>
+        <translation>immer verborgen</translation>
+    </message>
+    <message>
+        <source>Changed with the answer</source>
+        <translation>Mit der Antwort geändert</translation>
+    </message>
+    <message>
+        <source>What the program changes in the scene when the answer is shown</source>
+        <translation>Was das Programm an der Szene ändert, wenn die Antwort gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Said with the answer</source>
+        <translation>Mit der Antwort gesagt</translation>
     </message>
 </context>
 <context>

@@ -53,8 +53,21 @@ QString sectionTitle(const QString& section) {
   return section.left(1).toUpper() + section.mid(1);
 }
 
-/// Returns the sections: frequently used ones first; unknown ones follow in the order of the table.
-std::vector<ParameterGroup> sections() {
+QString askForTable(QWidget* parent, const QString& folder) {
+  return QFileDialog::getOpenFileName(parent, ParameterPanel::tr("Choose a file of the line"),
+                                      folder,
+                                      ParameterPanel::tr("Tables (*.csv *.txt);;All files (*)"));
+}
+
+/// Returns whether two scenes read their profile from the same file.
+bool haveSameFile(const Scene& a, const Scene& b) {
+  return a.surface.kind == b.surface.kind && a.surface.file == b.surface.file &&
+         a.folder == b.folder;
+}
+
+}  // namespace
+
+std::vector<ParameterGroup> parameterSections() {
   QStringList names{"sliding", "load", "elastomer", "surface", "interface", "sweep", "accuracy"};
   for (const Parameter& parameter : parameters())
     if (!names.contains(sectionOf(parameter))) names += sectionOf(parameter);
@@ -72,22 +85,8 @@ std::vector<ParameterGroup> sections() {
   return groups;
 }
 
-QString askForTable(QWidget* parent, const QString& folder) {
-  return QFileDialog::getOpenFileName(parent, ParameterPanel::tr("Choose a file of the line"),
-                                      folder,
-                                      ParameterPanel::tr("Tables (*.csv *.txt);;All files (*)"));
-}
-
-/// Returns whether two scenes read their profile from the same file.
-bool haveSameFile(const Scene& a, const Scene& b) {
-  return a.surface.kind == b.surface.kind && a.surface.file == b.surface.file &&
-         a.folder == b.folder;
-}
-
-}  // namespace
-
 ParameterPanel::ParameterPanel(const Scene& scene, QWidget* parent)
-    : ParameterPanel(scene, sections(), new PanelBar, parent) {
+    : ParameterPanel(scene, parameterSections(), new PanelBar, parent) {
   setView(defaultView());
 }
 

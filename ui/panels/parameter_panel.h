@@ -45,6 +45,10 @@ struct ParameterGroup {
   QString name{};
 };
 
+/// Returns all rows of the table under their headings: frequently used ones first; unknown ones
+/// follow in the order of the table.
+std::vector<ParameterGroup> parameterSections();
+
 /// What a user may do with a row.
 enum class RowAccess { Free, Locked, Hidden };
 

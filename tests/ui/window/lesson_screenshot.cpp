@@ -1,8 +1,13 @@
 // Walks through a lesson on a real display and saves a picture of the screen of every step, before
 // and after its answer. Usage: lesson_screenshot FOLDER --lesson NAME [--dark] [--size WxH]
-// [--language CODE] [--only STEP] [--list] [--editor STEP]
+// [--language CODE] [--only STEP] [--every] [--list] [--notes] [--editor STEP] [--handout FILE
+// [--teacher]]. With --every each picture is saved at three sizes, in both themes and both
+// languages, in a folder for each, such as "1024x700 dark de"; the display has to be as large as
+// the largest.
 #include <QApplication>
+#include <QCheckBox>
 #include <QCommandLineParser>
+#include <QDir>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPixmap>
@@ -16,6 +21,7 @@
 
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
+#include "ui/window/lesson/handout.h"
 #include "ui/window/lesson/lesson_editor.h"
 #include "ui/window/lesson/lesson_list.h"
 #include "ui/window/lesson/lessons.h"
@@ -30,11 +36,40 @@ namespace {
 
 using namespace asperity;
 
-bool save(MainWindow& window, const QString& file) {
+void settle(MainWindow& window, int milliseconds) {
   if (!QTest::qWaitFor([&] { return window.session().friction().progress() >= 1; }, 20000))
     std::fputs("the curve does not come\n", stderr);
-  QTest::qWait(700);
+  QTest::qWait(milliseconds);
+}
+
+bool save(MainWindow& window, const QString& file) {
+  settle(window, 700);
   return window.screen()->grabWindow(0).toImage().save(file, nullptr, 80);
+}
+
+/// Saves the window at every size, in every theme and language.
+bool saveEvery(MainWindow& window, const QString& folder, const QString& name) {
+  bool isSaved = true;
+  for (const QSize size : {QSize(1024, 700), QSize(1280, 720), QSize(2560, 1440)}) {
+    window.resize(size);
+    for (const char* language : {"en", "de"}) {
+      useLanguage(language);
+      for (const bool isDark : {false, true}) {
+        window.appearance().setDark(isDark);
+        settle(window, size.width() > 2000 ? 1500 : 600);  // a large contact is drawn for longer
+        const QDir in(QStringLiteral("%1/%2x%3 %4 %5")
+                          .arg(folder)
+                          .arg(size.width())
+                          .arg(size.height())
+                          .arg(isDark ? "dark" : "light", language));
+        const QRect place(window.mapToGlobal(QPoint()), window.size());
+        isSaved = in.mkpath(".") &&
+                  window.screen()->grabWindow(0).copy(place).save(in.filePath(name), nullptr, 90) &&
+                  isSaved;
+      }
+    }
+  }
+  return isSaved;
 }
 
 /// Answers as a student would: the first choice, a number, a point somewhere.
@@ -58,8 +93,12 @@ int main(int argc, char** argv) {
                      {"size", "of the window, WxH", "WxH"},
                      {"language", "of all texts", "CODE"},
                      {"only", "one step, from 1", "STEP"},
+                     {"every", "each picture at every size, in every theme and language"},
                      {"list", "the page of all lessons"},
-                     {"editor", "the editor at a step, from 1", "STEP"}});
+                     {"notes", "that page with the notes for teachers"},
+                     {"editor", "the editor at a step, from 1; 0: the lesson", "STEP"},
+                     {"handout", "instead, a handout as HTML or PDF", "FILE"},
+                     {"teacher", "the handout is for teachers"}});
   parser.process(application);
   const QString folder = parser.positionalArguments().value(0);
   prepareApplication(application);
@@ -70,25 +109,36 @@ int main(int argc, char** argv) {
   if (sides.size() == 2) window.resize(sides[0].toInt(), sides[1].toInt());
   window.show();
   if (!QTest::qWaitForWindowExposed(&window)) return std::fputs("never exposed\n", stderr), 1;
-  if (parser.isSet("list")) {
-    window.lessons().showList();
+  if (parser.isSet("list") || parser.isSet("notes")) {
+    LessonList& list = window.lessons().showList();
+    list.findChild<QCheckBox*>("lessonNotes")->setChecked(parser.isSet("notes"));
     return save(window, folder + "/list.png") ? 0 : 1;
   }
   if (!window.lessons().open(parser.value("lesson"))) return 1;
+  if (parser.isSet("handout")) {
+    HandoutOptions options;
+    options.forTeacher = parser.isSet("teacher");
+    writeHandout(parser.value("handout").toStdString(), *window.lessons().lesson(), options);
+    return 0;
+  }
   if (parser.isSet("editor")) {
     LessonEditor& editor = window.lessons().showEditor(*window.lessons().lesson(), {});
     editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(parser.value("editor").toInt());
     return save(window, folder + "/editor.png") ? 0 : 1;
   }
   const int only = parser.value("only").toInt();
+  const auto take = [&](const QString& name) {
+    return parser.isSet("every") ? saveEvery(window, folder, name)
+                                 : save(window, folder + '/' + name);
+  };
   const auto steps = static_cast<int>(window.lessons().lesson()->steps.size());
   for (int step = 0; step < steps; ++step) {
     const bool isWanted = only == 0 || only == step + 1;
-    const QString name = QStringLiteral("%1/%2").arg(folder).arg(step + 1, 2, 10, QChar('0'));
+    const QString name = QStringLiteral("%1").arg(step + 1, 2, 10, QChar('0'));
     auto* next = window.findChild<QPushButton*>("lessonNext");
     if (!window.lessons().isRevealed()) {
       if (isWanted) {
-        save(window, name + "a.png");
+        take(name + "a.png");
         answer(window);
         next->click();
       } else {
@@ -97,7 +147,7 @@ int main(int argc, char** argv) {
       if (!QTest::qWaitFor([&] { return window.lessons().isRevealed(); }, 30000))
         return std::fputs("no answer\n", stderr), 1;
     }
-    if (isWanted && !save(window, name + "b.png")) return 1;
+    if (isWanted && !take(name + "b.png")) return 1;
     if (only == step + 1) break;
     next->click();
   }

@@ -9,9 +9,13 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QRegularExpression>
+#include <QTableWidget>
+#include <QToolButton>
 
 #include "tests/core/lesson/lesson_samples.h"
 #include "tests/core/temporary_folder.h"
@@ -316,6 +320,19 @@ TEST_F(LessonsTest, GoesForwardAndBackByKeys) {
   EXPECT_TRUE(lessons().isRevealed());  // what was answered stays answered
 }
 
+/// The picture's title, too, which is that of the step; what was changed stays.
+TEST_F(LessonsTest, ALessonChangesItsLanguage) {
+  ASSERT_TRUE(lessons().open("load_and_friction"));
+  press("load.normal_force");
+  const double force = session().scene().load.normalForce;
+  useLanguage("de");
+  EXPECT_EQ(said("lessonStepTitle"), "Das Gesetz von Amontons");
+  EXPECT_EQ(session().scene().title, "Das Gesetz von Amontons");
+  EXPECT_EQ(session().scene().load.normalForce, force);
+  useLanguage("en");
+  EXPECT_EQ(session().scene().title, "Amontons' law");
+}
+
 TEST_F(LessonsTest, AStepBringsItsTabToTheFront) {
   const std::pair<const char*, const char*> tabs[] = {
       {"curve", "frictionPlot"},    {"spectrum", "spectrumView"},  {"statistics", "statisticsView"},
@@ -381,6 +398,91 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   EXPECT_TRUE(editor.mayClose());
 }
 
+/// By mouse and keys alone, as a teacher who has never seen a lesson's file.
+TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
+  TemporaryFolder folder;
+  LessonEditor& editor = lessons().showEditor({}, {});
+  const auto write = [&](const char* name, const char* text) {
+    auto& field = *editor.findChild<QWidget*>(name);
+    field.setFocus();
+    QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&field, text);
+  };
+  const auto press = [&](const char* name) {
+    QTest::mouseClick(editor.findChild<QPushButton*>(name), Qt::LeftButton);
+  };
+  const auto choose = [&](const char* name, int index) {
+    auto& box = *editor.findChild<QComboBox*>(name);
+    box.setFocus();
+    while (box.currentIndex() < index) QTest::keyClick(&box, Qt::Key_Down);
+  };
+  const auto change = [&](const char* list, const char* key, const char* value) {
+    emit editor.findChild<QToolButton*>(list)->menu()->aboutToShow();
+    editor.findChild<QAction*>(QStringLiteral("%1With:%2").arg(list, key))->trigger();
+    QTest::keyClicks(editor.findChild<QWidget*>(QStringLiteral("%1:%2").arg(list, key)), value);
+  };
+  write("editorTitle", "Mine");
+  write("editorGoal", "You see three things.");
+
+  press("editorAdd");
+  EXPECT_EQ(editor.focusWidget(), editor.findChild<QWidget*>("editorText"));
+  QTest::keyClicks(editor.focusWidget(), "Look at the contact.");
+  choose("editorKind", 1);
+  write("editorQuestion", "Which side is touched?");
+  auto& table = *editor.findChild<QTableWidget*>("editorChoices");
+  const char* sides[] = {"the front", "the back"};
+  for (int row = 0; row < 2; ++row) {
+    table.setFocus();
+    table.setCurrentCell(row, 0);
+    QTest::keyClicks(&table, sides[row]);
+    QTest::keyClick(table.findChildren<QLineEdit*>().last(), Qt::Key_Return);
+  }
+  table.setFocus();
+  table.setCurrentCell(0, 1);
+  QTest::keyClick(&table, Qt::Key_Space);
+  EXPECT_EQ(editor.complaint(), QString());
+
+  type("load.normal_force", "5 mN");
+  press("editorAdd");
+  QTest::keyClicks(editor.focusWidget(), "Twice the load.");
+  choose("editorKind", 2);
+  choose("editorValue", 1);
+  change("editorValueSet", "load.normal_force", "10 mN");
+  change("editorAfter", "load.normal_force", "10 mN");
+  write("editorQuestion", "How many times as large is friction?");
+  EXPECT_EQ(editor.complaint(), QString());
+
+  press("editorAdd");
+  QTest::keyClicks(editor.focusWidget(), "The whole curve.");
+  choose("editorKind", 3);
+  write("editorQuestion", "How large is friction at 0.1 m/s?");
+  write("editorX", "0.1");
+  EXPECT_EQ(editor.complaint(), QString());
+
+  const std::string file = (folder / "mine.json").string();
+  ASSERT_TRUE(editor.saveTo(QString::fromStdString(file)));
+  const Lesson read = readLessonFile(file);
+  ASSERT_EQ(read.steps.size(), 3U);
+  EXPECT_EQ(predictionsOf(read), 3);
+  EXPECT_TRUE(read.steps[0].prediction->choices[0].isRight);
+  EXPECT_EQ(read.steps[1].prediction->answer->set,
+            std::vector<std::string>{"load.normal_force=0.01"});
+  EXPECT_EQ(read.steps[1].scene.load.normalForce, 0.005);
+  EXPECT_EQ(read.steps[2].scene.load.normalForce, 0.005);
+  EXPECT_EQ(read.steps[2].prediction->x, 0.1);
+
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(1);
+  press("editorTry");
+  EXPECT_FALSE(editor.isVisible());
+  for (int step = 0; step < 3; ++step) {
+    EXPECT_EQ(lessons().step(), step);
+    click("lessonShow");
+    ASSERT_TRUE(waitForAnswer());
+    click("lessonNext");
+  }
+  EXPECT_TRUE(editor.isVisible());
+}
+
 TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
   emit editor.tryWanted(lessonOf(sampleLesson()), 1);
@@ -412,19 +514,98 @@ TEST_F(LessonsTest, StepsKeepTheirScenesWhereTheyAreMovedAndRemoved) {
 TEST_F(LessonsTest, TheEditorSaysWhatIsWrongAndWhere) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
   editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(2);
-  auto& set = *editor.findChild<QLineEdit*>("editorSet");
-  set.selectAll();
-  QTest::keyClicks(&set, "load.normal_forc=1");
-  EXPECT_TRUE(editor.complaint().contains("step 2"));
-  EXPECT_TRUE(editor.complaint().contains("load.normal_force"));
+  auto& force = *editor.findChild<QLineEdit*>("editorSet:load.normal_force");
+  EXPECT_EQ(force.text(), "20 mN");
+  force.selectAll();
+  QTest::keyClicks(&force, "much");
+  EXPECT_TRUE(editor.complaint().startsWith("Step 2, changed, “normal force”: "))
+      << editor.complaint().toStdString();
   EXPECT_FALSE(editor.findChild<QPushButton*>("editorTry")->isEnabled());
-  set.selectAll();
-  QTest::keyClicks(&set, "load.normal_force=30mN");
+  EXPECT_FALSE(editor.findChild<QPushButton*>("editorHandout")->isEnabled());
+  force.selectAll();
+  QTest::keyClicks(&force, "30");  // in the unit that was shown
   EXPECT_EQ(editor.complaint(), QString());
   EXPECT_EQ(editor.lesson().steps[1].scene.load.normalForce, 0.03);
+  auto& question = *editor.findChild<QLineEdit*>("editorQuestion");
+  question.selectAll();
+  QTest::keyClick(&question, Qt::Key_Delete);
+  EXPECT_TRUE(editor.complaint().startsWith("Step 2, question: "))
+      << editor.complaint().toStdString();
+  QTest::keyClicks(&question, "How deep?");
   QTest::mouseClick(editor.findChild<QPushButton*>("editorTry"), Qt::LeftButton);
   EXPECT_EQ(lessons().step(), 1);
   EXPECT_EQ(session().scene().load.normalForce, 0.03);
+}
+
+/// A parameter is chosen from a menu in plain words and has its present value, which is edited; a
+/// word is chosen from a list. A change is removed by its button.
+TEST_F(LessonsTest, TheEditorChangesParametersInPlainWords) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(2);
+  const auto add = [&](const char* list, const char* key) {
+    emit editor.findChild<QToolButton*>(list)->menu()->aboutToShow();
+    editor.findChild<QAction*>(QStringLiteral("%1With:%2").arg(list, key))->trigger();
+  };
+  add("editorSet", "sliding.velocity");
+  auto& velocity = *editor.findChild<QLineEdit*>("editorSet:sliding.velocity");
+  EXPECT_TRUE(velocity.toolTip().contains("Allowed"));
+  velocity.selectAll();
+  QTest::keyClicks(&velocity, "3 mm/s");
+  EXPECT_EQ(editor.lesson().steps[1].scene.sliding.velocity, 0.003);
+  add("editorAfter", "accuracy.scheme");
+  auto& scheme = *editor.findChild<QComboBox*>("editorAfter:accuracy.scheme");
+  EXPECT_EQ(scheme.currentText(), "cubic");
+  scheme.setCurrentIndex(scheme.findText("nodal"));
+  emit scheme.activated(scheme.currentIndex());
+  EXPECT_EQ(editor.lesson().steps[1].after, std::vector<std::string>{"accuracy.scheme=nodal"});
+  EXPECT_EQ(editor.complaint(), QString());
+  editor.findChild<QToolButton*>("editorSetWithout:load.normal_force")->click();
+  EXPECT_EQ(editor.lesson().steps[1].set, std::vector<std::string>{"sliding.velocity=0.003"});
+  EXPECT_EQ(editor.findChild<QLineEdit*>("editorSet:sliding.velocity")->text(), "3 mm/s");
+}
+
+/// Nothing of the editor is a word of the file: no key, no column, no member.
+TEST_F(LessonsTest, TheEditorSpeaksNoJson) {
+  const QRegularExpression code(QStringLiteral(R"([a-z]_[a-z]|[a-z]\.[a-z]|=)"));
+  for (const ShippedLesson& shipped : shippedLessons()) {
+    LessonEditor& editor =
+        lessons().showEditor(readNamedLesson(std::string(shipped.name), readNamedScene), {});
+    auto& steps = *editor.findChild<QListWidget*>("editorSteps");
+    for (int row = 1; row < steps.count(); ++row) {
+      steps.setCurrentRow(row);
+      QStringList said;
+      for (const QLabel* label : editor.findChildren<QLabel*>()) said += label->text();
+      for (const QComboBox* box : editor.findChildren<QComboBox*>())
+        for (int i = 0; i < box->count(); ++i) said += box->itemText(i);
+      for (const QLineEdit* line : editor.findChildren<QLineEdit*>())
+        if (line->objectName().contains(':')) said += line->text();
+      for (const QString& text : said)
+        EXPECT_FALSE(code.match(text).hasMatch()) << shipped.name << row << text.toStdString();
+    }
+    EXPECT_TRUE(editor.mayClose());
+  }
+}
+
+TEST_F(LessonsTest, TheEditorSaysWhatTheStepShowsAndLocks) {
+  LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
+  editor.findChild<QListWidget*>("editorSteps")->setCurrentRow(2);
+  const auto choose = [&](const char* name, int index) {
+    auto& box = *editor.findChild<QComboBox*>(name);
+    box.setCurrentIndex(index);
+    emit box.activated(index);
+  };
+  choose("editorHides", 2);
+  EXPECT_TRUE(editor.lesson().steps[1].show.hidesCurveAfter);
+  choose("editorHides", 0);
+  EXPECT_FALSE(editor.lesson().steps[1].show.hidesCurve);
+  choose("editorOthers", 1);
+  EXPECT_EQ(editor.lesson().steps[1].controls.others, ControlState::Locked);
+  auto& tolerance = *editor.findChild<QLineEdit*>("editorTolerance");
+  EXPECT_EQ(tolerance.text(), "20");  // per cent
+  tolerance.selectAll();
+  QTest::keyClicks(&tolerance, "15 %");
+  EXPECT_DOUBLE_EQ(editor.lesson().steps[1].prediction->tolerance, 0.15);
+  EXPECT_EQ(editor.complaint(), QString());
 }
 
 /// What the editor does not show (values, hidden ranges, other curves) is kept.

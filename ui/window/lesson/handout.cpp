@@ -1,13 +1,14 @@
 #include "ui/window/lesson/handout.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QHashFunctions>
 #include <QImage>
 #include <QPageSize>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QStringList>
 #include <QTextDocument>
-#include <QUrl>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,9 +42,11 @@ namespace {
 
 constexpr int kContactWidth = 1500, kContactHeight = 420, kChartWidth = 1300, kChartHeight = 600;
 constexpr float kPictureScale = 2;
-// Pixels at 96 per inch: within the column of A4, whose margins are 8 mm of the writer and 20 mm
-// of QTextDocument::print().
-constexpr int kShownWidth = 560;
+// On paper, in millimetres.
+constexpr double kMargin = 22, kShownWidth = 150, kGap = 2.5, kTextGap = 1.3, kHeadingGap = 4,
+                 kFootHeight = 8;
+constexpr double kShort = 0.72;   // of a page: what stays together if it is short
+constexpr int kResolution = 300;  // per inch
 
 QString utf(const std::string& text) {
   return QString::fromStdString(text);
@@ -54,10 +57,15 @@ struct Picture {
   QString name;  // what a person who cannot see it is told
 };
 
-/// A block of the page: HTML, or a picture.
+/// Whether a block stays on the page of the next one: a heading does with its text; a question with
+/// the pictures above it where that leaves no large part of a page empty.
+enum class Stays { No, IfShort, Always };
+
+/// A block of the page: HTML, or a picture. On paper it is never parted.
 struct Block {
   QString html;
   std::optional<Picture> picture{};
+  Stays withNext = Stays::No;
 };
 
 Scene untitled(Scene scene) {
@@ -83,26 +91,33 @@ class HandoutMaker {
   }
 
  private:
-  void add(const QString& html) { blocks_.push_back({html}); }
+  void add(const QString& html, Stays withNext = Stays::No) {
+    blocks_.push_back({html, {}, withNext});
+  }
 
   void addHead() {
-    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>");
+    add("<h1>" + plainText(lesson_.title).toHtmlEscaped() + "</h1>", Stays::Always);
     add("<p><b>" + utf(Words::tr("Goal")) + ":</b> " + plainText(lesson_.goal).toHtmlEscaped() +
         " (" + utf(Words::tr("%1 minutes")).arg(lesson_.minutes) + ")</p>");
-    if (options_.forTeacher && !lesson_.notes.empty())
-      add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>" +
-          richText(shown(lesson_.notes)));
+    if (!options_.forTeacher || lesson_.notes.empty()) return;
+    add("<h2>" + utf(Words::tr("Notes for the teacher")) + "</h2>", Stays::Always);
+    add(richText(shown(lesson_.notes)));
   }
 
   void addStep(int number) {
     const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
     add(QStringLiteral("<h2>%1. %2</h2>")
             .arg(number + 1)
-            .arg(plainText(step.title).toHtmlEscaped()));
+            .arg(plainText(step.title).toHtmlEscaped()),
+        Stays::Always);
     add(richText(shown(step.text)));
+    const std::size_t text = blocks_.size() - 1;
     addContact(step.scene);
     if (isDrawnInto(step) || !step.show.hidesCurve) addChart(step, step.scene, isDrawnInto(step));
+    keepTogether(text);
     if (!step.prediction) return;
+    // What is drawn into an empty chart is the answer to the question below it.
+    blocks_.back().withNext = isDrawnInto(step) ? Stays::Always : Stays::IfShort;
     addQuestion(*step.prediction);
     if (options_.forTeacher) addAnswer(step);
   }
@@ -224,11 +239,20 @@ class HandoutMaker {
           " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.place)));
     if (answer.choice >= 0 && prediction.answer)
       said += QStringLiteral(" (%1)").arg(QString::fromStdString(numberInWords(answer.number)));
-    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>");
+    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>",
+        step.reveal.empty() ? Stays::No : Stays::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
+    const std::size_t last = blocks_.size() - 1;
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
     if (step.show.hidesCurve && !step.show.hidesCurveAfter)
       addChart(step, step.revealedScene, false);
+    keepTogether(last);
+  }
+
+  /// Keeps a text with the picture below it, and that one with another.
+  void keepTogether(std::size_t text) {
+    for (std::size_t i = text; i + 1 < blocks_.size(); ++i)
+      blocks_[i].withNext = i == text ? Stays::Always : Stays::IfShort;
   }
 
   const Lesson& lesson_;
@@ -242,8 +266,130 @@ class HandoutMaker {
 constexpr const char* kStyle =
     "body{font-family:'DejaVu Sans',sans-serif;line-height:1.45;color:#222;max-width:46em;"
     "margin:2em auto;padding:0 1em}h1{font-size:1.6em}h2{font-size:1.15em;margin-top:1.8em}"
-    "img{max-width:100%;border:1px solid #ddd}@media print{h2{break-after:avoid}"
-    "img{break-inside:avoid}body{margin:0}}";
+    "img{max-width:100%;border:1px solid #ddd}"
+    "@media print{h1,h2,.stays{break-after:avoid}p,img{break-inside:avoid}body{margin:0}}";
+
+/// The pages on paper. What stays together goes to the next page as a whole, unless it is larger
+/// than one.
+class HandoutPages {
+ public:
+  HandoutPages(QPdfWriter& writer, const QString& title, const std::vector<Block>& blocks)
+      : writer_(writer), title_(title), blocks_(blocks), painter_(&writer) {
+    for (const Block& block : blocks_) parts_.push_back(laidOut(block));
+  }
+
+  void draw() {
+    const std::vector<std::vector<std::size_t>> pages = paged();
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+      if (i > 0) writer_.newPage();
+      double y = 0;
+      for (const std::size_t part : pages[i]) {
+        y += part == pages[i].front() ? 0 : parts_[part].above;
+        drawPart(part, y);
+        y += parts_[part].height;
+      }
+      drawFoot(QStringLiteral("%1 / %2").arg(i + 1).arg(pages.size()));
+    }
+  }
+
+ private:
+  struct Part {
+    std::unique_ptr<QTextDocument> text;  // none: a picture
+    double above = 0;                     // dots, of the gap below what is above it on the page
+    double height = 0;                    // dots, with the gap below
+  };
+
+  static double dots(double millimetres) { return millimetres / 25.4 * kResolution; }
+
+  Part laidOut(const Block& block) const {
+    Part part;
+    if (block.picture) {
+      const QSize size = block.picture->image.size();
+      part.height = dots(kShownWidth) * size.height() / size.width() + dots(kGap);
+      return part;
+    }
+    part.text = std::make_unique<QTextDocument>();
+    part.text->setDocumentMargin(0);
+    part.text->documentLayout()->setPaintDevice(painter_.device());
+    part.text->setDefaultFont(QFont(QStringLiteral("DejaVu Sans"), 10));
+    part.text->setDefaultStyleSheet(
+        QStringLiteral("h1{font-size:18pt;margin:0 0 8px 0} h2{font-size:13pt;margin:12px 0 4px 0} "
+                       "p{margin:0 0 6px 0} ul{margin:0 0 6px 0} li{margin:0 0 3px 0}"));
+    part.text->setHtml(block.html);
+    part.text->setTextWidth(writer_.width());
+    part.above = block.html.startsWith("<h2") ? dots(kHeadingGap) : 0;
+    part.height = part.text->size().height() + dots(kTextGap);
+    return part;
+  }
+
+  /// Returns the end of the parts that stay together in any case.
+  std::size_t endOfGroup(std::size_t first) const {
+    std::size_t end = first + 1;
+    while (end < parts_.size() && blocks_[end - 1].withNext == Stays::Always) ++end;
+    return end;
+  }
+
+  double heightOf(std::size_t first, std::size_t end) const {
+    double height = 0;
+    for (std::size_t i = first; i < end; ++i) height += parts_[i].above + parts_[i].height;
+    return height;
+  }
+
+  /// Returns the parts of each page.
+  std::vector<std::vector<std::size_t>> paged() const {
+    const double room = writer_.height() - dots(kFootHeight);
+    std::vector<std::vector<std::size_t>> pages(1);
+    double used = 0;
+    for (std::size_t first = 0; first < parts_.size();) {
+      std::size_t end = endOfGroup(first);
+      double height = heightOf(first, end);
+      while (end < parts_.size() && blocks_[end - 1].withNext == Stays::IfShort &&
+             heightOf(first, endOfGroup(end)) <= kShort * room) {
+        end = endOfGroup(end);
+        height = heightOf(first, end);
+      }
+      if (height > room) {
+        end = first + 1;
+        height = heightOf(first, end);
+      }
+      if (used > 0 && used + height > room) {
+        pages.emplace_back();
+        used = 0;
+      }
+      for (; first < end; ++first) pages.back().push_back(first);
+      used += height;
+    }
+    return pages;
+  }
+
+  void drawPart(std::size_t place, double y) {
+    if (const Block& block = blocks_[place]; block.picture) {
+      const QSizeF size(dots(kShownWidth), parts_[place].height - dots(kGap));
+      painter_.drawImage(QRectF(QPointF(0, y), size), block.picture->image);
+      return;
+    }
+    painter_.save();
+    painter_.translate(0, y);
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.palette.setColor(QPalette::Text, Qt::black);  // also where the window is dark
+    parts_[place].text->documentLayout()->draw(&painter_, context);
+    painter_.restore();
+  }
+
+  void drawFoot(const QString& page) {
+    painter_.setFont(QFont(QStringLiteral("DejaVu Sans"), 8));
+    painter_.setPen(Qt::darkGray);
+    const QRectF foot(0, writer_.height() - dots(kFootHeight), writer_.width(), dots(kFootHeight));
+    painter_.drawText(foot, Qt::AlignBottom | Qt::AlignLeft, title_);
+    painter_.drawText(foot, Qt::AlignBottom | Qt::AlignRight, page);
+  }
+
+  QPdfWriter& writer_;
+  const QString& title_;
+  const std::vector<Block>& blocks_;
+  QPainter painter_;
+  std::vector<Part> parts_;
+};
 
 QByteArray pngBytes(const QImage& image) {
   const std::string bytes = pngOf(image);
@@ -261,12 +407,14 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
           "</title>\n<meta name=\"viewport\" content=\"width=device-width\">\n<style>" + kStyle +
           "</style></head>\n<body>\n";
   for (const Block& block : HandoutMaker(lesson, options).make()) {
+    const bool stays = block.withNext != Stays::No;
+    if (stays) html += "<div class=\"stays\">";
     html += block.html.toUtf8();
     if (block.picture)
       html += "<p><img alt=\"" + block.picture->name.toHtmlEscaped().toUtf8() +
               "\" src=\"data:image/png;base64," + pngBytes(block.picture->image).toBase64() +
               "\"></p>";
-    html += "\n";
+    html += stays ? "</div>\n" : "\n";
   }
   return html + "</body>\n</html>\n";
 }
@@ -274,31 +422,20 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
 QByteArray handoutPdf(const Lesson& lesson, const HandoutOptions& options) {
   loadFonts();
   QHashSeed::setDeterministicGlobalSeed();  // of the order of fonts in the file
-  QTextDocument document;
-  document.setDefaultFont(QFont(QStringLiteral("DejaVu Sans"), 10));
-  document.setDefaultStyleSheet(
-      QStringLiteral("h1{font-size:18pt} h2{font-size:13pt} p{margin-bottom:6px}"));
-  QString html;
-  int count = 0;
-  for (const Block& block : HandoutMaker(lesson, options).make()) {
-    html += block.html;
-    if (!block.picture) continue;
-    const QString name = QStringLiteral("picture:%1").arg(count++);
-    document.addResource(QTextDocument::ImageResource, QUrl(name), block.picture->image);
-    html += QStringLiteral("<p><img src=\"%1\" width=\"%2\"></p>").arg(name).arg(kShownWidth);
-  }
-  document.setHtml(html);
+  const std::vector<Block> blocks = HandoutMaker(lesson, options).make();
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   {
     QPdfWriter writer(&buffer);
-    writer.setResolution(300);
+    writer.setResolution(kResolution);
     writer.setPageSize(QPageSize(QPageSize::A4));
-    writer.setPageMargins({8, 8, 8, 8}, QPageLayout::Millimeter);
+    writer.setPageMargins({kMargin, kMargin, kMargin, kMargin - kFootHeight},
+                          QPageLayout::Millimeter);
     writer.setTitle(plainText(lesson.title));
     writer.setCreator(QStringLiteral("Asperity " ASPERITY_VERSION));
-    document.print(&writer);
+    const QString title = plainText(lesson.title);
+    HandoutPages(writer, title, blocks).draw();
   }
   blankDate(bytes);
   return bytes;

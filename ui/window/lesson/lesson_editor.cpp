@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -18,9 +19,12 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/window/lesson/handout_saver.h"
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
@@ -31,6 +35,63 @@ namespace {
 
 constexpr QSize kUsual(960, 660);  // pixels
 constexpr int kAround = 60;        // pixels of the screen that stay free
+
+/// Returns the name of a row of the editor for a member of a lesson's file; null: it has no row.
+QString rowOf(const QString& member) {
+  const std::pair<const char*, QString> rows[] = {
+      {"steps", LessonEditor::tr("steps")},
+      {"title", LessonEditor::tr("title")},
+      {"goal", LessonEditor::tr("goal")},
+      {"minutes", LessonEditor::tr("minutes")},
+      {"notes", LessonEditor::tr("notes for teachers")},
+      {"text", LessonEditor::tr("text")},
+      {"scene", LessonEditor::tr("scene")},
+      {"set", LessonEditor::tr("changed")},
+      {"after", LessonEditor::tr("changed with the answer")},
+      {"tab", LessonEditor::tr("tab in front")},
+      {"quantity", LessonEditor::tr("quantity")},
+      {"controls", LessonEditor::tr("controls")},
+      {"kind", LessonEditor::tr("prediction")},
+      {"question", LessonEditor::tr("question")},
+      {"choices", LessonEditor::tr("choices")},
+      {"above", LessonEditor::tr("from")},
+      {"below", LessonEditor::tr("to")},
+      {"answer", LessonEditor::tr("computed answer")},
+      {"tolerance", LessonEditor::tr("tolerance")},
+      {"x", LessonEditor::tr("place on the axis")},
+      {"right", LessonEditor::tr("if right")},
+      {"wrong", LessonEditor::tr("if wrong")},
+      {"reveal", LessonEditor::tr("said with the answer")},
+      {"values", LessonEditor::tr("values of the texts")}};
+  for (const auto& [name, row] : rows)
+    if (member == QLatin1String(name)) return row;
+  return {};
+}
+
+/// Returns a place in a lesson's file as the editor calls it: "steps[1].prediction.choices[0].text"
+/// is step 2, choice 1, text. What has no row, such as "show", is left out.
+QString placeInWords(const QString& place) {
+  static const QRegularExpression numbered(QStringLiteral(R"(^(\w+)\[(\d+)\]$)"));
+  QStringList words;
+  const QStringList members = place.split('.');
+  for (qsizetype i = 0; i < members.size(); ++i) {
+    const QString rest = members.mid(i).join('.');
+    if (const Parameter* row = findParameter(rest.toStdString()); row && rest.contains('.')) {
+      words += QStringLiteral("“%1”").arg(ParameterRow::labelOf(*row));
+      break;
+    }
+    if (const auto found = numbered.match(members[i]); found.hasMatch()) {
+      const int number = found.captured(2).toInt() + 1;
+      if (found.captured(1) == QLatin1String("steps"))
+        words += LessonEditor::tr("step %1").arg(number);
+      else if (found.captured(1) == QLatin1String("choices"))
+        words += LessonEditor::tr("choice %1").arg(number);
+    } else if (const QString row = rowOf(members[i]); !row.isEmpty()) {
+      words += row;
+    }
+  }
+  return words.join(QStringLiteral(", "));
+}
 
 }  // namespace
 
@@ -132,6 +193,15 @@ QLayout* LessonEditor::buildFoot() {
   try_ = button("editorTry", tr("&Try this step"));
   open_ = button("editorOpen", tr("&Open…"));
   connect(open_, &QPushButton::clicked, this, &LessonEditor::openOther);
+  handout_ = button("editorHandout", tr("&Handout…"));
+  handout_->setToolTip(tr("Pages to print, as PDF or as a web page"));
+  saver_ = new HandoutSaver(this);
+  connect(handout_, &QPushButton::clicked, this, [this] {
+    const QString name = QFileInfo(file_).completeBaseName();
+    saver_->ask(checked(), name.isEmpty() ? QStringLiteral("lesson") : name);
+  });
+  connect(saver_, &HandoutSaver::told, said_, &QLabel::setText);
+  connect(saver_, &HandoutSaver::savingChanged, this, &LessonEditor::showButtons);
   save_ = button("editorSave", tr("&Save…"));
   close_ = button("editorClose", tr("&Close"));
   connect(try_, &QPushButton::clicked, this, [this] {
@@ -149,6 +219,7 @@ QLayout* LessonEditor::buildFoot() {
   connect(close_, &QPushButton::clicked, this, &LessonEditor::reject);
   auto* foot = new QHBoxLayout;
   foot->addWidget(open_);
+  foot->addWidget(handout_);
   foot->addStretch(1);
   for (QPushButton* one : {close_, try_, save_}) foot->addWidget(one);
   return foot;
@@ -226,16 +297,19 @@ void LessonEditor::check() {
     }
   } catch (const InputError& error) {
     complaint_ = translatedText(InputError("", error.key(), error.message()).message());
-    QString place = QString::fromStdString(error.key());
-    for (std::size_t i = 0; i < lesson_.steps.size(); ++i)
-      place.replace(QStringLiteral("steps[%1].").arg(i), tr("step %1, ").arg(i + 1));
-    if (!place.isEmpty()) complaint_ = place + ": " + complaint_;
+    QString place = placeInWords(QString::fromStdString(error.key()));
+    if (!place.isEmpty()) complaint_ = place.replace(0, 1, place[0].toUpper()) + ": " + complaint_;
   }
   said_->setText(complaint_);
-  save_->setEnabled(complaint_.isEmpty());
-  try_->setEnabled(complaint_.isEmpty());
+  showButtons();
   if (QListWidgetItem* item = row >= 0 ? steps_->item(row + 1) : nullptr)
     item->setText(nameOf(static_cast<std::size_t>(row)));
+}
+
+/// Enables what a lesson without mistakes allows.
+void LessonEditor::showButtons() {
+  for (QPushButton* button : {save_, try_, handout_})
+    button->setEnabled(complaint_.isEmpty() && !(button == handout_ && saver_->isSaving()));
 }
 
 // ---- Steps

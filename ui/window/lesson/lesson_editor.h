@@ -18,6 +18,7 @@ class QTabBar;
 
 namespace asperity {
 
+class HandoutSaver;
 class LessonHeadPage;
 class LessonStepPage;
 
@@ -55,6 +56,7 @@ class LessonEditor : public QDialog {
   void showStep();
   void take();
   void check();
+  void showButtons();
   Lesson checked() const;
   void openOther();
   LessonStep* present();
@@ -73,7 +75,8 @@ class LessonEditor : public QDialog {
   LessonHeadPage* head_;
   LessonStepPage* step_;
   QLabel* said_;
-  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *save_, *close_;
+  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *close_;
+  HandoutSaver* saver_;
 };
 
 }  // namespace asperity

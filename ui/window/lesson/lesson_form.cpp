@@ -4,10 +4,13 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 
-#include "core/scene/scene_file.h"
+#include "core/scene/parameters.h"
 #include "ui/panels/number_text.h"
+#include "ui/panels/parameter_panel.h"
+#include "ui/window/lesson/assignment_list.h"
 
 namespace asperity {
 
@@ -44,6 +47,14 @@ QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
   return box;
 }
 
+AssignmentList* LessonForm::addAssignments(const QString& label, const char* name) {
+  auto* list = new AssignmentList(QString::fromLatin1(name));
+  list->setAccessibleName(label);
+  addRow(label, list);
+  connect(list, &AssignmentList::edited, this, &LessonForm::tell);
+  return list;
+}
+
 void LessonForm::addRow(const QString& label, QWidget* field) {
   rows_->addRow(label, field);
 }
@@ -61,21 +72,29 @@ QString LessonForm::textOf(const LessonText& text) const {
   return QString::fromStdString(isGerman_ ? text.german : text.english);
 }
 
+void LessonForm::showIn(QLineEdit& line, const QString& text) {
+  line.setText(text);
+  line.setCursorPosition(0);
+}
+
 void LessonForm::write(LessonText& text, const QString& written) const {
   (isGerman_ ? text.german : text.english) = written.trimmed().toStdString();
 }
 
-QString assignmentText(const std::vector<std::string>& assignments) {
-  return QString::fromStdString(joinedAssignments(assignments));
-}
-
-std::vector<std::string> assignmentsIn(const QString& text) {
-  std::vector<std::string> assignments;
-  for (std::string& one : separatedAssignments(text.toStdString())) {
-    const std::size_t first = one.find_first_not_of(' '), last = one.find_last_not_of(' ');
-    if (first != one.npos) assignments.push_back(one.substr(first, last - first + 1));
+void fillParameterMenu(QMenu& menu, const Scene& scene,
+                       const std::function<void(QMenu& section, const Parameter& row)>& add) {
+  menu.clear();
+  for (const ParameterGroup& group : parameterSections()) {
+    if (group.name == QLatin1String("texts")) continue;  // a step has a title and a text of its own
+    auto* section = new QMenu(group.title(), &menu);
+    for (const std::string_view key : group.keys)
+      if (const Parameter* row = findParameter(key); row && isApplicable(*row, scene))
+        add(*section, *row);
+    if (section->isEmpty())
+      delete section;
+    else
+      menu.addMenu(section);
   }
-  return assignments;
 }
 
 std::optional<double> numberIn(const QString& text) {

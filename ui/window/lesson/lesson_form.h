@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <QWidget>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,9 +14,13 @@
 class QComboBox;
 class QFormLayout;
 class QLineEdit;
+class QMenu;
 class QPlainTextEdit;
 
 namespace asperity {
+
+class AssignmentList;
+struct Parameter;
 
 class LessonForm : public QWidget {
   Q_OBJECT
@@ -30,6 +35,7 @@ class LessonForm : public QWidget {
   QLineEdit* addLine(const QString& label, const char* name);
   QPlainTextEdit* addText(const QString& label, const char* name, int lines);
   QComboBox* addChoice(const QString& label, const char* name);
+  AssignmentList* addAssignments(const QString& label, const char* name);
   void addRow(const QString& label, QWidget* field);
   /// Shows or hides a field with its label.
   void setShown(QWidget* field, bool isShown);
@@ -46,6 +52,8 @@ class LessonForm : public QWidget {
   void tell();
 
   QString textOf(const LessonText& text) const;
+  /// Shows a text from its beginning.
+  static void showIn(QLineEdit& line, const QString& text);
   void write(LessonText& text, const QString& written) const;
 
  signals:
@@ -56,9 +64,10 @@ class LessonForm : public QWidget {
   bool isGerman_ = false, isFilling_ = false;
 };
 
-/// Returns "load.normal_force=0.02; sliding.velocity=0.1", and the assignments in such a text.
-QString assignmentText(const std::vector<std::string>& assignments);
-std::vector<std::string> assignmentsIn(const QString& text);
+/// Fills a menu with a part for each section of the panel that has something to offer: `add` adds
+/// what it offers of a parameter that has a meaning in the scene.
+void fillParameterMenu(QMenu& menu, const Scene& scene,
+                       const std::function<void(QMenu& section, const Parameter& row)>& add);
 
 /// Returns the number in a text with a decimal point or comma; nothing where there is none.
 std::optional<double> numberIn(const QString& text);

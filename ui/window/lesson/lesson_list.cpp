@@ -1,13 +1,10 @@
 #include "ui/window/lesson/lesson_list.h"
 
 #include <QCheckBox>
-#include <QDir>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -15,9 +12,8 @@
 
 #include "core/lesson/lesson_file.h"
 #include "ui/language/language.h"
-#include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/handout_saver.h"
 #include "ui/window/lesson/lesson_text.h"
-#include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
 namespace asperity {
@@ -41,7 +37,11 @@ const std::vector<Lesson>& shippedOnes() {
 }  // namespace
 
 LessonList::LessonList(QWidget* parent)
-    : QDialog(parent), list_(new QListWidget), about_(new QLabel), status_(new QLabel) {
+    : QDialog(parent),
+      list_(new QListWidget),
+      about_(new QLabel),
+      status_(new QLabel),
+      saver_(new HandoutSaver(this)) {
   setObjectName("lessonList");
   list_->setObjectName("lessonNames");
   list_->setWordWrap(true);
@@ -102,7 +102,12 @@ LessonList::LessonList(QWidget* parent)
   connect(list_, &QListWidget::itemActivated, this, &LessonList::begin);
   connect(start_, &QPushButton::clicked, this, &LessonList::begin);
   connect(open_, &QPushButton::clicked, this, &LessonList::askFile);
-  connect(handout_, &QPushButton::clicked, this, &LessonList::askHandout);
+  connect(handout_, &QPushButton::clicked, this, [this] {
+    if (list_->currentRow() < 0) return;
+    saver_->ask(shippedOnes()[static_cast<std::size_t>(list_->currentRow())], chosen());
+  });
+  connect(saver_, &HandoutSaver::told, status_, &QLabel::setText);
+  connect(saver_, &HandoutSaver::savingChanged, this, &LessonList::showChosen);
   connect(edit_, &QPushButton::clicked, this, [this] {
     emit editorWanted(chosen());
     accept();
@@ -137,7 +142,7 @@ QString LessonList::chosen() const {
 void LessonList::showChosen() {
   const int row = list_->currentRow();
   for (QPushButton* button : {start_, handout_, edit_})
-    button->setEnabled(row >= 0 && !(button == handout_ && isSaving_));
+    button->setEnabled(row >= 0 && !(button == handout_ && saver_->isSaving()));
   if (row < 0) return about_->clear();
   const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(row)];
   QString html = "<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
@@ -161,50 +166,6 @@ void LessonList::askFile() {
   if (file.isEmpty()) return;
   accept();
   emit lessonWanted(file);
-}
-
-void LessonList::askHandout() {
-  QMessageBox box(QMessageBox::Question, tr("Handout"),
-                  tr("A handout for students has the questions; one for teachers has the answers "
-                     "and the notes, too."),
-                  QMessageBox::Cancel, this);
-  box.setObjectName("handoutQuestion");
-  auto* students = box.addButton(tr("For &students"), QMessageBox::AcceptRole);
-  auto* teachers = box.addButton(tr("For &teachers"), QMessageBox::AcceptRole);
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  box.setDefaultButton(students);
-  box.exec();
-  if (box.clickedButton() != students && box.clickedButton() != teachers) return;
-  const QString file =
-      askSaveFile(this, tr("Save handout"), QDir::home().filePath(chosen() + ".pdf"),
-                  tr("PDF (*.pdf);;Web page (*.html)"));
-  if (!file.isEmpty()) saveHandout(file, box.clickedButton() == teachers);
-}
-
-void LessonList::saveHandout(const QString& file, bool forTeacher) {
-  const int row = list_->currentRow();
-  if (row < 0 || isSaving_) return;
-  isSaving_ = true;
-  status_->setText(tr("The program draws the pictures and computes the answers…"));
-  showChosen();
-  const auto done = [this](const QString& text) {
-    isSaving_ = false;
-    status_->setText(text);
-    showChosen();
-  };
-  work_.request(
-      [lesson = shippedOnes()[static_cast<std::size_t>(row)], file,
-       forTeacher](const BackgroundWork::Run& run) {
-        HandoutOptions options;
-        options.forTeacher = forTeacher;
-        options.stop = run.stop();
-        writeHandout(file.toStdString(), lesson, options);
-      },
-      [this, file, done] {
-        done(tr("Saved %1").arg(QFileInfo(file).fileName()));
-        emit handoutSaved(file);
-      },
-      done);
 }
 
 }  // namespace asperity

@@ -13,6 +13,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/prediction_fields.h"
 
 namespace asperity {
@@ -55,10 +56,20 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
   text_->setToolTip(
       tr("An empty line begins a paragraph; *word* and **word** emphasize; a line "
          "that begins with “- ” is an item"));
-  set_ = addLine(tr("Change of keys"), "editorSet");
-  set_->setPlaceholderText(QStringLiteral("load.normal_force=20mN; sliding.velocity=0.1"));
-  tab_ = addChoice(tr("Tab"), "editorTab");
-  for (const std::string_view word : kLessonTabs) tab_->addItem(wordText(word), fromUtf8(word));
+  set_ = addAssignments(tr("Changed in the scene"), "editorSet");
+  set_->setToolTip(tr("What this step changes in the scene that the step before leaves"));
+  tab_ = addChoice(tr("Tab in front"), "editorTab");
+  const std::pair<std::string_view, QString> tabs[] = {{"curve", tr("Friction curve")},
+                                                       {"motion", tr("Motion in time")},
+                                                       {"spectrum", tr("Spectrum")},
+                                                       {"statistics", tr("Statistics")},
+                                                       {"material", tr("Material")},
+                                                       {"accuracy", tr("Accuracy")},
+                                                       {"plan", tr("Plan")},
+                                                       {"map", tr("Map")},
+                                                       {"influences", tr("Influences")}};
+  static_assert(std::size(tabs) == std::size(kLessonTabs));
+  for (const auto& [word, title] : tabs) tab_->addItem(title, fromUtf8(word));
   quantity_ = addChoice(tr("Vertical axis"), "editorQuantity");
   for (const QuantityEntry& entry : quantityEntries())
     quantity_->addItem(translatedText(entry.title), fromUtf8(entry.word.text()));
@@ -66,8 +77,16 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
   controls_->setObjectName("editorControls");
   controls_->setPopupMode(QToolButton::InstantPopup);
   controls_->setMenu(new QMenu(controls_));
+  controls_->setFocusPolicy(Qt::StrongFocus);
+  controls_->setToolTip(tr("What students may change once they have answered"));
   addRow(tr("Free controls"), controls_);
   connect(controls_->menu(), &QMenu::aboutToShow, this, &LessonStepPage::fillControls);
+  others_ = addChoice(tr("Other controls"), "editorOthers");
+  for (const auto& [text, state] : {std::pair(tr("hidden"), ControlState::Hidden),
+                                    {tr("in sight, but locked"), ControlState::Locked},
+                                    {tr("free, too"), ControlState::Free}})
+    others_->addItem(text, static_cast<int>(state));
+  connect(others_, &QComboBox::activated, this, &LessonStepPage::chooseOthers);
   prediction_ = new PredictionFields(*this);
 }
 
@@ -77,7 +96,7 @@ void LessonStepPage::showStep(const LessonStep& step) {
   fill([&] {
     title_->setText(textOf(step.title));
     text_->setPlainText(textOf(step.text));
-    set_->setText(assignmentText(step.set));
+    set_->show(step.set, step.scene);
     tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
     prediction_->show(step);
@@ -88,7 +107,7 @@ void LessonStepPage::showStep(const LessonStep& step) {
 void LessonStepPage::take(LessonStep& step) const {
   write(step.title, title_->text());
   write(step.text, text_->toPlainText());
-  step.set = assignmentsIn(set_->text());
+  step.set = set_->assignments();
   step.show.tab = tab_->currentData().toString().toStdString();
   step.show.quantity = quantity_->currentData().toString().toStdString();
   step.controls = chosen_;
@@ -105,42 +124,38 @@ void LessonStepPage::showControls() {
   QStringList names;
   for (const std::string& key : chosen_.free)
     if (const Parameter* parameter = findParameter(key)) names += ParameterRow::labelOf(*parameter);
-  controls_->setText(chosen_.others == ControlState::Free ? tr("all")
-                     : names.isEmpty()                    ? tr("none")
-                     : names.size() > 3                   ? tr("%1 controls").arg(names.size())
-                                                          : names.join(", "));
+  controls_->setText(names.isEmpty()    ? tr("Choose…")
+                     : names.size() > 3 ? tr("%1 controls").arg(names.size())
+                                        : names.join(", "));
+  others_->setCurrentIndex(others_->findData(static_cast<int>(chosen_.others)));
   controls_->setAccessibleName(tr("free controls: %1").arg(controls_->text()));
 }
 
 /// Offers the parameters that have a meaning in the step's scene.
 void LessonStepPage::fillControls() {
-  QMenu& menu = *controls_->menu();
-  menu.clear();
-  QAction* all = menu.addAction(tr("all"));
-  all->setCheckable(true);
-  all->setChecked(chosen_.others == ControlState::Free);
-  connect(all, &QAction::toggled, this, [this](bool isFree) {
-    chosen_ = {};
-    if (isFree) chosen_.others = ControlState::Free;
-    showControls();
-    tell();
-  });
-  menu.addSeparator();
-  for (const Parameter& row : parameters()) {
-    if (!isApplicable(row, scene_) || row.key.find('.') == row.key.npos) continue;
-    QAction* action = menu.addAction(ParameterRow::labelOf(row));
+  fillParameterMenu(*controls_->menu(), scene_, [this](QMenu& section, const Parameter& row) {
+    QAction* action = section.addAction(ParameterRow::labelOf(row));
     action->setObjectName("free:" + fromUtf8(row.key));
     action->setCheckable(true);
     action->setChecked(chosen_.of(row.key) == ControlState::Free);
     connect(action, &QAction::toggled, this,
             [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); });
-  }
+  });
+}
+
+void LessonStepPage::chooseOthers() {
+  chosen_.others = static_cast<ControlState>(others_->currentData().toInt());
+  showControls();
+  tell();
 }
 
 void LessonStepPage::chooseControl(const std::string& key, bool isFree) {
   for (std::vector<std::string>* keys : {&chosen_.free, &chosen_.locked, &chosen_.hidden})
     std::erase(*keys, key);
-  if (isFree) chosen_.free.push_back(key);
+  if (isFree)
+    chosen_.free.push_back(key);
+  else if (chosen_.others == ControlState::Free)
+    chosen_.locked.push_back(key);
   showControls();
   tell();
 }

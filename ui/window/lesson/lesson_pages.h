@@ -42,11 +42,13 @@ class LessonStepPage : public LessonForm {
  private:
   void fillControls();
   void showControls();
+  void chooseOthers();
   void chooseControl(const std::string& key, bool isFree);
 
-  QLineEdit *title_, *set_;
+  QLineEdit* title_;
+  AssignmentList* set_;
   QPlainTextEdit* text_;
-  QComboBox *tab_, *quantity_;
+  QComboBox *tab_, *quantity_, *others_;
   QToolButton* controls_;
   PredictionFields* prediction_;
   LessonControls chosen_;  // of the step that is shown

@@ -37,6 +37,17 @@ QString choiceStyle(const QPalette& palette) {
            name(QPalette::Mid));
 }
 
+/// A button that is no wider than its text needs, so that three of them have room beside each
+/// other.
+class FootButton : public QPushButton {
+ public:
+  QSize sizeHint() const override {
+    constexpr int kAround = 24;  // pixels beside the text
+    return {fontMetrics().horizontalAdvance(text()) + kAround, QPushButton::sizeHint().height()};
+  }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
 /// A choice. An arrow key chooses the one to which it goes, though none was chosen before.
 class ChoiceButton : public QRadioButton {
  protected:
@@ -114,7 +125,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   progress_ = new QLabel;
   progress_->setObjectName("lessonProgress");
   const auto button = [](const char* name) {
-    auto* made = new QPushButton;
+    auto* made = new FootButton;
     made->setObjectName(name);
     made->setAutoDefault(false);
     return made;
@@ -136,6 +147,12 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   all->addWidget(scroll_, 1);
   all->addLayout(foot);
 
+  // Texts get their heights one after the other, and others with the width of the window.
+  connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] {
+    if (!isScrolledByHand_) scroll();
+  });
+  connect(scroll_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
+          [this] { isScrolledByHand_ = true; });
   connect(back_, &QPushButton::clicked, this, &LessonPane::backWanted);
   connect(show_, &QPushButton::clicked, this, &LessonPane::surrendered);
   connect(next_, &QPushButton::clicked, this, [this] {
@@ -176,7 +193,7 @@ void LessonPane::showStep(const LessonPage& page) {
   isPointPlaced_ = false;
   unit_ = page.unit;
   progress_->setText(tr("%1 of %2").arg(page.step + 1).arg(count));
-  fill(*title_, plainText(step.title).toHtmlEscaped());
+  fill(*title_, lineText(step.title).toHtmlEscaped());
   fill(*text_, richText(shown(step.text)) + (page.remark.isEmpty() ? QString() : page.remark));
   fill(*note_, {});
   clearInput();
@@ -184,7 +201,7 @@ void LessonPane::showStep(const LessonPage& page) {
   kind_.reset();
   if (step.prediction) kind_ = step.prediction->kind;
   fill(*question_,
-       step.prediction ? plainText(step.prediction->question).toHtmlEscaped() : QString());
+       step.prediction ? lineText(step.prediction->question).toHtmlEscaped() : QString());
   if (step.prediction && step.prediction->kind == PredictionKind::Choice)
     addChoices(*step.prediction, page);
   if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
@@ -212,10 +229,25 @@ void LessonPane::showStep(const LessonPage& page) {
   next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
   fill(*reveal_, reveal);
   showButtons();
-  QTimer::singleShot(0, this, [this, isRevealed = page.answer != nullptr] {
-    QScrollBar& bar = *scroll_->verticalScrollBar();
-    bar.setValue(isRevealed ? bar.maximum() : 0);
-  });
+  isRevealed_ = page.answer != nullptr;
+  isScrolledByHand_ = false;
+  QTimer::singleShot(0, this, &LessonPane::scroll);
+}
+
+/// Shows the beginning of a step. Of an answer it shows all from the question on; where there is no
+/// room for that, its beginning: from the question, or from the verdict if that would be out of
+/// sight.
+void LessonPane::scroll() {
+  QScrollBar& bar = *scroll_->verticalScrollBar();
+  if (!isRevealed_) return bar.setValue(0);
+  const int end = bar.maximum();
+  const auto isSeen = [&](const QWidget& part, int from) {
+    return part.geometry().bottom() <= from + scroll_->viewport()->height();
+  };
+  int from = end;
+  if (question_->isVisible() && question_->y() < end) from = question_->y();
+  if (verdict_->isVisible() && !isSeen(*verdict_, from)) from = std::min(verdict_->y(), end);
+  bar.setValue(from);
 }
 
 void LessonPane::clearInput() {
@@ -240,7 +272,7 @@ void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage
     const int number = static_cast<int>(i);
     auto* button = new ChoiceButton;
     button->setObjectName(QStringLiteral("lessonChoice:%1").arg(number));
-    QString text = plainText(prediction.choices[i].text);
+    QString text = lineText(prediction.choices[i].text);
     if (page.answer) {
       const bool isRight = number == page.answer->choice;
       const bool isGiven = number == page.given->choice;
@@ -347,7 +379,7 @@ void LessonPane::showButtons() {
   int width = 0;
   for (const QString& text : {tr("Check"), tr("Finish"), tr("Next")})
     width = std::max(width, metrics.horizontalAdvance(text));
-  next_->setMinimumWidth(width + 30);
+  next_->setMinimumWidth(width + 26);
 }
 
 void LessonPane::focusStep() {

@@ -62,6 +62,7 @@ class LessonPane : public QWidget {
   void addChoices(const LessonPrediction& prediction, const LessonPage& page);
   void addNumber(const LessonPage& page);
   void clearInput();
+  void scroll();
   void showButtons();
   void check();
   std::optional<GivenAnswer> typedAnswer() const;
@@ -77,6 +78,7 @@ class LessonPane : public QWidget {
   bool isAsking_ = false, isWaiting_ = false, isLast_ = false, isFirst_ = true;
   std::optional<PredictionKind> kind_;
   bool isPointPlaced_ = false;
+  bool isRevealed_ = false, isScrolledByHand_ = false;
 };
 
 }  // namespace asperity

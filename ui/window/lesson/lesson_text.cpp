@@ -11,18 +11,25 @@ namespace asperity {
 
 namespace {
 
-QString inlineHtml(const QString& text) {
-  static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
-  static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
+/// Returns a text that is broken into lines only where that does not hinder reading.
+QString keptTogether(QString text) {
   // A quantity stays on one line: "3 mm/s" breaks neither at the blank nor at the slash.
   static const QRegularExpression unit(
       QStringLiteral(R"((\d) ((?:[GMkcmµn]?(?:m|s|N|Pa|K|W|J|g)|°C|%)(?:/(?:s|m))?)(?![\w/]))"));
-  QString html = text.toHtmlEscaped();
-  html.replace(unit, QStringLiteral("\\1\u00A0\\2"));
-  html.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
+  text.replace(unit, QStringLiteral("\\1\u00A0\\2"));
+  text.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
   // Nor do the two sides of "H = 0.7" and "T − T₀" part.
-  for (const char16_t sign : {u'=', u'−'})
-    html.replace(QString(u' ') + sign + ' ', QString(QChar::Nbsp) + sign + QChar::Nbsp);
+  for (const char16_t sign : {u'=', u'−', u'+'})
+    text.replace(QString(u' ') + sign + ' ', QString(QChar::Nbsp) + sign + QChar::Nbsp);
+  // Nor does a number from what it counts: "3-mal".
+  static const QRegularExpression times(QStringLiteral(R"((\d)-(?=\w))"));
+  return text.replace(times, QStringLiteral("\\1\u2011"));
+}
+
+QString inlineHtml(const QString& text) {
+  static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
+  static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
+  QString html = keptTogether(text.toHtmlEscaped());
   html.replace(strong, QStringLiteral("<b>\\1</b>"));
   html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
   return html;
@@ -36,6 +43,10 @@ const std::string& shown(const LessonText& text) {
 
 QString plainText(const LessonText& text) {
   return QString::fromStdString(shown(text));
+}
+
+QString lineText(const LessonText& text) {
+  return keptTogether(plainText(text));
 }
 
 QString richText(const std::string& text) {

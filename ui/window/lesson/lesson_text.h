@@ -11,6 +11,8 @@ namespace asperity {
 /// Returns a text in the current language.
 const std::string& shown(const LessonText& text);
 QString plainText(const LessonText& text);
+/// Returns the same with its quantities and formulas kept on one line each.
+QString lineText(const LessonText& text);
 
 /// Returns HTML of paragraphs and lists: "*word*" in italics, "**word**" in bold, "- " items.
 /// Everything else is plain text.

@@ -6,10 +6,13 @@
 #include <string>
 
 #include "core/friction/curve_file.h"
+#include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
+#include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_form.h"
 
 namespace asperity {
@@ -22,6 +25,32 @@ Kind kindOf(const LessonValue& value) {
   if (value.kind == LessonValue::Kind::Peak) return kPeak;
   if (value.kind == LessonValue::Kind::Exponent) return kExponent;
   return value.over.empty() ? kThere : kRatio;
+}
+
+/// Returns a quantity of the friction curve in words.
+QString titleOf(std::string_view column) {
+  for (const QuantityEntry& entry : quantityEntries())
+    if (entry.word.text() == column) return translatedText(entry.title);
+  const std::pair<std::string_view, QString> titles[] = {
+      {"velocity", LessonValueFields::tr("velocity")},
+      {"mu_standard_error", LessonValueFields::tr("standard error of μ")},
+      {"mu_law", LessonValueFields::tr("μ by Eq. (11)")},
+      {"dimensionless_velocity", LessonValueFields::tr("dimensionless velocity")},
+      {"dimensionless_force", LessonValueFields::tr("dimensionless force")},
+      {"mu_interface", LessonValueFields::tr("μ of the local friction")},
+      {"mu_total", LessonValueFields::tr("μ with the local friction")},
+      {"mu_mean_of_ratios", LessonValueFields::tr("mean of the ratios of force to load")},
+      {"mu_ratio_of_means", LessonValueFields::tr("ratio of the mean force to the mean load")},
+      {"marginal_share",
+       LessonValueFields::tr("share of its load on an element that just touches")},
+      {"extrapolated",
+       LessonValueFields::tr("whether it rests on frequencies that were not measured")},
+      {"normal_force", LessonValueFields::tr("normal force")},
+      {"nominal_pressure", LessonValueFields::tr("nominal pressure")},
+      {"contact_spots", LessonValueFields::tr("number of contacts")}};
+  for (const auto& [name, title] : titles)
+    if (name == column) return title;
+  return fromUtf8(column);
 }
 
 /// Returns a value of a key as its row of the panel shows it: "20 mN".
@@ -37,43 +66,47 @@ QString valueOfKey(const std::string& key, double value) {
 
 LessonValueFields::LessonValueFields(LessonForm& page) : QObject(&page), page_(page) {
   kind_ = page.addChoice(tr("Computed answer"), "editorValue");
-  kind_->addItems({tr("the value with these keys"), tr("its ratio to the value of the step"),
-                   tr("the place of the largest value"),
-                   tr("the exponent with which it depends on a key")});
+  kind_->addItems(
+      {tr("the value after the changes below"), tr("how many times as large as in this step"),
+       tr("where on the axis it is largest"), tr("the power of a parameter with which it grows")});
   connect(kind_, &QComboBox::activated, this, [this] {
     showRows();
     proposeEnds();
   });
-  column_ = page.addChoice(tr("of the column"), "editorColumn");
+  column_ = page.addChoice(tr("of the quantity"), "editorColumn");
   for (const std::string_view name : curveColumns())
-    if (name != "mu_low" && name != "mu_high" && name != "realizations")
-      column_->addItem(fromUtf8(name));
-  key_ = page.addChoice(tr("over the key"), "editorExponentKey");
+    if (name != "mu_low" && name != "mu_high" && name != "realizations") {
+      column_->addItem(titleOf(name), fromUtf8(name));
+      column_->setItemData(column_->count() - 1, fromUtf8(name), Qt::ToolTipRole);
+    }
+  key_ = page.addChoice(tr("of the parameter"), "editorExponentKey");
   connect(key_, &QComboBox::activated, this, &LessonValueFields::proposeEnds);
   from_ = page.addLine(tr("from"), "editorExponentFrom");
   to_ = page.addLine(tr("to"), "editorExponentTo");
   for (QLineEdit* end : {from_, to_}) {
     end->setPlaceholderText(QStringLiteral("20 mN"));
     end->setToolTip(
-        tr("Two values of the key, both above 0, between which the slope of the curve in "
+        tr("Two values of the parameter, both above 0, between which the slope of the curve in "
            "logarithms is computed"));
   }
-  set_ = page.addLine(tr("with the keys"), "editorValueSet");
-  set_->setPlaceholderText(QStringLiteral("sliding.velocity=0.1"));
+  set_ = page.addAssignments(tr("after the changes"), "editorValueSet");
 }
 
 void LessonValueFields::show(const LessonValue& value, const Scene& scene) {
   scene_ = scene;
   kind_->setCurrentIndex(kindOf(value));
-  column_->setCurrentText(QString::fromStdString(value.column));
-  set_->setText(assignmentText(value.set));
+  column_->setCurrentIndex(column_->findData(QString::fromStdString(value.column)));
+  set_->show(value.set, scene);
   key_->clear();
   for (const Parameter& row : parameters())
     if (std::holds_alternative<RealField>(row.field) && isApplicable(row, scene) &&
         row.key.find('.') != row.key.npos)
       key_->addItem(ParameterRow::labelOf(row), fromUtf8(row.key));
   const QString key = QString::fromStdString(value.key.empty() ? "sliding.velocity" : value.key);
-  if (key_->findData(key) < 0) key_->addItem(key, key);  // it has a meaning with the keys below
+  if (key_->findData(key) < 0) {
+    const Parameter* row = findParameter(key.toStdString());
+    key_->addItem(row ? ParameterRow::labelOf(*row) : key, key);
+  }  // it has a meaning with the keys below
   key_->setCurrentIndex(key_->findData(key));
   from_->setText(valueOfKey(value.key, value.from));
   to_->setText(valueOfKey(value.key, value.to));
@@ -116,8 +149,8 @@ double LessonValueFields::endOf(const QLineEdit& entry) const {
 
 LessonValue LessonValueFields::taken(const LessonValue& before) const {
   LessonValue value = before;
-  value.column = column_->currentText().toStdString();
-  value.set = assignmentsIn(set_->text());
+  value.column = column_->currentData().toString().toStdString();
+  value.set = set_->assignments();
   const int kind = kind_->currentIndex();
   if (kind != kindOf(before)) {
     value.kind = kind == kPeak       ? LessonValue::Kind::Peak

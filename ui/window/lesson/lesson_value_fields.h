@@ -12,6 +12,7 @@ class QLineEdit;
 
 namespace asperity {
 
+class AssignmentList;
 class LessonForm;
 
 class LessonValueFields : public QObject {
@@ -33,7 +34,8 @@ class LessonValueFields : public QObject {
 
   LessonForm& page_;
   QComboBox *kind_, *column_, *key_;
-  QLineEdit *from_, *to_, *set_;
+  QLineEdit *from_, *to_;
+  AssignmentList* set_;
   Scene scene_;  // of the step
   bool isShown_ = true;
 };

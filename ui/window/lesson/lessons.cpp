@@ -42,8 +42,9 @@ namespace asperity {
 
 namespace {
 
-constexpr int kUsualHeight = 420;  // pixels of the pane, above the parameters
-constexpr int kLeastHeight = 260;
+// Pixels of the pane and of the parameters below it, of which a step frees a few.
+constexpr int kUsualHeight = 480, kParametersHeight = 190;
+constexpr int kLeastHeight = 260;  // of the pane
 
 /// Returns the scene under the step's name: what a scene says of itself may be the answer.
 Scene inLesson(Scene scene, const LessonStep& step) {
@@ -149,7 +150,13 @@ void Lessons::buildDock() {
     keep_->setAccessibleName(tr("keep results"));
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
-    if (isRunning()) showPage();
+    if (isRunning()) {
+      // The scene has the step's title, and keeps what the student changed.
+      Scene scene = parts_.document.scene();
+      scene.title = shown(present().title);
+      if (!(scene == parts_.document.scene())) parts_.document.edit(scene);
+      showPage();
+    }
     showTitle();
   });
 }
@@ -261,7 +268,7 @@ void Lessons::start(const Lesson& lesson, int step) {
   // The lesson may have been begun with the parameters closed, of which a step frees some.
   parts_.parameters.show();
   dock_->show();
-  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kUsualHeight, kLeastHeight},
+  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kUsualHeight, kParametersHeight},
                             Qt::Vertical);
   commands_->get("lessonEnd")->setEnabled(true);
   show(std::clamp(step, 0, static_cast<int>(lesson_->steps.size()) - 1));

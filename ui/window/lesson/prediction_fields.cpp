@@ -1,6 +1,5 @@
 #include "ui/window/lesson/prediction_fields.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "ui/panels/number_text.h"
+#include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_form.h"
 #include "ui/window/lesson/lesson_value_fields.h"
 
@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kMostChoices = 6;
 
-enum Kind { kNone, kChoice, kNumber, kPoint };  // as in the list
+enum Kind { kNone, kChoice, kNumber, kPoint };                     // as in the list
+enum Curve { kInSight, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
 
 QString endText(double end) {
   return std::isfinite(end) ? shownNumber(end) : QString();
@@ -36,17 +37,20 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
   value_ = new LessonValueFields(page);
   x_ = page.addLine(tr("Place on the axis"), "editorX");
   x_->setPlaceholderText(tr("empty: the largest value is asked"));
-  tolerance_ = page.addLine(tr("Tolerance"), "editorTolerance");
+  tolerance_ = page.addLine(tr("Tolerance in %"), "editorTolerance");
+  tolerance_->setToolTip(tr(
+      "How far a right answer may be from the computed one; of a point, the factor on the chart is "
+      "1.5 for 50 %"));
   right_ = page.addLine(tr("If right"), "editorRight");
   wrong_ = page.addLine(tr("If wrong"), "editorWrong");
   for (QLineEdit* line : {right_, wrong_})
-    line->setToolTip(tr("{answer} and {given} stand for the two answers"));
-  hides_ = new QCheckBox(tr("The curve is hidden until the answer"));
-  hides_->setObjectName("editorHides");
-  page.addRow(QString(), hides_);
-  connect(hides_, &QCheckBox::toggled, &page, &LessonForm::tell);
-  after_ = page.addLine(tr("Change when revealed"), "editorAfter");
-  reveal_ = page.addText(tr("What is revealed"), "editorReveal", 4);
+    line->setToolTip(tr(
+        "Write {answer} where the computed answer belongs, and {given} where the student's does"));
+  hides_ = page.addChoice(tr("The curve is"), "editorHides");
+  hides_->addItems({tr("in sight"), tr("hidden until the answer"), tr("hidden throughout")});
+  after_ = page.addAssignments(tr("Changed with the answer"), "editorAfter");
+  after_->setToolTip(tr("What the program changes in the scene when the answer is shown"));
+  reveal_ = page.addText(tr("Said with the answer"), "editorReveal", 4);
 }
 
 void PredictionFields::addChoices() {
@@ -72,14 +76,16 @@ void PredictionFields::addChoices() {
 void PredictionFields::show(const LessonStep& step) {
   const LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
-  question_->setText(page_.textOf(prediction.question));
-  right_->setText(page_.textOf(prediction.right));
-  wrong_->setText(page_.textOf(prediction.wrong));
-  tolerance_->setText(shownNumber(prediction.tolerance));
+  LessonForm::showIn(*question_, page_.textOf(prediction.question));
+  LessonForm::showIn(*right_, page_.textOf(prediction.right));
+  LessonForm::showIn(*wrong_, page_.textOf(prediction.wrong));
+  tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
   x_->setText(prediction.x ? shownNumber(*prediction.x) : QString());
   value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
-  hides_->setChecked(step.show.hidesCurve);
-  after_->setText(assignmentText(step.after));
+  hides_->setCurrentIndex(!step.show.hidesCurve       ? kInSight
+                          : step.show.hidesCurveAfter ? kHiddenThroughout
+                                                      : kHiddenUntilAnswered);
+  after_->show(step.after, step.revealedScene);
   reveal_->setPlainText(page_.textOf(step.reveal));
   showChoices(prediction);
   showRows();
@@ -135,7 +141,8 @@ bool PredictionFields::takeChoices(LessonPrediction& prediction) const {
 }
 
 void PredictionFields::take(LessonStep& step) const {
-  step.show.hidesCurve = hides_->isChecked();
+  step.show.hidesCurve = hides_->currentIndex() != kInSight;
+  step.show.hidesCurveAfter = hides_->currentIndex() == kHiddenThroughout;
   const int kind = kind_->currentIndex();
   if (kind == kNone) {
     step.prediction.reset();
@@ -149,7 +156,10 @@ void PredictionFields::take(LessonStep& step) const {
   page_.write(prediction.question, question_->text());
   page_.write(prediction.right, right_->text());
   page_.write(prediction.wrong, wrong_->text());
-  prediction.tolerance = numberIn(tolerance_->text()).value_or(0);
+  // What was not edited stays as it is, to the last digit.
+  const double percent = numberIn(tolerance_->text().remove('%')).value_or(0);
+  if (std::abs(percent - 100 * prediction.tolerance) > 1e-9 * percent || percent == 0)
+    prediction.tolerance = percent / 100;
   prediction.x.reset();
   if (kind == kPoint) prediction.x = numberIn(x_->text());
   bool isComputed = kind == kNumber;
@@ -162,7 +172,7 @@ void PredictionFields::take(LessonStep& step) const {
   else
     prediction.answer.reset();
   step.prediction = prediction;
-  step.after = assignmentsIn(after_->text());
+  step.after = after_->assignments();
   page_.write(step.reveal, reveal_->toPlainText());
 }
 

@@ -7,7 +7,6 @@
 
 #include "core/lesson/lesson.h"
 
-class QCheckBox;
 class QComboBox;
 class QLineEdit;
 class QPlainTextEdit;
@@ -15,6 +14,7 @@ class QTableWidget;
 
 namespace asperity {
 
+class AssignmentList;
 class LessonForm;
 class LessonValueFields;
 
@@ -37,10 +37,11 @@ class PredictionFields : public QObject {
 
   LessonForm& page_;
   QComboBox* kind_;
-  QLineEdit *question_, *x_, *tolerance_, *right_, *wrong_, *after_;
+  QLineEdit *question_, *x_, *tolerance_, *right_, *wrong_;
+  AssignmentList* after_;
   QTableWidget* choices_ = nullptr;
   LessonValueFields* value_;
-  QCheckBox* hides_;
+  QComboBox* hides_;
   QPlainTextEdit* reveal_;
 };
 

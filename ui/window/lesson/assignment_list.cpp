@@ -1,0 +1,222 @@
+#include "ui/window/lesson/assignment_list.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <memory>
+
+#include "core/base/input_error.h"
+#include "core/lesson/lesson.h"
+#include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
+#include "ui/language/language.h"
+#include "ui/language/translated.h"
+#include "ui/panels/number_text.h"
+#include "ui/panels/parameter_row.h"
+#include "ui/window/lesson/lesson_form.h"
+
+namespace asperity {
+
+namespace {
+
+/// Returns the text after the sign of equality.
+QString valueOf(const std::string& assignment) {
+  const std::size_t sign = assignment.find('=');
+  return sign == assignment.npos ? QString() : QString::fromStdString(assignment.substr(sign + 1));
+}
+
+/// Returns a value as an assignment has it.
+QString plainValue(const ParameterValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) return numberText(*real);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return QString::number(*whole);
+  return QString::fromStdString(std::get<std::string>(value));
+}
+
+/// Returns a number of an assignment in a readable unit; any other text has none.
+UnitText readable(const QString& text, const Parameter& row) {
+  const std::optional<double> value = numberIn(plainNumberOf(text, ruleOf(row)));
+  if (!value) return {text, {}};
+  const UnitText shown = inReadableUnit(*value, fromUtf8(row.unit));
+  return {inLanguage(shown.number), shown.unit};
+}
+
+}  // namespace
+
+AssignmentList::AssignmentList(const QString& name, QWidget* parent)
+    : QWidget(parent), name_(name), column_(new QVBoxLayout(this)), add_(new QToolButton) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(4);
+  add_->setObjectName(name);
+  add_->setText(tr("Change a parameter…"));
+  add_->setPopupMode(QToolButton::InstantPopup);
+  add_->setMenu(new QMenu(add_));
+  add_->setFocusPolicy(Qt::StrongFocus);
+  connect(add_->menu(), &QMenu::aboutToShow, this, &AssignmentList::fillMenu);
+  column_->addWidget(add_, 0, Qt::AlignLeft);
+}
+
+void AssignmentList::show(const std::vector<std::string>& assignments, const Scene& scene) {
+  assignments_ = assignments;
+  scene_ = scene;
+  showRows();
+}
+
+void AssignmentList::showRows() {
+  // The Tab key goes through the new rows where it went through the old ones.
+  QWidget* before = add_->previousInFocusChain();
+  while (rows_ && before != add_ && (before == rows_ || rows_->isAncestorOf(before)))
+    before = before->previousInFocusChain();
+  if (rows_) {
+    column_->removeWidget(rows_);
+    rows_->setParent(nullptr);
+    rows_->deleteLater();  // one of its buttons may have been pressed
+  }
+  rows_ = new QWidget;
+  auto* rows = new QVBoxLayout(rows_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(3);
+  for (std::size_t i = 0; i < assignments_.size(); ++i) rows->addWidget(makeRow(i));
+  column_->insertWidget(0, rows_);
+  rows_->setVisible(!assignments_.empty());
+  for (QWidget* field : rows_->findChildren<QWidget*>())
+    if (field->focusPolicy() & Qt::TabFocus && before->window() == window()) {
+      setTabOrder(before, field);
+      before = field;
+    }
+}
+
+QWidget* AssignmentList::makeRow(std::size_t place) {
+  const std::string key(keyOf(assignments_[place]));
+  const Parameter* row = findParameter(key);
+  auto* all = new QWidget;
+  auto* line = new QHBoxLayout(all);
+  line->setContentsMargins(0, 0, 0, 0);
+  const QString label = row ? ParameterRow::labelOf(*row) : QString::fromStdString(key);
+  auto* name = new QLabel(label);
+  name->setMinimumWidth(16 * fontMetrics().horizontalAdvance('0'));
+  if (row) name->setToolTip(translatedText(row->sentence) + '\n' + QString::fromStdString(key));
+  line->addWidget(name);
+  QWidget* value = nullptr;
+  if (row) {
+    value = makeValue(place, *row);
+  } else {
+    auto* text = new QLineEdit(valueOf(assignments_[place]));
+    connect(text, &QLineEdit::textEdited, this,
+            [this, place](const QString& written) { write(place, written); });
+    value = text;
+  }
+  value->setObjectName(name_ + ':' + QString::fromStdString(key));
+  value->setAccessibleName(label);
+  line->addWidget(value, 1);
+  auto* away = new QToolButton;
+  away->setObjectName(name_ + "Without:" + QString::fromStdString(key));
+  away->setText(QStringLiteral("✕"));
+  away->setAutoRaise(true);
+  away->setFocusPolicy(Qt::StrongFocus);
+  away->setToolTip(tr("Removes this change"));
+  away->setAccessibleName(tr("remove the change of “%1”").arg(label));
+  line->addWidget(away);
+  connect(away, &QToolButton::clicked, this, [this, place] { remove(place); });
+  return all;
+}
+
+/// Makes the field of a value: a list where there are words to choose from, else a line.
+QWidget* AssignmentList::makeValue(std::size_t place, const Parameter& row) {
+  const QString written = valueOf(assignments_[place]);
+  const auto list = [&](const auto& fill) {
+    auto* box = new QComboBox;
+    fill(*box);
+    if (box->findData(written) < 0) box->addItem(written, written);
+    box->setCurrentIndex(box->findData(written));
+    connect(box, &QComboBox::activated, this,
+            [this, place, box] { write(place, box->currentData().toString()); });
+    return box;
+  };
+  if (const auto* choice = std::get_if<ChoiceField>(&row.field))
+    return list([choice](QComboBox& box) {
+      for (const std::string_view word : choice->choices)
+        box.addItem(wordText(word), fromUtf8(word));
+    });
+  // The axis of the curve is the name of another parameter.
+  if (findParameter(written.toStdString()))
+    return list([this](QComboBox& box) {
+      const Scene scene = changed();
+      for (const Parameter& one : parameters())
+        if (isApplicable(one, scene) && std::holds_alternative<RealField>(one.field))
+          box.addItem(ParameterRow::labelOf(one), fromUtf8(one.key));
+    });
+  auto* line = new QLineEdit;
+  const Parameter shown = parameterIn(row, changed());
+  if (!allowedRange(shown)) {
+    line->setText(written);
+    connect(line, &QLineEdit::textEdited, this,
+            [this, place](const QString& text) { write(place, text); });
+    return line;
+  }
+  line->setToolTip(tr("Allowed: %1").arg(allowedInWords(ruleOf(shown))));
+  // A number that is typed without a unit has the one that was shown.
+  const auto unit = std::make_shared<QString>();
+  const auto showValue = [this, place, line, unit, shown] {
+    const UnitText text = readable(valueOf(assignments_[place]), shown);
+    *unit = text.unit;
+    line->setText((text.number + ' ' + text.unit).trimmed());
+  };
+  showValue();
+  connect(line, &QLineEdit::textEdited, this,
+          [this, place, unit, rule = ruleOf(shown)](const QString& typed) {
+            write(place, plainNumberOf(inShownUnit(withPoint(typed.trimmed()), *unit), rule));
+          });
+  connect(line, &QLineEdit::editingFinished, this, showValue);
+  return line;
+}
+
+void AssignmentList::write(std::size_t place, const QString& value) {
+  assignments_[place] =
+      std::string(keyOf(assignments_[place])) + '=' + value.trimmed().toStdString();
+  emit edited();
+}
+
+void AssignmentList::remove(std::size_t place) {
+  assignments_.erase(assignments_.begin() + static_cast<std::ptrdiff_t>(place));
+  showRows();
+  add_->setFocus();
+  emit edited();
+}
+
+/// Adds a change to the value that the parameter has, which the teacher edits.
+void AssignmentList::add(const Parameter& row) {
+  const QString value = plainValue(asperity::valueOf(row, changed()));
+  assignments_.push_back(std::string(row.key) + '=' + value.toStdString());
+  showRows();
+  auto* field = findChild<QWidget*>(name_ + ':' + fromUtf8(row.key));
+  field->setFocus();
+  if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
+  emit edited();
+}
+
+/// Offers what has a meaning in the scene and is not changed yet.
+void AssignmentList::fillMenu() {
+  fillParameterMenu(*add_->menu(), changed(), [this](QMenu& section, const Parameter& row) {
+    const auto isSame = [&](const std::string& one) { return keyOf(one) == row.key; };
+    if (std::ranges::any_of(assignments_, isSame)) return;
+    QAction* action = section.addAction(ParameterRow::labelOf(row));
+    action->setObjectName(name_ + "With:" + fromUtf8(row.key));
+    connect(action, &QAction::triggered, this, [this, &row] { add(row); });
+  });
+}
+
+/// Returns the scene with the changes, or without them where one of them is wrong.
+Scene AssignmentList::changed() const {
+  try {
+    return withKeys(scene_, assignments_);
+  } catch (const InputError&) {
+    return scene_;
+  }
+}
+
+}  // namespace asperity
