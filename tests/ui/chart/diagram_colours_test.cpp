@@ -114,6 +114,30 @@ TEST(DiagramColours, GreyPicturesHaveGreyFields) {
   }
 }
 
+double luminance(const Rgba& colour) {
+  const auto linear = [](float part) {
+    const auto coded = static_cast<double>(part);
+    return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
+}
+
+double contrast(const Rgba& a, const Rgba& b) {
+  const auto [low, high] = std::minmax(luminance(a), luminance(b));
+  return (high + 0.05) / (low + 0.05);
+}
+
+/// The cross of a map has a contrast of 3 with every colour of the field (WCAG 1.4.11): its core
+/// with its edge, and one of them with the field.
+TEST(DiagramColours, ALineIsSeenOnEveryColourOfAField) {
+  for (int k = 0; k <= 100; ++k) {
+    const Rgba field = fieldColour(0.01 * k);
+    const Rgba edge = mix(field, withAlpha(kEdgeOnField, 1), kEdgeOnField.a);
+    EXPECT_GE(contrast(kLineOnField, edge), 3) << k;
+    EXPECT_GE(std::max(contrast(kLineOnField, field), contrast(edge, field)), 3) << k;
+  }
+}
+
 TEST(DiagramColours, BearAnyNumber) {
   const Theme& theme = lightTheme();
   EXPECT_EQ(seriesColour(kDistinctColours, theme).r, seriesColour(0, theme).r);
