@@ -2600,12 +2600,20 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>Along x:</source>
-        <translation>Entlang x:</translation>
+        <source>x:</source>
+        <translation>x:</translation>
     </message>
     <message>
-        <source>Along y:</source>
-        <translation>Entlang y:</translation>
+        <source>parameter along x</source>
+        <translation>Parameter entlang x</translation>
+    </message>
+    <message>
+        <source>y:</source>
+        <translation>y:</translation>
+    </message>
+    <message>
+        <source>parameter along y</source>
+        <translation>Parameter entlang y</translation>
     </message>
     <message>
         <source>Show:</source>

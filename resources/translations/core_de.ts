@@ -2579,8 +2579,8 @@
         <translation>Kontaktlänge ℓ</translation>
     </message>
     <message>
-        <source>nothing has moved yet</source>
-        <translation>noch hat sich nichts bewegt</translation>
+        <source>a dashed line will show relaxation at the predicted rate 1/τ + v/ℓ</source>
+        <translation>Eine gestrichelte Linie wird die Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ zeigen</translation>
     </message>
     <message>
         <source>rigid body</source>
