@@ -114,19 +114,6 @@ TEST(DiagramColours, GreyPicturesHaveGreyFields) {
   }
 }
 
-double luminance(const Rgba& colour) {
-  const auto linear = [](float part) {
-    const auto coded = static_cast<double>(part);
-    return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(colour.r) + 0.7152 * linear(colour.g) + 0.0722 * linear(colour.b);
-}
-
-double contrast(const Rgba& a, const Rgba& b) {
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
-  return (high + 0.05) / (low + 0.05);
-}
-
 /// The cross of a map has a contrast of 3 with every colour of the field (WCAG 1.4.11): its core
 /// with its edge, and one of them with the field.
 TEST(DiagramColours, ALineIsSeenOnEveryColourOfAField) {
