@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -72,6 +73,19 @@ double numberOf(const Scene& scene, const MapAxis& axis) {
   return numberOf(*axis.range.row, scene);
 }
 
+/// Returns the relative standard error that half of the cells are below; 1 where none is known, as
+/// in a preview of one line.
+double noiseOf(const ParameterMap& map) {
+  std::vector<double> errors;
+  for (const CurvePoint& cell : map.points)
+    if (std::isfinite(cell.muStandardError) && cell.mu > 0)
+      errors.push_back(cell.muStandardError / cell.mu);
+  if (errors.empty()) return 1;
+  const auto middle = errors.begin() + std::ssize(errors) / 2;
+  std::ranges::nth_element(errors, middle);
+  return *middle;
+}
+
 /// A map with both sides rising.
 class RisingMap {
  public:
@@ -89,6 +103,8 @@ class RisingMap {
   const CurvePoint& cell(std::size_t i, std::size_t j) const {
     return map_.at(columns_[i], rows_[j]);
   }
+  /// Returns the usual relative standard error of friction.
+  double noise() const { return noiseOf(map_); }
   Scene scene(std::size_t i, std::size_t j) const {
     return sceneOfCell(map_, columns_[i], rows_[j]);
   }
@@ -142,6 +158,38 @@ std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisSca
   return points;
 }
 
+/// Adds levels where much of the map lies between two neighbouring ones, as on a plateau: its shape
+/// is then seen although its colours differ little. Steps are as large as the noise asks for, and
+/// no smaller than a hundredth of the value.
+std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<double>& values,
+                                 double from, double to, double noise) {
+  constexpr double kMuch = 0.35;  // part of the map between two levels
+  constexpr int kBetween = 4;     // further levels there, about
+  constexpr int kTimes = 2;
+  constexpr double kErrors = 3;  // standard errors between two levels
+  const double least = std::max(0.01, kErrors * noise);
+  std::vector<double> known;
+  std::ranges::copy_if(values, std::back_inserter(known),
+                       [](double value) { return std::isfinite(value); });
+  for (int time = 0; time < kTimes; ++time) {
+    std::vector<double> ends{from};
+    ends.insert(ends.end(), levels.begin(), levels.end());
+    ends.push_back(to);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double low = ends[i], high = ends[i + 1];
+      const auto inside =
+          std::ranges::count_if(known, [&](double value) { return value >= low && value <= high; });
+      if (static_cast<double>(inside) < kMuch * static_cast<double>(known.size())) continue;
+      const std::vector<double> further = contourLevels(low, high, false, kBetween);
+      const double size = std::max(std::abs(low), std::abs(high));
+      if (further.size() > 1 && further[1] - further[0] >= least * size)
+        levels.insert(levels.end(), further.begin(), further.end());
+    }
+    std::ranges::sort(levels);
+  }
+  return levels;
+}
+
 /// Contour lines lie where the quantity changes as the colours do: of logarithms where these are.
 DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
   DiagramField field;
@@ -159,8 +207,9 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
   // Over many decades numbers are written as on the axes.
   constexpr double kManyDecades = 1e3;
   const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
-  for (const double level :
-       contourLevels(field.colours.from, field.colours.to, isLogarithmic, kLevels)) {
+  const double from = field.colours.from, to = field.colours.to;
+  for (const double level : withPlateaus(contourLevels(from, to, isLogarithmic, kLevels),
+                                         map.values, from, to, map.noise())) {
     DiagramContour contour{
         level, PrintedNumber{arePowers ? printedPower(level) : printedNumber(level)}, {}};
     for (const ContourLine& line :

@@ -59,7 +59,9 @@ class Transient::Means {
     if (force_ > 0) sample.mu = std::abs(tangential_) / force_;
     sample.powerDissipated = dissipated_ / time_;
     sample.contactFraction = contact_ / time_ / length;
-    sample.contactSpots = stretches_ / time_;
+    // Sums over steps have rounding errors; a count that does not change stays a whole number.
+    const double spots = stretches_ / time_, whole = std::round(spots);
+    sample.contactSpots = std::abs(spots - whole) < kRounding * whole ? whole : spots;
     if (stretches_ > 0) sample.contactLength = contact_ / stretches_;
     return sample;
   }

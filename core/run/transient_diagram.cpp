@@ -112,7 +112,8 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
         "guide on rough lines";
   DiagramSeries guide{.stroke = SeriesStroke::Dashed, .isTheory = true};
   guide.points = relaxationGuide(scene.sliding, samples);
-  if (samples.empty()) sheet.status = "nothing has moved yet";
+  if (willRelax(scene))
+    sheet.status = "a dashed line will show relaxation at the predicted rate 1/\u03C4 + v/\u2113";
   if (guide.points.size() < 2) return sheet;
   sheet.status = message("predicted rate 1/\u03C4 + v/\u2113 = {} s\u207B\u00B9",
                          PrintedNumber{printedNumber(samples.back().predictedRate, 3)});

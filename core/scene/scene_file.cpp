@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameters.h"
@@ -408,7 +409,7 @@ Scene readScene(std::string_view json, const std::string& name, const std::files
 
 Scene readSceneFile(const std::filesystem::path& file,
                     const std::vector<std::string>& assignments) {
-  return readScene(readWholeFile(file, kLargestScene), file.string(), file.parent_path(),
+  return readScene(readRegularFile(file, kLargestScene), file.string(), file.parent_path(),
                    assignments);
 }
 

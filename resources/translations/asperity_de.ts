@@ -2838,14 +2838,6 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>Along x:</source>
-        <translation>Entlang x:</translation>
-    </message>
-    <message>
-        <source>Along y:</source>
-        <translation>Entlang y:</translation>
-    </message>
-    <message>
         <source>Show:</source>
         <translation>Zeige:</translation>
     </message>
@@ -2860,6 +2852,22 @@
     <message>
         <source>friction over two parameters</source>
         <translation>Reibung über zwei Parametern</translation>
+    </message>
+    <message>
+        <source>x:</source>
+        <translation>x:</translation>
+    </message>
+    <message>
+        <source>parameter along x</source>
+        <translation>Parameter entlang x</translation>
+    </message>
+    <message>
+        <source>y:</source>
+        <translation>y:</translation>
+    </message>
+    <message>
+        <source>parameter along y</source>
+        <translation>Parameter entlang y</translation>
     </message>
 </context>
 <context>
@@ -3300,6 +3308,10 @@
     <message>
         <source>Read about it in the guide</source>
         <translation>Im Handbuch nachlesen</translation>
+    </message>
+    <message>
+        <source>Back to the default, which is empty</source>
+        <translation>Zurück zur Vorgabe, die leer ist</translation>
     </message>
 </context>
 <context>
@@ -4144,28 +4156,40 @@
         <translation>Der Zeitpunkt der Bewegung: Er lässt sich an jeden anderen ziehen.</translation>
     </message>
     <message>
-        <source>slow motion</source>
-        <translation>Zeitlupe</translation>
-    </message>
-    <message>
-        <source>How much slower than in reality the picture moves; to the right slower. Below 1 it is a time lapse. Lines of very many elements may move more slowly than this.</source>
-        <translation>Wievielmal langsamer als in Wirklichkeit sich das Bild bewegt; nach rechts langsamer. Unter 1 ist es ein Zeitraffer. Linien aus sehr vielen Elementen bewegen sich vielleicht noch langsamer.</translation>
-    </message>
-    <message>
-        <source>slow motion factor</source>
-        <translation>Faktor der Zeitlupe</translation>
-    </message>
-    <message>
         <source>constant pace</source>
         <translation>gleiches Tempo</translation>
     </message>
     <message>
-        <source>Keeps the pace of the picture while the velocity changes; otherwise the slow motion stays, and a faster line looks faster.</source>
-        <translation>Behält das Tempo des Bildes, während sich die Geschwindigkeit ändert; sonst bleibt die Zeitlupe, und eine schnellere Linie sieht schneller aus.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1× slower</source>
+        <translation>%1× langsamer</translation>
+    </message>
+    <message>
+        <source>%1× faster</source>
+        <translation>%1× schneller</translation>
+    </message>
+    <message>
+        <source>pace of the picture</source>
+        <translation>Tempo des Bildes</translation>
+    </message>
+    <message>
+        <source>How many times slower or faster than in reality the picture moves; to the right slower. A number alone, such as 600, means slower. Lines of very many elements may move more slowly than this.</source>
+        <translation>Wievielmal langsamer oder schneller als in Wirklichkeit sich das Bild bewegt; nach rechts langsamer. Eine Zahl allein, etwa 600, heißt langsamer. Linien aus sehr vielen Elementen bewegen sich vielleicht noch langsamer.</translation>
+    </message>
+    <message>
+        <source>pace of the picture, times slower or faster than in reality</source>
+        <translation>Tempo des Bildes, wievielmal langsamer oder schneller als in Wirklichkeit</translation>
+    </message>
+    <message>
+        <source>The picture moves as fast as before when the velocity changes. Without it a faster line also looks faster.</source>
+        <translation>Das Bild bewegt sich so schnell wie zuvor, wenn sich die Geschwindigkeit ändert. Ohne dies sieht eine schnellere Linie auch schneller aus.</translation>
     </message>
 </context>
 <context>
@@ -4534,14 +4558,6 @@
         <translation>Geschwindigkeit der Linie in diesem Augenblick; unter 0 geht sie zurück.</translation>
     </message>
     <message>
-        <source>slow motion</source>
-        <translation>Zeitlupe</translation>
-    </message>
-    <message>
-        <source>time lapse</source>
-        <translation>Zeitraffer</translation>
-    </message>
-    <message>
         <source>One second on the screen shows %1 of the motion.</source>
         <translation>Eine Sekunde im Bild zeigt %1 der Bewegung.</translation>
     </message>
@@ -4844,6 +4860,22 @@
     <message>
         <source>error</source>
         <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1× slower</source>
+        <translation>%1× langsamer</translation>
+    </message>
+    <message>
+        <source>%1× faster</source>
+        <translation>%1× schneller</translation>
+    </message>
+    <message>
+        <source>Eq. (%1)</source>
+        <translation>Gl. (%1)</translation>
     </message>
 </context>
 </TS>

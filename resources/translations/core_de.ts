@@ -2579,8 +2579,8 @@
         <translation>Kontaktlänge ℓ</translation>
     </message>
     <message>
-        <source>nothing has moved yet</source>
-        <translation>noch hat sich nichts bewegt</translation>
+        <source>a dashed line will show relaxation at the predicted rate 1/τ + v/ℓ</source>
+        <translation>Eine gestrichelte Linie wird die Relaxation mit der vorhergesagten Rate 1/τ + v/ℓ zeigen</translation>
     </message>
     <message>
         <source>rigid body</source>
@@ -6214,8 +6214,8 @@
         <translation>Federn und Dämpfer nebeneinander, jedes Paar für sich; Arme sind Federn und Dämpfer in Reihe daneben.</translation>
     </message>
     <message>
-        <source>How many times slower than in truth the picture moves; below the contact it can be chosen.</source>
-        <translation>Wievielmal langsamer als in Wirklichkeit sich das Bild bewegt; unter dem Kontakt ist es wählbar.</translation>
+        <source>How many times slower or faster than in reality the picture moves; below the contact it can be chosen.</source>
+        <translation>Wievielmal langsamer oder schneller als in Wirklichkeit sich das Bild bewegt; unter dem Kontakt ist es wählbar.</translation>
     </message>
     <message>
         <source>Line load: the force with which the bodies press on each other, per length of the line.</source>

@@ -176,7 +176,8 @@ void ChartLegend::arrange() {
     rest.box = QRectF(x, y, 120, height);
     entries_.push_back(std::move(rest));
   }
-  int all = static_cast<int>(y + height + 4);
+  const bool isEmpty = entries_.empty() && sheet_.status.empty();
+  int all = isEmpty ? 0 : static_cast<int>(y + height + 4);
   if (isUnfinished()) all = std::max(all, minimumHeight());
   if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
 }

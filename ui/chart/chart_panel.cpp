@@ -13,6 +13,7 @@
 #include <QtCharts/QScatterSeries>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/chart/diagram_colours.h"
 #include "ui/draw/fonts.h"
@@ -112,6 +113,14 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     paintTitles(*painter);
   }
 
+  /// Keeps the names of shades away from an upright line; NaN: there is none.
+  void avoid(double x) {
+    if (x == line_ || (std::isnan(x) && std::isnan(line_))) return;
+    const QList<QRectF> before = namesInside();
+    line_ = x;
+    if (namesInside() != before) update();
+  }
+
   QList<QRectF> namesInside() const {
     QList<QRectF> places;
     for (const DiagramSpan& shade : shades_)
@@ -164,17 +173,29 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setOpacity(1);
   }
 
+  /// The room of a name: the whole shade, or its wider side where the line of the marker would go
+  /// through the name.
   QRectF roomOfName(const DiagramSpan& shade) const {
-    return columnOf(shade).adjusted(kAside, 0, -kAside, -kAside);
+    const QRectF whole = columnOf(shade).adjusted(kAside, 0, -kAside, -kAside);
+    const QRectF place = placeIn(whole, shade);
+    if (!(line_ > place.left() - kAside && line_ < place.right() + kAside)) return whole;
+    QRectF side = whole;
+    if (line_ < whole.center().x())
+      side.setLeft(line_ + 2 * kAside);
+    else
+      side.setRight(line_ - 2 * kAside);
+    return placeIn(side, shade).isEmpty() ? whole : side;
   }
 
-  /// The place of a shade's name; empty where it does not fit.
-  QRectF placeOfName(const DiagramSpan& shade) const {
-    const QRectF room = roomOfName(shade);
+  /// The place of a name in a room; empty where it does not fit.
+  QRectF placeIn(const QRectF& room, const DiagramSpan& shade) const {
     const QRectF place = QFontMetricsF(look_.font)
                              .boundingRect(room, kFoot, QString::fromStdString(shade.label.text));
     return room.contains(place) ? place : QRectF();
   }
+
+  /// The place of a shade's name; empty where it does not fit.
+  QRectF placeOfName(const DiagramSpan& shade) const { return placeIn(roomOfName(shade), shade); }
 
   /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
   /// the time that painting a diagram takes.
@@ -247,6 +268,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   bool hasXLabels_ = true;
   double titleBeside_ = 0;
   bool titleAbove_ = false;
+  double line_ = std::numeric_limits<double>::quiet_NaN();
   QRectF frame_;
 };
 
@@ -342,6 +364,10 @@ ChartPanel::~ChartPanel() {
 
 QList<QRectF> ChartPanel::namesInside() const {
   return under_->namesInside();
+}
+
+void ChartPanel::avoidLine(double x) {
+  under_->avoid(x);
 }
 
 QString ChartPanel::cutTitle() const {

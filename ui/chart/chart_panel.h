@@ -52,6 +52,9 @@ class ChartPanel {
   const QString& xTitle() const { return xTitle_; }
   const QString& yTitle() const { return yTitle_; }
 
+  /// Keeps the names of shades away from an upright line at x, which is the marker's; NaN: none.
+  void avoidLine(double x);
+
   /// Returns the places of the names of shades, which are inside the frame.
   QList<QRectF> namesInside() const;
 

@@ -33,7 +33,8 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
 constexpr double kSmall = 20;          // pixels, of a frame that does not fit
-constexpr double kLeastLines = 1.8;    // minimum height of a strip, in lines of text
+constexpr double kLeastLines = 1.8;    // minimum height of a second diagram, in lines of text
+constexpr double kLeastStrip = 2.4;    // the same of a strip; fewer of them are shown in a low view
 constexpr double kLeastTitle = 0.8;    // of its usual size, for the title of a strip
 constexpr std::size_t kStrips = 3;     // from this number of diagrams on, titles are beside them
 constexpr double kBesideGap = 8;       // on either side of those titles
@@ -312,7 +313,8 @@ void ChartView::placeFrames() {
   hasTitlesAbove_ = false;
   for (std::size_t i = 1; i < count && beside == 0; ++i) hasTitlesAbove_ |= isTooLowFor(i);
   if (hasTitlesAbove_) gap = line + 5;
-  while (count > 1 && heightOf(count - 1) < kLeastLines * line) share -= diagrams[--count].height;
+  const double least = (count < kStrips ? kLeastLines : kLeastStrip) * line;
+  while (count > 1 && heightOf(count - 1) < least) share -= diagrams[--count].height;
   const VisibleRange shown = visibleRange();
   const double width = view_->width() - left - right;
   double top = above;
@@ -334,6 +336,9 @@ void ChartView::placeFrames() {
 
 void ChartView::updateMarker() {
   if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, look_, {});
+  const std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
+  const double x = marker ? (std::isfinite(wantedX_) ? wantedX_ : marker->x) : kNaN;
+  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].xOf(x));
   const QList<QRectF> taken = panels_.empty() ? QList<QRectF>() : panels_[0]->namesInside();
   marker_->update(frames_[0], sheet_.diagrams[0].marker, wantedX_, look_, taken);
 }

@@ -19,4 +19,8 @@ Rgba rampColour(double t, const Theme& theme);
 /// Returns a colour of the whole of "viridis", for areas that touch no background.
 Rgba fieldColour(double t);
 
+/// A line over a field: a light core within a dark edge, seen on all of the field's colours.
+inline constexpr Rgba kLineOnField{1, 1, 1, 1}, kEdgeOnField{0, 0, 0, 0.75F};
+inline constexpr float kLineOnFieldWidth = 1.6F, kEdgeOnFieldWidth = 4.2F;  // units
+
 }  // namespace asperity

@@ -146,12 +146,15 @@ class Panel {
     if (diagram_.marker->isCross && at.y >= box.y && at.y <= box.bottom())
       lines.push_back({{box.x, at.y}, {box.right(), at.y}});
     DrawLayer layer;
-    // On colours a line needs an edge to be seen.
-    if (diagram_.field)
-      for (const Polyline& one : lines)
-        addLine(layer, one, 3.2F * sizes_.unit, withAlpha(theme_.background, 0.6F));
-    for (const Polyline& one : lines)
-      addLine(layer, one, 1.2F * sizes_.unit, seriesColour(kMarkerColour, theme_));
+    const auto addLines = [&](float width, const Rgba& colour) {
+      for (const Polyline& one : lines) addLine(layer, one, width * sizes_.unit, colour);
+    };
+    if (diagram_.field) {
+      addLines(kEdgeOnFieldWidth, kEdgeOnField);
+      addLines(kLineOnFieldWidth, kLineOnField);
+    } else {
+      addLines(1.2F, seriesColour(kMarkerColour, theme_));
+    }
     list.layers.push_back(std::move(layer));
   }
 

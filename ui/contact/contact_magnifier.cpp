@@ -189,6 +189,12 @@ Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLa
   // bottom, away from the forces.
   const float low = plot.bottom() - edge - height;
   const float top = plot.y + std::round(1.75F * (layout.sizes.small + 1)) + 2 * edge;
+  // In a low plot it ends above the elastomer's name, where that leaves enough of it.
+  const float name =
+      plot.bottom() - std::round(9 * u) - std::round(1.75F * (layout.sizes.small + 1));
+  const float above = name - std::round(4 * u) - top;
+  if (isLeft && above >= 0.8F * kLeastHeight * u)
+    return {plot.x + edge, top, width, std::min(height, above)};
   if (isLeft) return {plot.x + edge, std::min(top, low), width, height};
   return {plot.right() - edge - width, low, width, height};
 }

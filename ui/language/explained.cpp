@@ -1,14 +1,28 @@
 #include "ui/language/explained.h"
 
+#include <QMap>
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 
+namespace {
+
+/// Returns a formula with the number of its equation in the present language: "Gl. (2)".
+QString formulaInLanguage(std::string_view formula) {
+  QString text = QString::fromUtf8(formula.data(), static_cast<qsizetype>(formula.size()));
+  static const QRegularExpression equation(QStringLiteral("Eq\\. \\((\\d+)\\)"));
+  return text.replace(equation,
+                      QString::fromStdString(Words::tr("Eq. (%1)")).arg(QStringLiteral("\\1")));
+}
+
+}  // namespace
+
 QString formulaHtml(std::string_view formula) {
-  QString text =
-      QString::fromUtf8(formula.data(), static_cast<qsizetype>(formula.size())).toHtmlEscaped();
+  QString text = formulaInLanguage(formula).toHtmlEscaped();
   static const QRegularExpression low(QStringLiteral("_(\\p{L}[\\p{L}\\d]*|∞)"));
   static const QRegularExpression raised(QStringLiteral("\\^(?:\\(([^()]*)\\)|(\\p{L}|\\d))"));
   text.replace(low, QStringLiteral("<sub>\\1</sub>"));
@@ -16,10 +30,22 @@ QString formulaHtml(std::string_view formula) {
 }
 
 QString formulaText(std::string_view formula) {
-  QString text = QString::fromUtf8(formula.data(), static_cast<qsizetype>(formula.size()));
-  static const QRegularExpression low(QStringLiteral("_(\\p{L}[\\p{L}\\d]*|∞)"));
-  text.replace(QStringLiteral("_N"), QStringLiteral("ₙ"));
-  return text.replace(low, QStringLiteral("(\\1)"));
+  static const QMap<QChar, QChar> low{
+      {u'a', u'ₐ'}, {u'e', u'ₑ'}, {u'h', u'ₕ'}, {u'i', u'ᵢ'}, {u'k', u'ₖ'}, {u'l', u'ₗ'},
+      {u'm', u'ₘ'}, {u'N', u'ₙ'}, {u'n', u'ₙ'}, {u'o', u'ₒ'}, {u'p', u'ₚ'}, {u'r', u'ᵣ'},
+      {u's', u'ₛ'}, {u't', u'ₜ'}, {u'u', u'ᵤ'}, {u'v', u'ᵥ'}, {u'x', u'ₓ'}};
+  static const QRegularExpression index(QStringLiteral("_(\\p{L}[\\p{L}\\d]*|∞)"));
+  QString text = formulaInLanguage(formula);
+  for (qsizetype at = 0;;) {
+    const QRegularExpressionMatch found = index.match(text, at);
+    if (!found.hasMatch()) return text;
+    QString letters = found.captured(1);
+    at = found.capturedEnd();
+    if (!std::ranges::all_of(letters, [](QChar letter) { return low.contains(letter); })) continue;
+    for (QChar& letter : letters) letter = low[letter];
+    text.replace(found.capturedStart(), found.capturedLength(), letters);
+    at = found.capturedStart() + letters.size();
+  }
 }
 
 QString explanationHtml(const Explanation& explanation, const QString& title,

@@ -12,7 +12,7 @@ namespace asperity {
 /// Returns a formula as rich text: "F_N" with a lowered N, "h^2" with a raised 2.
 QString formulaHtml(std::string_view formula);
 
-/// Returns a formula as plain text: "Fₙ", "μ(III)²".
+/// Returns a formula as plain text: "Fₙ", and "L_c" where there is no small lowered letter.
 QString formulaText(std::string_view formula);
 
 /// Returns title, formula and sentence as rich text for a tooltip; an empty title is left out.

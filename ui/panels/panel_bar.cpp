@@ -82,6 +82,18 @@ QStringList PanelBar::words() const {
   return filter_->text().split(' ', Qt::SkipEmptyParts);
 }
 
+/// Keeps room for the whole text that stands in the empty filter.
+void PanelBar::setWidths() {
+  constexpr int kAround = 18;  // pixels beside the text
+  filter_->setMinimumWidth(filter_->fontMetrics().horizontalAdvance(filter_->placeholderText()) +
+                           kAround);
+}
+
+void PanelBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) setWidths();
+}
+
 void PanelBar::showTexts() {
   essentials_->setText(tr("Essentials"));
   essentials_->setToolTip(
@@ -90,6 +102,7 @@ void PanelBar::showTexts() {
   all_->setText(tr("All"));
   all_->setToolTip(tr("All parameters of this scene, in sections"));
   filter_->setPlaceholderText(tr("Search ( / )"));
+  setWidths();
   filter_->setAccessibleName(tr("filter of the parameters"));
   for (QAbstractButton* button : filter_->findChildren<QAbstractButton*>())
     button->setAccessibleName(tr("clear the filter"));

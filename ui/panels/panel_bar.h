@@ -43,7 +43,12 @@ class PanelBar : public QWidget {
  signals:
   void changed();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void setWidths();
+
   QToolButton *essentials_, *all_;
   FilterLine* filter_;
 };

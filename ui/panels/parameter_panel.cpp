@@ -428,8 +428,10 @@ void ParameterPanel::changeEvent(QEvent* event) {
 /// Keeps the panel wide enough that rows are never cut at the side, also with a large font.
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::LayoutRequest)
-    setMinimumWidth(std::max(kLeastWidth, scroll_->widget()->layout()->minimumSize().width() +
-                                              scroll_->verticalScrollBar()->sizeHint().width()));
+    setMinimumWidth(std::max({kLeastWidth,
+                              scroll_->widget()->layout()->minimumSize().width() +
+                                  scroll_->verticalScrollBar()->sizeHint().width(),
+                              bar_ ? bar_->minimumSizeHint().width() : 0}));
   return QWidget::eventFilter(watched, event);
 }
 

@@ -52,6 +52,16 @@ QString labelWithSymbol(const Parameter& parameter) {
   return label + "&nbsp; " + symbolHtml(parameter.symbol);
 }
 
+/// Returns the width that a label needs where it is broken at spaces and hyphens.
+int longestWord(QString html, const QFont& font) {
+  static const QRegularExpression tag(QStringLiteral("<[^>]*>")), gap(QStringLiteral("\\s|(?<=-)"));
+  const QFontMetrics metrics(font);
+  int longest = 0;
+  for (const QString& word : html.remove(tag).replace("&nbsp;", " ").split(gap))
+    longest = std::max(longest, metrics.horizontalAdvance(word));
+  return longest + 1;
+}
+
 /// Returns the width of the labels beside lists and texts. A very long one is broken into two
 /// lines, so that it does not take space from every list.
 int labelWidth(const QFont& font) {
@@ -105,9 +115,10 @@ std::optional<std::size_t> armsWanted(const Scene& scene) {
 
 /// Returns the default's arms in words, any other value as its row shows it.
 QString resetText(const Parameter& parameter, const QString& value) {
-  return std::holds_alternative<ArmsField>(parameter.field)
-             ? ParameterRow::tr("Back to the default, one arm")
-             : ParameterRow::tr("Back to the default, %1").arg(value);
+  if (std::holds_alternative<ArmsField>(parameter.field))
+    return ParameterRow::tr("Back to the default, one arm");
+  return value.isEmpty() ? ParameterRow::tr("Back to the default, which is empty")
+                         : ParameterRow::tr("Back to the default, %1").arg(value);
 }
 
 UnitText shownText(const Parameter& parameter, const ParameterValue& value) {
@@ -314,7 +325,10 @@ void ParameterRow::setWidths() {
   const auto digits = [digit](double count) {
     return static_cast<int>(std::lround(count * digit));
   };
-  if (!slider_) label_->setFixedWidth(labelWidth(font()));
+  if (slider_)
+    label_->setMinimumWidth(longestWord(label_->text(), font()));
+  else
+    label_->setFixedWidth(labelWidth(font()));
   if (unit_) {
     // A number without a unit is a count with many digits: it also uses the unit's width.
     const bool isCount = parameter_.unit.empty();
@@ -334,7 +348,6 @@ void ParameterRow::addLabel(QHBoxLayout& line) {
   label_ = new QLabel;
   label_->setTextFormat(Qt::RichText);
   label_->setWordWrap(true);
-  label_->setMinimumWidth(1);  // a long word never makes the panel wider
   line.addWidget(label_);
 }
 

@@ -303,6 +303,38 @@ TEST(ParameterMap, TheTableHasKnownColumns) {
   EXPECT_EQ(json["points"][1]["normal_force"], 0.001);
 }
 
+/// Where most of a map is a plateau, it has contours there, too: at most a few, and no closer than
+/// a hundredth of the value.
+TEST(ParameterMap, APlateauHasContours) {
+  ParameterMap map =
+      mapOf(smallScene(), "sliding.velocity=1e-4:1e4:41", "load.normal_force=1e-3:1:5");
+  const auto fill = [&](auto&& mu, double noise = 1e-4) {
+    for (std::size_t i = 0; i < map.points.size(); ++i) {
+      map.points[i].mu = mu(static_cast<double>(i % 41) / 40);
+      map.points[i].muStandardError = noise * map.points[i].mu;
+    }
+  };
+  const auto levelsOn = [&](double from, double to) {
+    std::vector<double> levels;
+    for (const DiagramContour& contour : mapSheet(map, "mu").diagrams[0].field->contours)
+      if (contour.value > from && contour.value < to) levels.push_back(contour.value);
+    return levels;
+  };
+  // A fifth of the map rises from 0, the rest slowly from 0.09 to 0.1.
+  fill([](double part) { return part < 0.2 ? 0.45 * part : 0.09 + 0.0125 * (part - 0.2); });
+  const std::vector<double> plateau = levelsOn(0.09, 0.1);
+  EXPECT_GE(plateau.size(), 3U);
+  EXPECT_LE(plateau.size(), 10U);
+  for (std::size_t i = 1; i < plateau.size(); ++i) EXPECT_GE(plateau[i] - plateau[i - 1], 0.00099);
+  EXPECT_LE(levelsOn(0, 0.09).size(), 9U);
+  // Few lines have noise that would bend them.
+  fill([](double part) { return part < 0.2 ? 0.45 * part : 0.09 + 0.0125 * (part - 0.2); }, 0.02);
+  EXPECT_LE(levelsOn(0.09, 0.1).size(), 2U);
+  // A plateau that is flat but for the noise of the lines gets none.
+  fill([](double part) { return part < 0.2 ? 0.45 * part : 0.09 + 1e-5 * std::sin(99 * part); });
+  EXPECT_LE(levelsOn(0.0899, 0.1).size(), 1U);
+}
+
 /// Borders are those that the curve of each row shows.
 TEST(ParameterMap, TheSheetHasTheRegionsOfItsCurves) {
   Scene scene = sceneOfSize(1000, 5, 2);

@@ -1,6 +1,7 @@
 #include "core/scene/scene_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "core/base/input_error.h"
 #include "core/scene/parameters.h"
@@ -170,6 +171,20 @@ TEST(SceneFile, FilesOfAnotherKindAreNamed) {
 
 /// As deep as a scene's own keys and lists go, and not a level further: the parser of what follows
 /// may call itself for each level.
+/// With nobody at the other end, reading a pipe would wait for ever.
+TEST(SceneFile, APipeIsRefusedAtOnce) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder / "pipe.json";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  try {
+    readSceneFile(pipe);
+    FAIL() << "was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("pipe.json"));
+    EXPECT_THAT(error.what(), HasSubstr("only regular files"));
+  }
+}
+
 TEST(SceneFile, NestingHasALimit) {
   const auto nested = [](int levels) {
     std::string text = "1";

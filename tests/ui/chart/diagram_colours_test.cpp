@@ -114,6 +114,17 @@ TEST(DiagramColours, GreyPicturesHaveGreyFields) {
   }
 }
 
+/// The cross of a map has a contrast of 3 with every colour of the field (WCAG 1.4.11): its core
+/// with its edge, and one of them with the field.
+TEST(DiagramColours, ALineIsSeenOnEveryColourOfAField) {
+  for (int k = 0; k <= 100; ++k) {
+    const Rgba field = fieldColour(0.01 * k);
+    const Rgba edge = mix(field, withAlpha(kEdgeOnField, 1), kEdgeOnField.a);
+    EXPECT_GE(contrast(kLineOnField, edge), 3) << k;
+    EXPECT_GE(std::max(contrast(kLineOnField, field), contrast(edge, field)), 3) << k;
+  }
+}
+
 TEST(DiagramColours, BearAnyNumber) {
   const Theme& theme = lightTheme();
   EXPECT_EQ(seriesColour(kDistinctColours, theme).r, seriesColour(0, theme).r);

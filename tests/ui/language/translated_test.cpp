@@ -5,6 +5,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
 
@@ -127,6 +128,19 @@ TEST(Language, IsFoundFromTheNameOfALocale) {
 TEST(Language, AnUnknownOneIsEnglish) {
   useLanguage("fr");
   EXPECT_EQ(presentLanguage(), "en");
+}
+
+TEST_F(Translated, FormulasNameTheirEquation) {
+  EXPECT_EQ(formulaHtml("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Gl. (2)"));
+  EXPECT_EQ(formulaText("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Gl. (2)"));
+  useLanguage("en");
+  EXPECT_EQ(formulaHtml("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Eq. (2)"));
+}
+
+/// A lowered letter that has no sign of its own stays behind its line: "L(c)" would be a function.
+TEST_F(Translated, FormulasInPlainTextHaveLoweredLettersWhereThereAreSome) {
+  EXPECT_EQ(formulaText("μ = |F_x|/F_N"), QStringLiteral("μ = |Fₓ|/Fₙ"));
+  EXPECT_EQ(formulaText("μ_total = s L_c"), QStringLiteral("μₜₒₜₐₗ = s L_c"));
 }
 
 TEST(Words, ValuesGoToTheirPlaces) {

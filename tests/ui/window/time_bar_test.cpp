@@ -49,7 +49,7 @@ class TimeBarTest : public testing::Test {
 /// 12 s on the screen for the 20 ms of a period.
 TEST_F(TimeBarTest, SlowMotionIsThePaceOverTheSimulatedTime) {
   EXPECT_DOUBLE_EQ(bar_.slowMotion(), 12 / 0.02);
-  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600×"));
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600× slower"));
   scene_.sliding.velocity = 0;
   show();
   EXPECT_EQ(bar_.slowMotion(), 0);
@@ -77,7 +77,7 @@ TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
   EXPECT_DOUBLE_EQ(bar_.pace(), 6);
   type("1e3 x");
   EXPECT_DOUBLE_EQ(bar_.pace(), 20);
-  for (const char* nonsense : {"", "fast", "-3", "0", "nan", "inf"}) {
+  for (const char* nonsense : {"", "fast", "-3", "0", "nan", "inf", "3 fast", "3 slowly"}) {
     type(nonsense);
     EXPECT_DOUBLE_EQ(bar_.pace(), 20) << nonsense;
     EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1000×")) << nonsense;
@@ -90,6 +90,21 @@ TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
   EXPECT_EQ(part<QSlider>("paceSlider").value(), part<QSlider>("paceSlider").maximum());
   QTest::keyClick(&part<QSlider>("paceSlider"), Qt::Key_Left);
   EXPECT_LT(bar_.pace(), slowest);
+}
+
+/// One word says the pace, with the direction beside the number.
+TEST_F(TimeBarTest, APaceFasterThanRealityIsSaidAndTyped) {
+  scene_.sliding.velocity = 1e-5;  // 2000 s for a period
+  show();
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("167× faster"));
+  type("100x faster");
+  EXPECT_DOUBLE_EQ(bar_.pace(), 20);
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("100× faster"));
+  type("0.02 slower");
+  EXPECT_DOUBLE_EQ(bar_.pace(), 40);
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("50× faster"));
+  auto& box = part<QLineEdit>("slowMotion");
+  EXPECT_LE(box.fontMetrics().horizontalAdvance("9999.99× faster"), box.width() - 8);
 }
 
 TEST_F(TimeBarTest, OnlyAMotionHasAMoment) {

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <algorithm>
 
 #include "core/base/input_error.h"
 #include "core/scene/plan.h"
@@ -13,7 +14,7 @@ namespace asperity {
 PlanList::PlanList(QWidget* parent) : QTreeWidget(parent) {
   setObjectName("planList");
   setRootIsDecorated(false);
-  setUniformRowHeights(true);
+  setWordWrap(true);  // a long reason has as many lines as it needs
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::TabFocus);
   setSelectionMode(QAbstractItemView::NoSelection);
@@ -56,10 +57,29 @@ void PlanList::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) fitColumns();
 }
 
+void PlanList::resizeEvent(QResizeEvent* event) {
+  QTreeWidget::resizeEvent(event);
+  fitRows();
+}
+
+/// Gives a row as many lines as its reason needs: the list itself counts one for each.
+void PlanList::fitRows() {
+  constexpr int kAround = 8;  // pixels beside a text
+  const int room = viewport()->width() - columnWidth(0) - columnWidth(1) - kAround;
+  for (int row = 0; row < topLevelItemCount(); ++row) {
+    QTreeWidgetItem& item = *topLevelItem(row);
+    const QRect place = fontMetrics().boundingRect(QRect(0, 0, std::max(room, 1), 10000),
+                                                   Qt::TextWordWrap, item.text(2));
+    const QSize needed(place.width() + kAround, place.height());
+    if (item.sizeHint(2) != needed) item.setSizeHint(2, needed);
+  }
+}
+
 /// Shows names and answers in full; the reasons take the rest of the width.
 void PlanList::fitColumns() {
   resizeColumnToContents(0);
   resizeColumnToContents(1);
+  fitRows();
 }
 
 }  // namespace asperity

@@ -19,10 +19,12 @@ class PlanList : public QTreeWidget {
  protected:
   void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void fill();
   void fitColumns();
+  void fitRows();
 
   Scene scene_;
 };

@@ -15,6 +15,7 @@
 #include "core/run/runner.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
+#include "ui/panels/number_text.h"
 #include "ui/window/main/commands.h"
 
 namespace asperity {
@@ -24,6 +25,7 @@ namespace {
 constexpr double kFastest = 2, kSlowest = 600;  // s on the screen for a period
 constexpr int kPositions = 240;                 // of the slider of the pace
 constexpr int kMoments = 1000;                  // of the slider of the moment
+constexpr int kEntryAir = 16;                   // pixels around the text of an entry
 
 /// A pace's position on the slider: to the right slower.
 int positionOf(double pace) {
@@ -37,6 +39,20 @@ double paceAt(int position) {
 
 QString quantityText(double seconds) {
   return QString::fromStdString(quantity(seconds, "s"));
+}
+
+QString slowerText(const QString& number) {
+  return TimeBar::tr("%1× slower").arg(number);
+}
+
+QString fasterText(const QString& number) {
+  return TimeBar::tr("%1× faster").arg(number);
+}
+
+/// Returns "600× slower", or "20× faster" where less than reality is needed.
+QString paceText(double slowMotion) {
+  return slowMotion < 1 ? fasterText(QString::fromStdString(shortNumber(1 / slowMotion)))
+                        : slowerText(QString::fromStdString(shortNumber(slowMotion)));
 }
 
 QString momentText(const QString& time, const QString& duration) {
@@ -68,7 +84,6 @@ TimeBar::TimeBar(QWidget* parent)
   slider_->setPageStep(kPositions / 12);
   slider_->setFixedWidth(110);
   factor_->setObjectName("slowMotion");
-  factor_->setFixedWidth(fontMetrics().horizontalAdvance("00000.00×") + 16);
   keep_->setObjectName("keepPace");
   keep_->setChecked(true);
   row->addWidget(moment_, 1);
@@ -111,19 +126,38 @@ bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
 void TimeBar::showTexts() {
   moment_->setAccessibleName(tr("moment of the motion"));
   moment_->setToolTip(wrappedTip(tr("The moment of the motion: drag it to any other one.")));
-  slider_->setAccessibleName(tr("slow motion"));
+  slider_->setAccessibleName(tr("pace of the picture"));
   const QString tip = wrappedTip(
-      tr("How much slower than in reality the picture moves; to the right slower. Below 1 it is a "
-         "time lapse. Lines of very many elements may move more slowly than this."));
+      tr("How many times slower or faster than in reality the picture moves; to the right slower. "
+         "A number alone, such as 600, means slower. Lines of very many elements may move more "
+         "slowly than this."));
   for (QWidget* part : std::initializer_list<QWidget*>{name_, slider_, factor_})
     part->setToolTip(tip);
-  factor_->setAccessibleName(tr("slow motion factor"));
-  name_->setText(tr("slow motion"));
+  factor_->setAccessibleName(tr("pace of the picture, times slower or faster than in reality"));
+  name_->setText(tr("pace"));
   keep_->setText(tr("constant pace"));
   keep_->setToolTip(wrappedTip(
-      tr("Keeps the pace of the picture while the velocity changes; otherwise the slow motion "
-         "stays, and a faster line looks faster.")));
+      tr("The picture moves as fast as before when the velocity changes. Without it a faster line "
+         "also looks faster.")));
+  setWidths();
   showPace();
+}
+
+void TimeBar::setWidths() {
+  const auto widthOf = [this](const QString& text) {
+    return fontMetrics().horizontalAdvance(text);
+  };
+  const QString widest = QStringLiteral("0000.00");
+  factor_->setFixedWidth(std::max(widthOf(slowerText(widest)), widthOf(fasterText(widest))) +
+                         kEntryAir);
+  // The numbers change without moving what is beside them.
+  momentText_->setMinimumWidth(
+      widthOf(momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
+}
+
+void TimeBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) setWidths();
 }
 
 bool TimeBar::keepsPace() const {
@@ -148,9 +182,7 @@ void TimeBar::showScene(const Scene& scene) {
   duration_ = scene.sliding.kind == SlidingKind::Steady ? 0 : scene.sliding.duration;
   for (QWidget* part : std::initializer_list<QWidget*>{moment_, momentText_})
     part->setVisible(duration_ > 0);
-  // The numbers change without moving what is beside them.
-  momentText_->setMinimumWidth(momentText_->fontMetrics().horizontalAdvance(
-      momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
+  setWidths();
   if (!keepsPace() && before > 0)
     setSlowMotion(before);
   else
@@ -189,18 +221,25 @@ void TimeBar::showPace() {
   slider_->setValue(positionOf(pace_));
   const double factor = slowMotion();
   factor_->setEnabled(factor > 0);
-  factor_->setText(factor > 0 ? QString::fromStdString(shortNumber(factor)) + QStringLiteral("×")
-                              : QStringLiteral("–"));
+  factor_->setText(factor > 0 ? paceText(factor) : QStringLiteral("–"));
   factor_->setCursorPosition(0);
 }
 
-/// Takes what was typed, "600", "600×" or "1e3 x"; anything else leaves the pace.
+/// Takes what was typed, "600", "1e3 x slower" or "20× faster"; anything else leaves the pace.
 void TimeBar::readFactor() {
-  static const QRegularExpression ending(QStringLiteral("[\\s×x,]+"));
+  static const QRegularExpression form(
+      QStringLiteral("^\\s*([0-9.,eE+]+|[0-9.,]+[eE]-[0-9]+)\\s*[×x]?\\s*(\\p{L}*)\\s*$"));
+  const QRegularExpressionMatch typed = form.match(factor_->text());
+  // The words of the present language, "slower" and "faster", alone.
+  const auto isWordOf = [&](const QString& shown) {
+    return !typed.captured(2).isEmpty() && shown.endsWith(typed.captured(2));
+  };
   bool isNumber = false;
-  const QString text = factor_->text().replace(ending, QString());
-  const double factor = text.toDouble(&isNumber);
-  if (isNumber && std::isfinite(factor) && shortNumber(factor) != shortNumber(slowMotion()))
+  const double number = withPoint(typed.captured(1)).toDouble(&isNumber);
+  const bool isFaster = isWordOf(fasterText(QString()));
+  const bool isKnown = isFaster || typed.captured(2).isEmpty() || isWordOf(slowerText(QString()));
+  const double factor = isFaster && number > 0 ? 1 / number : number;
+  if (isNumber && isKnown && std::isfinite(factor) && paceText(factor) != paceText(slowMotion()))
     setSlowMotion(factor);
   showPace();
 }

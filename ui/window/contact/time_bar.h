@@ -46,9 +46,11 @@ class TimeBar : public QWidget {
  protected:
   /// A press anywhere on the slider of the moment grips it there.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void showTexts();
+  void setWidths();
   void setPace(double pace);
   void showPace();
   void readFactor();

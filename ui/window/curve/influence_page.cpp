@@ -57,6 +57,7 @@ InfluencePage::InfluencePage(QWidget* parent)
   choice_->addItem(QString(), true);
   view_->setObjectName("influenceView");
   hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  hint_->setWordWrap(true);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
   row->addWidget(choice_);

@@ -11,7 +11,7 @@
 namespace asperity {
 
 QString buttonText(QString text) {
-  return QChar(0x2002) + text.remove(u'…');
+  return text.remove(u'…').trimmed();
 }
 
 QString wrappedTip(const QString& text) {

@@ -78,7 +78,7 @@ class Commands : public QObject {
   QColor colour_;
 };
 
-/// Returns a text for a button: without dots, and with space between icon and text.
+/// Returns a text for a button: without dots.
 QString buttonText(QString text);
 
 /// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.

@@ -168,6 +168,12 @@ void SceneTabs::fitTitles() {
   const bool isCrowded = needed(titles_, kTabAir) > room;
   const QStringList& shown =
       isCrowded && needed(titles_, kCrowdedTabAir) > room ? briefTitles_ : titles_;
+  // In a presentation on a small screen even the shortest titles may need more than there is.
+  const bool needsButtons = needed(shown, kCrowdedTabAir) > room;
+  if (tabBar()->usesScrollButtons() != needsButtons) {
+    tabBar()->setUsesScrollButtons(needsButtons);
+    tabBar()->setElideMode(needsButtons ? Qt::ElideNone : Qt::ElideRight);
+  }
   for (int i = 0; i < count(); ++i) {
     if (tabText(i) != shown[i]) setTabText(i, shown[i]);
     setTabToolTip(i, titles_[i]);

@@ -24,10 +24,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPoints = 64;    // along each side
-constexpr int kPause = 40;     // ms between two pictures
-constexpr double kCut = 0.42;  // height of the cut over that of the map
-constexpr int kDigits = 3;     // of a value that the cross sets
+constexpr int kPoints = 64;                       // along each side
+constexpr int kPause = 40;                        // ms between two pictures
+constexpr double kCut = 0.42;                     // height of the cut over that of the map
+constexpr int kDigits = 3;                        // of a value that the cross sets
+constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
 
 /// A value as a person would choose it.
 double rounded(double value) {
@@ -101,14 +102,17 @@ MapPanel::MapPanel(QWidget* parent)
     row->addWidget(label);
     row->addWidget(box, 1);
   }
-  reading_->setMinimumWidth(220);
-  reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(reading_, 2);
+  // The quantity has the longest names.
+  row->setStretchFactor(quantity_, kLongerName);
+  for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
   row->addWidget(save_);
+  reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  reading_->setContentsMargins(8, 0, 8, 0);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addLayout(row);
+  column->addWidget(reading_);
   column->addWidget(view_, 1);
   for (const std::string_view name : mapQuantities())
     quantity_->addItem(QString(), QString::fromUtf8(name.data(), std::ssize(name)));
@@ -117,6 +121,9 @@ MapPanel::MapPanel(QWidget* parent)
   connect(x_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
   connect(y_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
   connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { showMap(); });
+  // A list without room for a long name has it in its tooltip.
+  for (QComboBox* box : {x_, y_, quantity_})
+    connect(box, &QComboBox::currentTextChanged, box, &QWidget::setToolTip);
   connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
   connect(view_, &MapView::pointedAt, this, &MapPanel::read);
@@ -126,8 +133,10 @@ MapPanel::MapPanel(QWidget* parent)
 }
 
 void MapPanel::showTexts() {
-  xLabel_->setText(tr("Along x:"));
-  yLabel_->setText(tr("Along y:"));
+  xLabel_->setText(tr("x:"));
+  yLabel_->setText(tr("y:"));
+  x_->setAccessibleName(tr("parameter along x"));
+  y_->setAccessibleName(tr("parameter along y"));
   quantityLabel_->setText(tr("Show:"));
   save_->setText(tr("Save…"));
   save_->setToolTip(tr("Save the map as a picture or a table"));
@@ -135,6 +144,7 @@ void MapPanel::showTexts() {
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
         i, translatedText(titleOfMapQuantity(quantity_->itemData(i).toString().toStdString())));
+  quantity_->setToolTip(quantity_->currentText());
   for (QComboBox* box : {x_, y_})
     for (int i = 0; i < box->count(); ++i)
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
@@ -159,6 +169,7 @@ void MapPanel::fillChoosers() {
                      QString::fromUtf8(row.key.data(), std::ssize(row.key)));
     box->setCurrentIndex(std::max(0, box->findData(chosen)));
   }
+  for (QComboBox* box : {x_, y_}) box->setToolTip(box->currentText());
   if (x_->currentIndex() == y_->currentIndex() && y_->count() > 1) {
     const QSignalBlocker quiet(y_);
     const int load = std::max(y_->findData("load.nominal_pressure"), y_->findData("load.depth"));

@@ -86,18 +86,20 @@ void MapView::paintEvent(QPaintEvent* event) {
   const qreal left = static_cast<qreal>(frame->left), top = static_cast<qreal>(frame->top);
   const qreal width = static_cast<qreal>(frame->width), height = static_cast<qreal>(frame->height);
   painter.setClipRect(QRectF(left, top, width, height));
-  QColor edge = colourOf(theme().background);
-  edge.setAlphaF(0.6F);
-  const QColor colour = colourOf(seriesColour(kCrossColour, theme()));
-  for (const auto& [pen, ring] :
-       {std::pair{QPen(edge, 3.2), 7.5}, std::pair{QPen(colour, 1.3), 5.5}}) {
-    painter.setPen(pen);
+  for (const auto& [colour, broad] :
+       {std::pair{kEdgeOnField, kEdgeOnFieldWidth}, std::pair{kLineOnField, kLineOnFieldWidth}}) {
+    painter.setPen(QPen(colourOf(colour), static_cast<qreal>(broad)));
     if (std::isfinite(at.x()))
       painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), top + height));
     if (std::isfinite(at.y()))
       painter.drawLine(QPointF(left, at.y()), QPointF(left + width, at.y()));
-    painter.setBrush(pen.color());
-    if (std::isfinite(at.x()) && std::isfinite(at.y())) painter.drawEllipse(at, ring, ring);
+  }
+  if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
+  painter.setPen(Qt::NoPen);
+  for (const auto& [colour, radius] : {std::pair{kEdgeOnField, 8.0}, std::pair{kLineOnField, 6.7},
+                                       std::pair{seriesColour(kCrossColour, theme()), 5.2}}) {
+    painter.setBrush(colourOf(colour));
+    painter.drawEllipse(at, radius, radius);
   }
 }
 
