@@ -3007,16 +3007,12 @@
         <translation>Datei der Linie, relativ zur Szene: ein CSV-Profil aus Ort und Höhe in Metern, eine gemessene Oberfläche beliebiger Art oder die Tabelle eines Spektrums.</translation>
     </message>
     <message>
-        <source>format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
         <source>What the file is taken for; auto: the program finds out and says what it found.</source>
         <translation>Wofür die Datei genommen wird; auto: Das Programm findet es heraus und sagt, was es fand.</translation>
     </message>
     <message>
         <source>position unit</source>
-        <translation>Einheit des Orts</translation>
+        <translation>Einheit der Position</translation>
     </message>
     <message>
         <source>Unit of positions along the surface; auto: as the file states.</source>
@@ -3032,7 +3028,7 @@
     </message>
     <message>
         <source>position column</source>
-        <translation>Spalte des Orts</translation>
+        <translation>Spalte der Position</translation>
     </message>
     <message>
         <source>Column of positions, counted from 1; 0: the program finds it.</source>
@@ -3047,16 +3043,12 @@
         <translation>Spalte oder Kanal der Höhen, ab 1 gezählt; 0: Das Programm findet sie.</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>Zeile</translation>
+        <source>row of the topography</source>
+        <translation>Zeile der Topographie</translation>
     </message>
     <message>
         <source>Row of a topography that is the line, counted from 1; 0: all rows, each a realization.</source>
         <translation>Zeile einer Topographie, die die Linie ist, ab 1 gezählt; 0: alle Zeilen, jede eine Realisierung.</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>Richtung</translation>
     </message>
     <message>
         <source>Direction of sliding on a topography: along its rows (x) or across them (y).</source>
@@ -3071,40 +3063,28 @@
         <translation>Nicht gemessene Punkte: abgelehnt oder entlang der Zeile interpoliert.</translation>
     </message>
     <message>
-        <source>outliers</source>
-        <translation>Ausreißer</translation>
-    </message>
-    <message>
         <source>Heights farther from the form than so many median deviations are replaced by interpolation; 0: all are kept.</source>
         <translation>Höhen, die weiter als so viele mediane Abweichungen von der Form liegen, werden durch Interpolation ersetzt; 0: alle bleiben.</translation>
     </message>
     <message>
-        <source>form</source>
-        <translation>Form</translation>
+        <source>Levelling: what is subtracted from each row by least squares, a straight line, nothing, the mean or a parabola.</source>
+        <translation>Ausrichten: was von jeder Zeile nach kleinsten Quadraten abgezogen wird, eine Gerade, nichts, der Mittelwert oder eine Parabel.</translation>
     </message>
     <message>
-        <source>What is subtracted from each row by least squares: a straight line, nothing, the mean or a parabola.</source>
-        <translation>Was von jeder Zeile nach kleinsten Quadraten abgezogen wird: eine Gerade, nichts, der Mittelwert oder eine Parabel.</translation>
+        <source>short-wave cut-off</source>
+        <translation>kurze Grenzwellenlänge</translation>
     </message>
     <message>
-        <source>short-wave cut</source>
-        <translation>Grenze kurzer Wellen</translation>
+        <source>S-filter: cut-off wavelength below which waves are removed, by the Gaussian filter of ISO 16610-21 from a measured surface, sharply from a spectrum; 0: none.</source>
+        <translation>S-Filter: Grenzwellenlänge, unter der Wellen entfernt werden, aus einer gemessenen Oberfläche durch das Gauß-Filter nach ISO 16610-21, aus einem Spektrum scharf; 0: keine.</translation>
     </message>
     <message>
-        <source>Cut-off wavelength below which waves are removed: by the Gaussian filter of ISO 16610-21 from a measured surface, sharply from a spectrum; 0: none.</source>
-        <translation>Grenzwellenlänge, unter der Wellen entfernt werden: aus einer gemessenen Oberfläche durch das Gauß-Filter nach ISO 16610-21, aus einem Spektrum scharf; 0: keine.</translation>
+        <source>long-wave cut-off</source>
+        <translation>lange Grenzwellenlänge</translation>
     </message>
     <message>
-        <source>long-wave cut</source>
-        <translation>Grenze langer Wellen</translation>
-    </message>
-    <message>
-        <source>Cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.</source>
-        <translation>Grenzwellenlänge, über der Wellen ebenso entfernt werden; lange Wellen entscheiden, wo die Last getragen wird, daher hat man für Reibung meist keine; 0: keine.</translation>
-    </message>
-    <message>
-        <source>seam</source>
-        <translation>Naht</translation>
+        <source>L-filter: cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.</source>
+        <translation>L-Filter: Grenzwellenlänge, über der Wellen ebenso entfernt werden; lange Wellen entscheiden, wo die Last getragen wird, daher hat man für Reibung meist keine; 0: keine.</translation>
     </message>
     <message>
         <source>How the ends of the profile meet where its period repeats: mirrored (the period is twice the profile), blended, with random phases, or as they are, which may be a step.</source>
@@ -3125,6 +3105,134 @@
     <message>
         <source>contact side</source>
         <translation>Kontaktseite</translation>
+    </message>
+    <message>
+        <source>file format</source>
+        <translation>Dateiformat</translation>
+    </message>
+    <message>
+        <source>sliding direction</source>
+        <translation>Gleitrichtung</translation>
+    </message>
+    <message>
+        <source>missing points</source>
+        <translation>fehlende Punkte</translation>
+    </message>
+    <message>
+        <source>outlier limit</source>
+        <translation>Ausreißergrenze</translation>
+    </message>
+    <message>
+        <source>form removal</source>
+        <translation>Formabzug</translation>
+    </message>
+    <message>
+        <source>profile ends</source>
+        <translation>Profilenden</translation>
+    </message>
+    <message>
+        <source>line that slides</source>
+        <translation>gleitende Linie</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>aus der Datei</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>text table</source>
+        <translation>Texttabelle</translation>
+    </message>
+    <message>
+        <source>text: profile</source>
+        <translation>Text: Profil</translation>
+    </message>
+    <message>
+        <source>text: matrix of heights</source>
+        <translation>Text: Höhenmatrix</translation>
+    </message>
+    <message>
+        <source>text: points x y z</source>
+        <translation>Text: Punkte x y z</translation>
+    </message>
+    <message>
+        <source>Zygo, text</source>
+        <translation>Zygo, Text</translation>
+    </message>
+    <message>
+        <source>Wyko, text</source>
+        <translation>Wyko, Text</translation>
+    </message>
+    <message>
+        <source>Surfer grid</source>
+        <translation>Surfer-Gitter</translation>
+    </message>
+    <message>
+        <source>read by Gwyddion</source>
+        <translation>durch Gwyddion gelesen</translation>
+    </message>
+    <message>
+        <source>along the rows (x)</source>
+        <translation>längs der Zeilen (x)</translation>
+    </message>
+    <message>
+        <source>across the rows (y)</source>
+        <translation>quer zu den Zeilen (y)</translation>
+    </message>
+    <message>
+        <source>refuse the file</source>
+        <translation>Datei ablehnen</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>Ausgleichsgerade</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>mean height</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>blended</source>
+        <translation>überblendet</translation>
+    </message>
+    <message>
+        <source>random phases</source>
+        <translation>Zufallsphasen</translation>
+    </message>
+    <message>
+        <source>as they are</source>
+        <translation>wie sie sind</translation>
+    </message>
+    <message>
+        <source>as measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>isotropic equivalent</source>
+        <translation>isotrop gleichwertig</translation>
+    </message>
+    <message>
+        <source>C1, two-sided</source>
+        <translation>C1, zweiseitig</translation>
+    </message>
+    <message>
+        <source>C1, one-sided</source>
+        <translation>C1, einseitig</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
     </message>
     <message>
         <source>Which side of the measured surface touches the rubber: its summits (the line is the heights turned over, because the lowest points of a line touch first) or its valleys (the heights as they stand).</source>

@@ -93,7 +93,7 @@ QString rangeText(const Parameter& parameter) {
   if (allowedRange(parameter)) return allowedInWords(ruleOf(parameter));
   QStringList words;
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
-    for (const std::string_view word : choice->choices) words += wordText(word);
+    for (const std::string_view word : choice->choices) words += wordText(word, parameter.key);
   return words.join(QStringLiteral(", "));
 }
 
@@ -176,7 +176,7 @@ void ParameterRow::showTexts() {
     choice_->view()->setAccessibleName(choice_->accessibleName());
     const auto& words = std::get<ChoiceField>(parameter_.field).choices;
     for (int i = 0; i < choice_->count(); ++i)
-      choice_->setItemText(i, wordText(words[static_cast<std::size_t>(i)]));
+      choice_->setItemText(i, wordText(words[static_cast<std::size_t>(i)], parameter_.key));
   }
   if (browse_) {
     entry_->setPlaceholderText(tr("no file"));
@@ -195,6 +195,21 @@ void ParameterRow::setParameter(const Parameter& parameter) {
 
 QString ParameterRow::labelOf(const Parameter& parameter) {
   return translatedText(parameter.label);
+}
+
+QString withLabels(const QString& text) {
+  static const QRegularExpression key(QStringLiteral(R"([a-z_]+(\.[a-z0-9_]+)+)"));
+  QString labelled;
+  qsizetype end = 0;
+  for (auto it = key.globalMatch(text); it.hasNext();) {
+    const QRegularExpressionMatch match = it.next();
+    const Parameter* parameter = findParameter(match.captured().toStdString());
+    labelled += text.mid(end, match.capturedStart() - end);
+    labelled += parameter ? QStringLiteral("“%1”").arg(ParameterRow::labelOf(*parameter))
+                          : match.captured();
+    end = match.capturedEnd();
+  }
+  return labelled + text.mid(end);
 }
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
@@ -376,7 +391,7 @@ void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   name(*choice_, "choice");
   for (const std::string_view word : field.choices)
-    choice_->addItem(wordText(word), fromUtf8(word));
+    choice_->addItem(wordText(word, parameter_.key), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
     emit valueGiven(choice_->itemData(index).toString().toStdString());

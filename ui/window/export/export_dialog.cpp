@@ -138,7 +138,7 @@ QWidget* ExportDialog::makeBottom() {
   grid->addWidget(file_, 0, 1);
   grid->addWidget(browse, 0, 2);
 
-  auto* commandLabel = new QLabel(tr("The same in a shell"));
+  auto* commandLabel = new QLabel(tr("Command line"));
   commandLabel->setAlignment(Qt::AlignTop);
   command_->setObjectName("exportCommand");
   command_->setAccessibleName(tr("command line that writes the same file"));

@@ -124,8 +124,8 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   });
   connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
   notes_->setText(
-      tr("Tick what may change; limits are optional. All points are computed on the same random "
-         "lines, and the weighted squares of what is left become least."));
+      tr("Tick the parameters to fit; limits are optional. Every trial uses the same random lines, "
+         "and the weighted sum of the squared residuals is minimized."));
   showState();
   showSheet();
 }

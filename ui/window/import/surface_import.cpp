@@ -39,13 +39,13 @@ constexpr double kReading = 0.3;  // part of the work, where a spectrum follows
 
 std::vector<ParameterGroup> groups() {
   return {
-      {[] { return SurfaceImport::tr("What the file is"); },
+      {[] { return SurfaceImport::tr("The file"); },
        {"surface.format", "surface.position_unit", "surface.height_unit", "surface.point_spacing",
         "surface.position_column", "surface.height_column", "surface.direction", "surface.row"}},
-      {[] { return SurfaceImport::tr("From heights to a profile"); },
+      {[] { return SurfaceImport::tr("Levelling and filters"); },
        {"surface.gaps", "surface.outliers", "surface.form", "surface.short_wave_cut",
         "surface.long_wave_cut"}},
-      {[] { return SurfaceImport::tr("From the profile to the line"); },
+      {[] { return SurfaceImport::tr("The line that slides"); },
        {"surface.seam", "surface.blend_length", "surface.seed", "surface.line",
         "surface.contact_side", "surface.length", "surface.elements", "ensemble.realizations"}}};
 }
@@ -180,7 +180,7 @@ void SurfaceImport::take(const Preview& preview) {
   topography_->show(preview.image, row);
   if (preview.fault) {
     const auto& [key, message] = *preview.fault;
-    const QString text = translatedText(message);
+    const QString text = withLabels(translatedText(message));
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
     for (QLabel* label : {facts_, values_, notes_}) label->clear();
@@ -194,7 +194,7 @@ void SurfaceImport::take(const Preview& preview) {
 
 void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   QStringList facts, notes;
-  for (const Message& fact : factsOf(summary)) facts += translatedText(fact);
+  for (const Message& fact : factsOf(summary)) facts += withLabels(translatedText(fact));
   // A mirrored period is twice the file, and the force stays that on one period.
   const Load load = loadOn(scene_.load, summary.period);
   if (load.kind == LoadKind::Force) {
@@ -206,7 +206,7 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
                       quantity(load.normalForce / summary.period, "N/m"));
   }
   for (const Note note : summary.notes.list())
-    notes += QStringLiteral("⚠ ") + translatedText(sentenceOf(note));
+    notes += QStringLiteral("⚠ ") + withLabels(translatedText(sentenceOf(note)));
   facts_->setText(facts.join('\n'));
   notes_->setText(notes.join('\n'));
   notes_->setVisible(!notes.isEmpty());
