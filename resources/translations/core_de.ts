@@ -3351,8 +3351,8 @@
         <translation>%1 liegt nicht in 0 bis %2, den Zeilen der Datei</translation>
     </message>
     <message>
-        <source>refuse: row %1 has %2 points without a height, the first is point %3; interpolate fills them</source>
-        <translation>refuse: Zeile %1 hat %2 Punkte ohne Höhe, der erste ist Punkt %3; interpolate füllt sie</translation>
+        <source>row %1 has %2 points without a height, the first is point %3; interpolate fills them</source>
+        <translation>Zeile %1 hat %2 Punkte ohne Höhe, der erste ist Punkt %3; „interpolieren“ (interpolate) füllt sie</translation>
     </message>
     <message>
         <source>has no row with %1 measured points or more</source>
@@ -3383,8 +3383,8 @@
         <translation>Zeile %1 hat keinen gemessenen Punkt innerhalb von %2 m</translation>
     </message>
     <message>
-        <source>along_y needs a topography; the file has a single profile</source>
-        <translation>along_y braucht eine Topographie; die Datei hat ein einziges Profil</translation>
+        <source>across the rows (along_y) needs a topography; the file has a single profile</source>
+        <translation>quer zu den Zeilen (along_y) braucht eine Topographie; die Datei hat ein einziges Profil</translation>
     </message>
     <message>
         <source>%1 rows with fewer than three heights are left out</source>
