@@ -330,10 +330,12 @@ void FitPage::saveReport() {
       });
 }
 
-/// Return in an entry ends the entry, not the page.
+/// Return presses the button that has the focus; in an entry it ends the entry, not the page.
 void FitPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return event->accept();
-  QDialog::keyPressEvent(event);
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    return QDialog::keyPressEvent(event);
+  event->accept();
+  if (auto* button = qobject_cast<QAbstractButton*>(focusWidget())) button->click();
 }
 
 }  // namespace asperity

@@ -129,11 +129,12 @@ void ImportPage::endSoon() {
   work().request([](const BackgroundWork::Run&) {}, [this] { deleteLater(); });
 }
 
-/// Return in an entry ends the entry, not the page.
+/// Return presses the button that has the focus; in an entry it ends the entry, not the page.
 void ImportPage::keyPressEvent(QKeyEvent* event) {
-  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && !accept_->hasFocus()) return event->accept();
-  QDialog::keyPressEvent(event);
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    return QDialog::keyPressEvent(event);
+  event->accept();
+  if (auto* button = qobject_cast<QAbstractButton*>(focusWidget())) button->click();
 }
 
 }  // namespace asperity
