@@ -2767,7 +2767,7 @@
     </message>
     <message>
         <source>instantaneous modulus G₀</source>
-        <translation>Anfangsmodul G₀</translation>
+        <translation>Momentanmodul G₀</translation>
     </message>
     <message>
         <source>Shear modulus in Pa or MPa of a series that gives parts of it</source>

@@ -62,6 +62,10 @@ QString symbolHtml(std::string_view symbol) {
       .arg(text.left(low).toHtmlEscaped(), text.mid(low + 1).toHtmlEscaped());
 }
 
+QString inQuotes(const QString& text) {
+  return (presentLanguage() == "de" ? QStringLiteral("„%1“") : QStringLiteral("“%1”")).arg(text);
+}
+
 namespace {
 
 /// The words of a choice as people say them, where those of the file are too short for that.

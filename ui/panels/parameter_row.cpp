@@ -205,8 +205,7 @@ QString withLabels(const QString& text) {
     const QRegularExpressionMatch match = it.next();
     const Parameter* parameter = findParameter(match.captured().toStdString());
     labelled += text.mid(end, match.capturedStart() - end);
-    labelled += parameter ? QStringLiteral("“%1”").arg(ParameterRow::labelOf(*parameter))
-                          : match.captured();
+    labelled += parameter ? inQuotes(ParameterRow::labelOf(*parameter)) : match.captured();
     end = match.capturedEnd();
   }
   return labelled + text.mid(end);

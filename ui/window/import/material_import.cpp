@@ -321,7 +321,7 @@ QString MaterialImport::inWordsOfThePage(const std::string& option, QString text
     if (option == name) subject = label;
     // Not the beginning of a longer option.
     text.replace(QRegularExpression(QLatin1String(name) + QStringLiteral("(?![a-z-])")),
-                 QStringLiteral("“%1”").arg(label));
+                 inQuotes(label));
   }
   return subject.isEmpty() ? text : subject + ": " + text;
 }
