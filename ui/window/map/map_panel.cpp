@@ -120,7 +120,7 @@ MapPanel::MapPanel(QWidget* parent)
   connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
   connect(view_, &MapView::pointedAt, this, &MapPanel::read);
-  connect(view_, &MapView::left, reading_, [this] { reading_->clear(); });
+  connect(view_, &MapView::left, reading_, [this] { showReading({}); });
   connect(view_, &MapView::saved, this, &MapPanel::saved);
   connect(view_, &MapView::failed, this, &MapPanel::failed);
 }
@@ -224,11 +224,11 @@ void MapPanel::compute() {
   } catch (const InputError& error) {
     work_.cancel();
     wanted_.reset();
-    reading_->setText(translatedError(error));
+    showReading(translatedError(error));
     return;
   }
   wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
-  reading_->clear();
+  showReading({});
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
         MapOptions options;
@@ -245,7 +245,7 @@ void MapPanel::compute() {
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
         wanted_.reset();
-        reading_->setText(reason);
+        showReading(reason);
       });
 }
 
@@ -279,6 +279,12 @@ void MapPanel::moveTo(double x, double y) {
   }
 }
 
+/// A text that has no room is whole in the tooltip.
+void MapPanel::showReading(const QString& text) {
+  reading_->setText(text);
+  reading_->setToolTip(text);
+}
+
 /// Reads the nearest cell.
 void MapPanel::read(double x, double y) {
   if (!map_) return;
@@ -297,10 +303,10 @@ void MapPanel::read(double x, double y) {
   const auto text = [](double number, std::string_view unit) {
     return QString::fromStdString(asperity::quantity(number, std::string(unit)));
   };
-  reading_->setText(QStringLiteral("%1, %2: %3")
-                        .arg(text(map_->x.values[i], map_->x.range.row->unit),
-                             text(map_->y.values[j], map_->y.range.row->unit),
-                             text(value, unitOfMapQuantity(shown))));
+  showReading(QStringLiteral("%1, %2: %3")
+                  .arg(text(map_->x.values[i], map_->x.range.row->unit),
+                       text(map_->y.values[j], map_->y.range.row->unit),
+                       text(value, unitOfMapQuantity(shown))));
 }
 
 }  // namespace asperity

@@ -52,6 +52,7 @@ class MapPanel : public QWidget {
   void showMap();
   void moveTo(double x, double y);
   void read(double x, double y);
+  void showReading(const QString& text);
   QString quantity() const;
 
   Scene scene_;

@@ -1,5 +1,6 @@
 #include "ui/window/map/map_view.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -69,6 +70,34 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
 void MapView::mouseReleaseEvent(QMouseEvent* event) {
   isDragged_ = false;
   DiagramView::mouseReleaseEvent(event);
+}
+
+/// The arrow keys move the cross, in fine steps with Shift.
+void MapView::keyPressEvent(QKeyEvent* event) {
+  constexpr double kSteps = 50, kFineSteps = 250;  // across the map
+  int right = 0, down = 0;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      right = -1;
+      break;
+    case Qt::Key_Right:
+      right = 1;
+      break;
+    case Qt::Key_Up:
+      down = -1;
+      break;
+    case Qt::Key_Down:
+      down = 1;
+      break;
+    default:
+      return DiagramView::keyPressEvent(event);
+  }
+  const DiagramFrame* frame = map();
+  if (!frame || !hasCross_) return;
+  const double steps = event->modifiers().testFlag(Qt::ShiftModifier) ? kFineSteps : kSteps;
+  moveCross(
+      {static_cast<qreal>(frame->rightOf(x_)) + right * static_cast<qreal>(frame->width) / steps,
+       static_cast<qreal>(frame->downOf(y_)) + down * static_cast<qreal>(frame->height) / steps});
 }
 
 void MapView::leaveEvent(QEvent* event) {

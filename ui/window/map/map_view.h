@@ -21,7 +21,7 @@ class MapView : public DiagramView {
   QSize minimumSizeHint() const override { return {320, 200}; }
 
  signals:
-  /// Emitted while the cross is dragged, and where the map is clicked.
+  /// Emitted while the cross is dragged or moved by the arrow keys, and where the map is clicked.
   void crossMoved(double x, double y);
   /// Emitted with the place under the pointer; left: it is beside the map.
   void pointedAt(double x, double y);
@@ -32,6 +32,7 @@ class MapView : public DiagramView {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
