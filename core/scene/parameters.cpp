@@ -162,7 +162,7 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(elastomer.shift, c1), 0, 1e3, 1, 30, kLin}, {}, kOfMaterial},
     Parameter{"elastomer.shift.c2", "shift C2", "C_2", "K", "Second constant of the shift with temperature (Williams, Landel and Ferry).", kLive, {"elastomer.shift.kind", "wlf"},
               RealField{ASPERITY_MEMBER(elastomer.shift, c2), 1e-3, 1e4, 10, 300, kLin}, {}, kOfMaterial},
-    Parameter{"elastomer.shift.reference_temperature", "reference", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.shift.kind", "wlf arrhenius"},
+    Parameter{"elastomer.shift.reference_temperature", "reference temperature", "T_r", "K", "Temperature at which the relaxation times are as given.", kLive, {"elastomer.shift.kind", "wlf arrhenius"},
               RealField{ASPERITY_MEMBER(elastomer.shift, referenceTemperature), 1, 2000, 200, 450, kLin}, {}, kOfMaterial},
     Parameter{"elastomer.shift.activation_energy", "activation energy", "E_a", "J/mol", "Activation energy of the shift with temperature (Arrhenius).", kLive, {"elastomer.shift.kind", "arrhenius"},
               RealField{ASPERITY_MEMBER(elastomer.shift, activationEnergy), 0, 1e7, 1e4, 1e6, kLog}, {}, kOfMaterial},

@@ -2600,14 +2600,6 @@
 <context>
     <name>asperity::MapPanel</name>
     <message>
-        <source>Along x:</source>
-        <translation>Entlang x:</translation>
-    </message>
-    <message>
-        <source>Along y:</source>
-        <translation>Entlang y:</translation>
-    </message>
-    <message>
         <source>Show:</source>
         <translation>Zeige:</translation>
     </message>
@@ -2622,6 +2614,14 @@
     <message>
         <source>friction over two parameters</source>
         <translation>Reibung über zwei Parametern</translation>
+    </message>
+    <message>
+        <source>along x</source>
+        <translation>entlang x</translation>
+    </message>
+    <message>
+        <source>along y</source>
+        <translation>entlang y</translation>
     </message>
 </context>
 <context>
@@ -3035,6 +3035,22 @@
     <message>
         <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
         <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht den Filter.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>from file</source>
+        <translation>aus Datei</translation>
+    </message>
+    <message>
+        <source>all rows</source>
+        <translation>alle Zeilen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -3891,10 +3907,6 @@
         <translation>Oberfläche öffnen</translation>
     </message>
     <message>
-        <source>normal force %1 on one period of %2, F_N/L = %3</source>
-        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3</translation>
-    </message>
-    <message>
         <source>the profile, raw and used</source>
         <translation>das Profil, roh und verwendet</translation>
     </message>
@@ -3913,6 +3925,10 @@
     <message>
         <source>The line that slides</source>
         <translation>Die gleitende Linie</translation>
+    </message>
+    <message>
+        <source>Normal force %1 on one period of %2, F_N/L = %3.</source>
+        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3.</translation>
     </message>
 </context>
 <context>

@@ -1395,8 +1395,8 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
-        <source>reference</source>
-        <translation>Bezug</translation>
+        <source>reference temperature</source>
+        <translation>Bezugstemperatur</translation>
     </message>
     <message>
         <source>relaxation time</source>
@@ -3016,7 +3016,7 @@
     </message>
     <message>
         <source>Unit of positions along the surface; auto: as the file states.</source>
-        <translation>Einheit der Orte entlang der Oberfläche; auto: wie die Datei angibt.</translation>
+        <translation>Einheit der Positionen entlang der Oberfläche; auto: wie die Datei angibt.</translation>
     </message>
     <message>
         <source>height unit</source>
@@ -3032,7 +3032,7 @@
     </message>
     <message>
         <source>Column of positions, counted from 1; 0: the program finds it.</source>
-        <translation>Spalte der Orte, ab 1 gezählt; 0: Das Programm findet sie.</translation>
+        <translation>Spalte der Positionen, ab 1 gezählt; 0: Das Programm findet sie.</translation>
     </message>
     <message>
         <source>height column</source>
@@ -3391,6 +3391,10 @@
         <translation>%1 Zeilen mit weniger als drei Höhen sind ausgelassen</translation>
     </message>
     <message>
+        <source>row %1 alone is the line</source>
+        <translation>Zeile %1 allein ist die Linie</translation>
+    </message>
+    <message>
         <source>shown is row %1; %2 rows are lines</source>
         <translation>gezeigt ist Zeile %1; %2 Zeilen sind Linien</translation>
     </message>
@@ -3624,7 +3628,7 @@
     </message>
     <message>
         <source>is needed (%1): the file states no unit of positions, and in metres it would be %2 m long</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Positionen, und in Metern wäre sie %2 m lang</translation>
     </message>
     <message>
         <source>is needed (in m): the file does not say how far its points are apart</source>
@@ -3644,7 +3648,7 @@
     </message>
     <message>
         <source>is needed (%1): the file states no unit of positions, and in metres the rms slope would be %2</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre die mittlere Steigung %2</translation>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Positionen, und in Metern wäre die mittlere Steigung %2</translation>
     </message>
     <message>
         <source>has %1 points along x; at least %2 are needed</source>
@@ -3688,23 +3692,23 @@
     </message>
     <message>
         <source>Positions are %1, heights %2.</source>
-        <translation>Orte sind %1, Höhen %2.</translation>
+        <translation>Positionen sind %1, Höhen %2.</translation>
     </message>
     <message>
         <source>Positions are %1 and %2, heights %3.</source>
-        <translation>Orte sind %1 und %2, Höhen %3.</translation>
+        <translation>Positionen sind %1 und %2, Höhen %3.</translation>
     </message>
     <message>
         <source>Positions are in %1, as the file states.</source>
-        <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
+        <translation>Die Positionen sind in %1, wie die Datei sagt.</translation>
     </message>
     <message>
         <source>Positions are in %1, as the scene says.</source>
-        <translation>Die Orte sind in %1, wie die Szene sagt.</translation>
+        <translation>Die Positionen sind in %1, wie die Szene sagt.</translation>
     </message>
     <message>
         <source>The file states no unit of positions: they are taken as metres.</source>
-        <translation>Die Datei nennt keine Einheit der Orte: sie gelten als Meter.</translation>
+        <translation>Die Datei nennt keine Einheit der Positionen: sie gelten als Meter.</translation>
     </message>
     <message>
         <source>Heights are in %1, as the file states.</source>
@@ -3720,7 +3724,7 @@
     </message>
     <message>
         <source>The file does not say how far its points are apart: one unit of positions.</source>
-        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
+        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Positionen.</translation>
     </message>
     <message>
         <source>%1 points have no height.</source>
@@ -3792,7 +3796,7 @@
     </message>
     <message>
         <source>is the column of the positions, too; they need one each</source>
-        <translation>ist auch die Spalte der Orte; beide brauchen eine eigene</translation>
+        <translation>ist auch die Spalte der Positionen; beide brauchen eine eigene</translation>
     </message>
     <message>
         <source>The first row and the first column are positions.</source>
@@ -3832,7 +3836,7 @@
     </message>
     <message>
         <source>The unit &apos;%1&apos; of the positions is not known: they are taken as metres.</source>
-        <translation>Die Einheit „%1“ der Orte ist nicht bekannt: Sie gelten als Meter.</translation>
+        <translation>Die Einheit „%1“ der Positionen ist nicht bekannt: Sie gelten als Meter.</translation>
     </message>
     <message>
         <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
@@ -3888,7 +3892,7 @@
     </message>
     <message>
         <source>the positions leap from %1 to %2, %3 times the usual step; each stretch needs a file of its own</source>
-        <translation>die Orte springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
+        <translation>die Positionen springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
     </message>
     <message>
         <source>line %1: there is a point at this position already</source>
@@ -3912,15 +3916,15 @@
     </message>
     <message>
         <source>%1 places have no row in the file and are taken as gaps.</source>
-        <translation>%1 Orte haben keine Zeile in der Datei und gelten als Lücken.</translation>
+        <translation>%1 Positionen haben keine Zeile in der Datei und gelten als Lücken.</translation>
     </message>
     <message>
         <source>Positions are not uniform (steps differ by up to %1 %): heights are interpolated linearly onto %2 uniform places.</source>
-        <translation>Die Orte sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Orte umgerechnet.</translation>
+        <translation>Die Positionen sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Positionen umgerechnet.</translation>
     </message>
     <message>
         <source>Positions fall from row to row: the profile is turned round.</source>
-        <translation>Die Orte fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
+        <translation>Die Positionen fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
     </message>
     <message>
         <source>line %1: the position goes back; positions must rise or fall all along</source>
@@ -4375,12 +4379,12 @@
         <translation>Modul G', G''</translation>
     </message>
     <message>
-        <source>G' (● measured, line: series)</source>
-        <translation>G' (● gemessen, Linie: Reihe)</translation>
+        <source>G' (● measured)</source>
+        <translation>G' (● gemessen)</translation>
     </message>
     <message>
-        <source>G'' (▲ measured, line: series)</source>
-        <translation>G'' (▲ gemessen, Linie: Reihe)</translation>
+        <source>G'' (▲ measured)</source>
+        <translation>G'' (▲ gemessen)</translation>
     </message>
     <message>
         <source>residual in %</source>

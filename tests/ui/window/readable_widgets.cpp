@@ -176,20 +176,23 @@ void checkCells(const QAbstractItemView& view, QStringList& faults) {
   const auto* table = qobject_cast<const QTableView*>(&view);
   const auto* tree = qobject_cast<const QTreeView*>(&view);
   if ((!table && !tree) || !view.model()) return;
-  if ((table && table->wordWrap() && table->rowHeight(0) > 2 * view.fontMetrics().height()) ||
-      (tree && tree->wordWrap()))
-    return;
   constexpr int kAround = 4;  // pixels beside the text
   for (int row = 0; row < view.model()->rowCount(); ++row)
     for (int column = 0; column < view.model()->columnCount(); ++column) {
       const QModelIndex index = view.model()->index(row, column);
       const QRect place = view.visualRect(index);
       const QString text = index.data().toString();
-      if (text.isEmpty() || place.isEmpty() || text.contains('\n')) continue;
+      if (text.isEmpty() || place.isEmpty()) continue;
       const bool hasTick = index.data(Qt::CheckStateRole).isValid();
       const QVariant font = index.data(Qt::FontRole);
       const QFontMetrics metrics(font.isValid() ? font.value<QFont>() : view.font());
-      const int needed = metrics.horizontalAdvance(text) + kAround + (hasTick ? 18 : 0);
+      // A text that is broken into lines needs the width of its longest word.
+      const bool isWrapped = place.height() > 2 * metrics.height();
+      int widest = isWrapped ? 0 : metrics.horizontalAdvance(text);
+      if (isWrapped)
+        for (const QString& word : plain(text).split(' '))
+          widest = std::max(widest, metrics.horizontalAdvance(word));
+      const int needed = widest + kAround + (hasTick ? 18 : 0);
       if (needed > place.width() + kNothing &&
           !isInTip(text, index.data(Qt::ToolTipRole).toString()))
         faults += cut(view, text, needed, place.width());

@@ -219,6 +219,8 @@ QWidget* GalleryPage::makeCommands() {
   progress_ = new QProgressBar;
   progress_->setObjectName("figureProgress");
   progress_->setRange(0, kSteps);
+  progress_->setFormat(QStringLiteral("%p %"));
+  progress_->setMinimumWidth(60);
   row->addWidget(progress_, 1);
   note_ = new QLabel;
   note_->setObjectName("galleryNote");
@@ -313,7 +315,7 @@ void GalleryPage::showWork() {
   note_->setVisible(!computing);
   if (!computing) return;
   progress_->setValue(static_cast<int>(kSteps * gallery_->status(*computing).part));
-  progress_->setFormat(figureLabel(*computing) + QStringLiteral(": %p %"));
+  progress_->setToolTip(figureLabel(*computing));
 }
 
 void GalleryPage::choose(FigureName name, bool compute) {

@@ -84,6 +84,12 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   connect(this, &QDialog::finished, this, &ImportPage::endSoon);
 }
 
+QString ImportPage::sentence(QString text) {
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  return text.endsWith('.') ? text : text + '.';
+}
+
 QString ImportPage::complaint() const {
   return complaint_->text();
 }

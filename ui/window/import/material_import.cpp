@@ -382,7 +382,7 @@ void MaterialImport::take(const Preview& preview) {
   }
   showSheet();
   QStringList lines;
-  for (const Message& line : materialSummary(*material_)) lines += translatedText(line);
+  for (const Message& line : materialSummary(*material_)) lines += sentence(translatedText(line));
   summary_->setText(lines.join('\n'));
   if (material_->isMeasured())
     reference_->setPlaceholderText(translatedText(celsius(material_->referenceTemperature)));

@@ -194,19 +194,19 @@ void SurfaceImport::take(const Preview& preview) {
 
 void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   QStringList facts, notes;
-  for (const Message& fact : factsOf(summary)) facts += withLabels(translatedText(fact));
+  for (const Message& fact : factsOf(summary)) facts += sentence(withLabels(translatedText(fact)));
   // A mirrored period is twice the file, and the force stays that on one period.
   const Load load = loadOn(scene_.load, summary.period);
   if (load.kind == LoadKind::Force) {
     const auto quantity = [](double value, const char* unit) {
       return inLanguage(QString::fromStdString(printedQuantity(value, unit, 4)));
     };
-    facts += tr("normal force %1 on one period of %2, F_N/L = %3")
+    facts += tr("Normal force %1 on one period of %2, F_N/L = %3.")
                  .arg(quantity(load.normalForce, "N"), quantity(summary.period, "m"),
                       quantity(load.normalForce / summary.period, "N/m"));
   }
   for (const Note note : summary.notes.list())
-    notes += QStringLiteral("⚠ ") + withLabels(translatedText(sentenceOf(note)));
+    notes += QStringLiteral("⚠ ") + sentence(withLabels(translatedText(sentenceOf(note))));
   facts_->setText(facts.join('\n'));
   notes_->setText(notes.join('\n'));
   notes_->setVisible(!notes.isEmpty());

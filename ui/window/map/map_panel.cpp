@@ -97,11 +97,10 @@ MapPanel::MapPanel(QWidget* parent)
     label->setBuddy(box);
     // The longest names may be shortened; the list shows them whole.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(7);
+    box->setMinimumContentsLength(11);
     row->addWidget(label);
     row->addWidget(box, 1);
   }
-  reading_->setMinimumWidth(220);
   reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   row->addWidget(reading_, 2);
   row->addWidget(save_);
@@ -126,8 +125,10 @@ MapPanel::MapPanel(QWidget* parent)
 }
 
 void MapPanel::showTexts() {
-  xLabel_->setText(tr("Along x:"));
-  yLabel_->setText(tr("Along y:"));
+  xLabel_->setText(QStringLiteral("x:"));
+  yLabel_->setText(QStringLiteral("y:"));
+  x_->setAccessibleName(tr("along x"));
+  y_->setAccessibleName(tr("along y"));
   quantityLabel_->setText(tr("Show:"));
   save_->setText(tr("Save…"));
   save_->setToolTip(tr("Save the map as a picture or a table"));
@@ -139,6 +140,7 @@ void MapPanel::showTexts() {
     for (int i = 0; i < box->count(); ++i)
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
         box->setItemText(i, translatedText(row->label));
+  showTips();
 }
 
 QString MapPanel::quantity() const {
@@ -164,6 +166,7 @@ void MapPanel::fillChoosers() {
     const int load = std::max(y_->findData("load.nominal_pressure"), y_->findData("load.depth"));
     y_->setCurrentIndex(load >= 0 && load != x_->currentIndex() ? load : (x_->currentIndex() == 0));
   }
+  showTips();
 }
 
 void MapPanel::showScene(const Scene& scene) {
@@ -257,6 +260,7 @@ void MapPanel::take(ParameterMap map) {
 }
 
 void MapPanel::showMap() {
+  showTips();
   if (!map_) return;
   const std::string shown = quantity().toStdString();
   view_->setCross(numberOf(*map_->x.range.row, map_->scene),
@@ -283,6 +287,12 @@ void MapPanel::moveTo(double x, double y) {
 void MapPanel::showReading(const QString& text) {
   reading_->setText(text);
   reading_->setToolTip(text);
+  view_->setToolTip(text);
+}
+
+/// The boxes may shorten their texts.
+void MapPanel::showTips() {
+  for (QComboBox* box : {x_, y_, quantity_}) box->setToolTip(box->currentText());
 }
 
 /// Reads the nearest cell.

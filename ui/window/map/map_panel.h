@@ -53,6 +53,7 @@ class MapPanel : public QWidget {
   void moveTo(double x, double y);
   void read(double x, double y);
   void showReading(const QString& text);
+  void showTips();
   QString quantity() const;
 
   Scene scene_;
