@@ -3041,16 +3041,16 @@
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>from file</source>
-        <translation>aus Datei</translation>
-    </message>
-    <message>
         <source>all rows</source>
         <translation>alle Zeilen</translation>
     </message>
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
     </message>
 </context>
 <context>

@@ -4779,8 +4779,12 @@
         <translation>%1 Hz liegt außerhalb von %2 bis %3 Hz</translation>
     </message>
     <message>
-        <source>%1 Pa is outside %2 to %3 Pa; --modulus-unit says what the file means</source>
-        <translation>%1 Pa liegt außerhalb von %2 bis %3 Pa; --modulus-unit sagt, was die Datei meint</translation>
+        <source>modulus</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3; --modulus-unit says what the file means</source>
+        <translation>%1 liegt außerhalb von %2 bis %3; --modulus-unit sagt, was die Datei meint</translation>
     </message>
     <message>
         <source>standard error of μ</source>

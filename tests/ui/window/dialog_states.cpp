@@ -206,8 +206,11 @@ class Visitor {
   }
   static void settle(ImportPage& page, const char* view) {
     waitFor([&] { return !page.isReading(); }, "reading");
-    auto& sheet = in<DiagramView>(page, view);
-    if (page.isReady()) waitFor([&] { return sheet.isPainted(); }, "a diagram");
+    const QList<DiagramView*> sheets = page.findChildren<DiagramView*>();
+    const auto arePainted = [&] {
+      return std::ranges::all_of(sheets, [](const DiagramView* each) { return each->isPainted(); });
+    };
+    if (page.isReady()) waitFor(arePainted, view);
   }
   void surface(const QString& name, const QString& file) {
     if (!isWanted(name)) return;
@@ -291,7 +294,7 @@ class Visitor {
     const QByteArray head = "Temp (C),f (Hz),E' (MPa),E'' (MPa)\n";
     moduliSheets("moduli_one", write("tread 20C.csv", isothermText({20}, head)));
     moduliSheets("moduli_many", wishes_.moduli.isEmpty()
-                                    ? write("tread.csv", isothermText({-20, 0, 20, 40, 60}, head))
+                                    ? write("tread.csv", isothermText({5, 15, 25, 35, 45}, head))
                                     : wishes_.moduli);
     moduliSheets("moduli_unknown", write("tread 3.csv", isothermText({0, 20}, "A,B,C,D\n")));
     moduliSheets("moduli_apart", write("tread 4.csv", isothermText({-60, 80}, head)));

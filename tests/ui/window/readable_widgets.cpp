@@ -19,6 +19,8 @@
 #include <QSet>
 #include <QSizeGrip>
 #include <QSplitterHandle>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -142,11 +144,15 @@ void checkTabs(const QTabBar& bar, QStringList& faults) {
 }
 
 void checkEntry(const QLineEdit& entry, QStringList& faults) {
-  constexpr int kAround = 6;  // pixels beside the text
+  constexpr int kMargin = 2;  // pixels that an entry keeps free on each side of its text
+  QStyleOptionFrame frame;
+  frame.initFrom(&entry);
+  const QRect inside = entry.style()->subElementRect(QStyle::SE_LineEditContents, &frame, &entry);
+  const int room = inside.width() - 2 * kMargin;
   const auto check = [&](const QString& text) {
-    const int needed = QFontMetrics(entry.font()).horizontalAdvance(text) + kAround;
-    if (needed > entry.width() + kNothing && !isInTip(text, entry.toolTip()))
-      faults += cut(entry, text, needed, entry.width());
+    const int needed = QFontMetrics(entry.font()).horizontalAdvance(text);
+    if (needed > room + kNothing && !isInTip(text, entry.toolTip()))
+      faults += cut(entry, text, needed, room);
   };
   if (entry.text().isEmpty()) check(entry.placeholderText());
   if (qobject_cast<const QAbstractSpinBox*>(entry.parentWidget())) check(entry.text());

@@ -47,7 +47,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   complaint_->setWordWrap(true);
   complaint_->setTextFormat(Qt::PlainText);
   complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  complaint_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  complaint_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   progress_->setObjectName("importProgress");
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
@@ -56,11 +56,6 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   stop_->setObjectName("importStop");
   stop_->setAutoRaise(true);
   connect(stop_, &QToolButton::clicked, this, &ImportPage::pressStop);
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
-    QSizePolicy keepsRoom = widget->sizePolicy();
-    keepsRoom.setRetainSizeWhenHidden(true);
-    widget->setSizePolicy(keepsRoom);
-  }
   accept_->setObjectName("importAccept");
   accept_->setDefault(true);
   cancel_->setObjectName("importCancel");

@@ -323,7 +323,7 @@ QString MaterialImport::inWordsOfThePage(const std::string& option, QString text
     text.replace(QRegularExpression(QLatin1String(name) + QStringLiteral("(?![a-z-])")),
                  inQuotes(label));
   }
-  return subject.isEmpty() ? text : subject + ": " + text;
+  return (subject.isEmpty() ? QFileInfo(file()).fileName() : subject) + ": " + text;
 }
 
 void MaterialImport::begin() {

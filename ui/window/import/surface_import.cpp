@@ -185,7 +185,8 @@ void SurfaceImport::take(const Preview& preview) {
     const Parameter* parameter = findParameter(key.toStdString());
     for (QLabel* label : {facts_, values_, notes_}) label->clear();
     for (DiagramView* view : {profile_, spectrum_}) view->show([] { return DiagramSheet{}; });
-    return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text : text);
+    return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text
+                            : QFileInfo(file()).fileName() + ": " + text);
   }
   panel_->showLine(preview.line);
   showSummary(*summary_);

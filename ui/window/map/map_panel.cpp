@@ -79,14 +79,14 @@ MapPanel::MapPanel(QWidget* parent)
       xLabel_(new QLabel),
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
-      reading_(new QLabel),
+      complaint_(new QLabel),
       save_(new QPushButton),
       view_(new MapView) {
   setObjectName("mapPanel");
   x_->setObjectName("mapX");
   y_->setObjectName("mapY");
   quantity_->setObjectName("mapQuantity");
-  reading_->setObjectName("mapReading");
+  complaint_->setObjectName("mapComplaint");
   save_->setObjectName("mapSave");
   view_->setObjectName("mapView");
   view_->setPause(kPause);
@@ -101,8 +101,8 @@ MapPanel::MapPanel(QWidget* parent)
     row->addWidget(label);
     row->addWidget(box, 1);
   }
-  reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(reading_, 2);
+  complaint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(complaint_, 1);
   row->addWidget(save_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -119,7 +119,7 @@ MapPanel::MapPanel(QWidget* parent)
   connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
   connect(view_, &MapView::pointedAt, this, &MapPanel::read);
-  connect(view_, &MapView::left, reading_, [this] { showReading({}); });
+  connect(view_, &MapView::left, view_, [this] { view_->setReading({}); });
   connect(view_, &MapView::saved, this, &MapPanel::saved);
   connect(view_, &MapView::failed, this, &MapPanel::failed);
 }
@@ -227,11 +227,11 @@ void MapPanel::compute() {
   } catch (const InputError& error) {
     work_.cancel();
     wanted_.reset();
-    showReading(translatedError(error));
+    showComplaint(translatedError(error));
     return;
   }
   wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
-  showReading({});
+  showComplaint({});
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
         MapOptions options;
@@ -248,7 +248,7 @@ void MapPanel::compute() {
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
         wanted_.reset();
-        showReading(reason);
+        showComplaint(reason);
       });
 }
 
@@ -283,11 +283,10 @@ void MapPanel::moveTo(double x, double y) {
   }
 }
 
-/// A text that has no room is whole in the tooltip.
-void MapPanel::showReading(const QString& text) {
-  reading_->setText(text);
-  reading_->setToolTip(text);
-  view_->setToolTip(text);
+/// Shows why there is no map. A text that has no room is whole in the tooltip.
+void MapPanel::showComplaint(const QString& text) {
+  complaint_->setText(text);
+  complaint_->setToolTip(text);
 }
 
 /// The boxes may shorten their texts.
@@ -313,10 +312,10 @@ void MapPanel::read(double x, double y) {
   const auto text = [](double number, std::string_view unit) {
     return QString::fromStdString(asperity::quantity(number, std::string(unit)));
   };
-  showReading(QStringLiteral("%1, %2: %3")
-                  .arg(text(map_->x.values[i], map_->x.range.row->unit),
-                       text(map_->y.values[j], map_->y.range.row->unit),
-                       text(value, unitOfMapQuantity(shown))));
+  view_->setReading(QStringLiteral("%1, %2: %3")
+                        .arg(text(map_->x.values[i], map_->x.range.row->unit),
+                             text(map_->y.values[j], map_->y.range.row->unit),
+                             text(value, unitOfMapQuantity(shown))));
 }
 
 }  // namespace asperity

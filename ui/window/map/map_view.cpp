@@ -32,6 +32,12 @@ void MapView::setCross(double x, double y) {
   update();
 }
 
+void MapView::setReading(const QString& text) {
+  if (text == reading_) return;
+  reading_ = text;
+  update();
+}
+
 /// The map is the last diagram; a low view has no cut above it.
 const DiagramFrame* MapView::map() const {
   return frames().empty() || !(frames().back().width > 0) ? nullptr : &frames().back();
@@ -128,6 +134,23 @@ void MapView::paintEvent(QPaintEvent* event) {
     painter.setBrush(pen.color());
     if (std::isfinite(at.x()) && std::isfinite(at.y())) painter.drawEllipse(at, ring, ring);
   }
+  paintReading(painter, {left, top, width, height});
+}
+
+void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
+  if (reading_.isEmpty()) return;
+  constexpr qreal kAround = 4;  // pixels
+  const QFontMetricsF metrics(font());
+  const QSizeF size(metrics.horizontalAdvance(reading_) + 2 * kAround, metrics.height() + kAround);
+  // It is read beside the map, too, where the map is narrow.
+  QRectF box(frame.topLeft() + QPointF(kAround, kAround), size);
+  box.moveRight(std::max(frame.right() - kAround, size.width()));
+  painter.setClipping(false);
+  QColor ground = colourOf(theme().background);
+  ground.setAlphaF(0.85F);
+  painter.fillRect(box, ground);
+  painter.setPen(colourOf(theme().text));
+  painter.drawText(box, Qt::AlignCenter, reading_);
 }
 
 }  // namespace asperity

@@ -7,6 +7,8 @@
 
 #include "ui/window/figures/diagram_view.h"
 
+class QPainter;
+
 namespace asperity {
 
 class MapView : public DiagramView {
@@ -17,6 +19,10 @@ class MapView : public DiagramView {
 
   /// Shows the cross here, where the sheet itself has none.
   void setCross(double x, double y);
+
+  /// Shows a text in a corner of the map; an empty one goes away.
+  void setReading(const QString& text);
+  QString reading() const { return reading_; }
 
   QSize minimumSizeHint() const override { return {320, 200}; }
 
@@ -37,8 +43,10 @@ class MapView : public DiagramView {
 
  private:
   const DiagramFrame* map() const;
+  void paintReading(QPainter& painter, const QRectF& frame) const;
   void moveCross(const QPointF& to);
 
+  QString reading_;
   double x_ = 0, y_ = 0;
   bool hasCross_ = false, isDragged_ = false;
 };
