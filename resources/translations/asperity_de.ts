@@ -2966,7 +2966,7 @@
     </message>
     <message>
         <source>as in file</source>
-        <translation>wie Datei</translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>choose a profile file</source>
