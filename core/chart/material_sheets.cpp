@@ -135,10 +135,9 @@ Diagram masterDiagram(const Material& material) {
   addMasterPoints(material, diagram, storageOf, SeriesMark::Circle);
   addMasterPoints(material, diagram, lossOf, SeriesMark::Triangle);
   diagram.series.push_back(fittedSeries(material, range.from, range.to, storageOf,
-                                        "G' (\u25CF measured, line: series)", SeriesStroke::Solid));
+                                        "G' (\u25CF measured)", SeriesStroke::Solid));
   diagram.series.push_back(fittedSeries(material, range.from, range.to, lossOf,
-                                        "G'' (\u25B2 measured, line: series)",
-                                        SeriesStroke::Dashed));
+                                        "G'' (\u25B2 measured)", SeriesStroke::Dashed));
   diagram.ramp = temperatureRamp(material);
   return diagram;
 }

@@ -29,12 +29,12 @@ void checkRow(const MeasuredModulus& row) {
     throw InputError("", "frequency",
                      message("{} Hz is outside {} to {} Hz", plain(modulus.frequency),
                              plain(kLowest), plain(kHighest)));
+  const auto printed = [](double value) { return PrintedNumber{printedQuantity(value, "Pa", 3)}; };
   for (const double pascals : {modulus.storage, modulus.loss})
     if (pascals > 0 && !(pascals >= kSoftest && pascals <= kStiffest))
       throw InputError("", "modulus",
-                       message("{} Pa is outside {} to {} Pa; --modulus-unit says what the file "
-                               "means",
-                               plain(pascals), plain(kSoftest), plain(kStiffest)));
+                       message("{} is outside {} to {}; --modulus-unit says what the file means",
+                               printed(pascals), printed(kSoftest), printed(kStiffest)));
   if (!(row.modulus.frequency > 0)) refuse("frequency", row.modulus.frequency);
   if (!(row.modulus.storage > 0)) refuse("storage modulus", row.modulus.storage);
   if (!(row.modulus.loss > 0)) refuse("loss modulus", row.modulus.loss);

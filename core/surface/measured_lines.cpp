@@ -74,7 +74,8 @@ MeasuredFile readFile(const Scene& scene, const std::stop_token& stop,
       readMeasuredFile(scene.folder / scene.surface.file, choicesOf(reading), stop, progress);
   if (reading.direction == ProfileDirection::AlongY) {
     if (file.topography.isProfile())
-      fail("surface.direction", "along_y needs a topography; the file has a single profile");
+      fail("surface.direction",
+           "across the rows (along_y) needs a topography; the file has a single profile");
     file.topography = transposed(file.topography);
   }
   return file;
@@ -166,10 +167,9 @@ void MeasuredLines::chooseRows(const Scene& scene) {
     if (gaps > 0 && surface_.processing.gaps == GapHandling::Refuse) {
       const auto place =
           std::ranges::find_if(heights, [](double z) { return std::isnan(z); }) - heights.begin();
-      fail("surface.gaps",
-           message("refuse: row {} has {} points without a height, the first is point {}; "
-                   "interpolate fills them",
-                   row + 1, gaps, place + 1));
+      fail("surface.gaps", message("row {} has {} points without a height, the first is point {}; "
+                                   "interpolate fills them",
+                                   row + 1, gaps, place + 1));
     }
     if (topography.columns - gaps < kFewestPoints)
       ++leftOut_;

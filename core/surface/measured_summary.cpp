@@ -83,8 +83,9 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
     list.push_back(
         message("{} rows with fewer than three heights are left out", summary.rowsLeftOut));
   if (summary.rows > 1)
-    list.push_back(
-        message("shown is row {}; {} rows are lines", summary.rowInFile, summary.rowsUsed));
+    list.push_back(summary.rowsUsed == 1 ? message("row {} alone is the line", summary.rowInFile)
+                                         : message("shown is row {}; {} rows are lines",
+                                                   summary.rowInFile, summary.rowsUsed));
   if (summary.profile.gaps + summary.profile.outliers > 0)
     list.push_back(message("{} gaps and {} outliers are interpolated", summary.profile.gaps,
                            summary.profile.outliers));

@@ -1154,10 +1154,6 @@
         <translation>Du&amp;rchsuchen…</translation>
     </message>
     <message>
-        <source>The same in a shell</source>
-        <translation>Dasselbe in einer Shell</translation>
-    </message>
-    <message>
         <source>command line that writes the same file</source>
         <translation>Befehlszeile, die dieselbe Datei schreibt</translation>
     </message>
@@ -1212,6 +1208,10 @@
     <message>
         <source>The folder %1 has files already. Replace those of the same names?</source>
         <translation>Der Ordner %1 enthält schon Dateien. Gleichnamige ersetzen?</translation>
+    </message>
+    <message>
+        <source>Command line</source>
+        <translation>Befehlszeile</translation>
     </message>
 </context>
 <context>
@@ -1433,10 +1433,6 @@
         <translation>Eigene Größe</translation>
     </message>
     <message>
-        <source>P&amp;art of the line and moment as in the window</source>
-        <translation>Ausschnitt und Zeitpunkt &amp;wie im Fenster</translation>
-    </message>
-    <message>
         <source>Fra&amp;mes per s</source>
         <translation>Bilder &amp;je s</translation>
     </message>
@@ -1479,6 +1475,10 @@
     <message>
         <source>Folder: PNG, SVG, PDF, CSV</source>
         <translation>Ordner: PNG, SVG, PDF, CSV</translation>
+    </message>
+    <message>
+        <source>Same p&amp;art of the line and moment as in the window</source>
+        <translation>Ausschnitt und Zeitpunkt &amp;wie im Fenster</translation>
     </message>
 </context>
 <context>
@@ -1623,20 +1623,12 @@
         <translation>Profil entlang jedes Parameters</translation>
     </message>
     <message>
-        <source>Vary</source>
-        <translation>Verändern</translation>
-    </message>
-    <message>
         <source>Measured friction</source>
         <translation>Gemessene Reibung</translation>
     </message>
     <message>
         <source>random lines</source>
         <translation>zufällige Linien</translation>
-    </message>
-    <message>
-        <source>All points are computed on the same lines; their scatter is part of the errors</source>
-        <translation>Alle Punkte werden auf denselben Linien gerechnet; deren Streuung ist Teil der Fehler</translation>
     </message>
     <message>
         <source>The least sum of squares with one parameter held: flat where the data leave it open</source>
@@ -1670,6 +1662,14 @@
         <source>measured friction</source>
         <translation>gemessene Reibung</translation>
     </message>
+    <message>
+        <source>Parameters to fit</source>
+        <translation>Anzupassende Parameter</translation>
+    </message>
+    <message>
+        <source>Every trial uses the same random lines; their scatter is part of the errors</source>
+        <translation>Jeder Versuch benutzt dieselben zufälligen Linien; deren Streuung ist Teil der Fehler</translation>
+    </message>
 </context>
 <context>
     <name>asperity::FitPage</name>
@@ -1700,10 +1700,6 @@
     <message>
         <source>Fit to measured friction</source>
         <translation>An gemessene Reibung anpassen</translation>
-    </message>
-    <message>
-        <source>Tick what may change; limits are optional. All points are computed on the same random lines, and the weighted squares of what is left become least.</source>
-        <translation>Ankreuzen, was sich ändern darf; Grenzen sind freigestellt. Alle Punkte werden auf denselben zufälligen Linien gerechnet, und die gewichteten Quadrate der Abweichungen werden am kleinsten.</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -1792,6 +1788,10 @@
     <message>
         <source>the points have no errors; they scatter by %1 % about the fit</source>
         <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung</translation>
+    </message>
+    <message>
+        <source>Tick the parameters to fit; limits are optional. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized.</source>
+        <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert.</translation>
     </message>
 </context>
 <context>
@@ -2904,40 +2904,16 @@
         <translation>die gemessenen Moduln und ihre Anpassung</translation>
     </message>
     <message>
-        <source>as found</source>
-        <translation>wie gefunden</translation>
-    </message>
-    <message>
-        <source>What the file is</source>
-        <translation>Was die Datei ist</translation>
-    </message>
-    <message>
-        <source>frequency in</source>
-        <translation>Frequenz in</translation>
-    </message>
-    <message>
         <source>Unit of the frequencies</source>
         <translation>Einheit der Frequenzen</translation>
-    </message>
-    <message>
-        <source>temperature in</source>
-        <translation>Temperatur in</translation>
     </message>
     <message>
         <source>Unit of the temperatures</source>
         <translation>Einheit der Temperaturen</translation>
     </message>
     <message>
-        <source>modulus in</source>
-        <translation>Modul in</translation>
-    </message>
-    <message>
         <source>Unit of the moduli</source>
         <translation>Einheit der Moduln</translation>
-    </message>
-    <message>
-        <source>deformation</source>
-        <translation>Verformung</translation>
     </message>
     <message>
         <source>Whether the moduli are of shear (G) or of tension (E)</source>
@@ -2952,28 +2928,12 @@
         <translation>Macht aus Zugmoduln Schubmoduln: G = E / (2 (1 + ν))</translation>
     </message>
     <message>
-        <source>measured at</source>
-        <translation>gemessen bei</translation>
-    </message>
-    <message>
         <source>Temperature of a file that does not state one, such as 20 °C</source>
         <translation>Temperatur einer Datei, die keine nennt, etwa 20 °C</translation>
     </message>
     <message>
-        <source>instantaneous modulus</source>
-        <translation>Anfangsmodul</translation>
-    </message>
-    <message>
-        <source>Shear modulus in Pa of a series that gives parts of it</source>
-        <translation>Schubmodul in Pa zu einer Reihe, die Anteile davon nennt</translation>
-    </message>
-    <message>
         <source>Master curve</source>
         <translation>Masterkurve</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>Bezug</translation>
     </message>
     <message>
         <source>Temperature to which all isotherms are shifted, such as 20 °C</source>
@@ -2988,32 +2948,12 @@
         <translation>auch senkrecht schieben</translation>
     </message>
     <message>
-        <source>shift</source>
-        <translation>Verschiebung</translation>
-    </message>
-    <message>
-        <source>How the shifts stand in the material: as a formula, or as their table</source>
-        <translation>Wie die Verschiebungen im Material stehen: als Formel oder als ihre Tabelle</translation>
-    </message>
-    <message>
         <source>Prony series</source>
         <translation>Prony-Reihe</translation>
     </message>
     <message>
-        <source>as few as do</source>
-        <translation>so wenige wie nötig</translation>
-    </message>
-    <message>
         <source>Relaxation times, evenly spaced in their logarithm</source>
         <translation>Relaxationszeiten mit gleichen Abständen im Logarithmus</translation>
-    </message>
-    <message>
-        <source>terms</source>
-        <translation>Glieder</translation>
-    </message>
-    <message>
-        <source>In the file of the material</source>
-        <translation>In der Datei des Materials</translation>
     </message>
     <message>
         <source>name</source>
@@ -3044,20 +2984,120 @@
         <translation>Verschiebungen</translation>
     </message>
     <message>
-        <source>equilibrium modulus</source>
-        <translation>Gleichgewichtsmodul</translation>
+        <source>from the file</source>
+        <translation>aus der Datei</translation>
     </message>
     <message>
-        <source>Shear modulus in Pa where it is known from elsewhere</source>
-        <translation>Schubmodul in Pa, wenn er von anderswo bekannt ist</translation>
+        <source>The measurement</source>
+        <translation>Die Messung</translation>
     </message>
     <message>
-        <source>may be liquid</source>
-        <translation>darf flüssig sein</translation>
+        <source>unit of frequency</source>
+        <translation>Einheit der Frequenz</translation>
     </message>
     <message>
-        <source>Whether there may be no equilibrium modulus</source>
-        <translation>Ob es keinen Gleichgewichtsmodul geben darf</translation>
+        <source>unit of temperature</source>
+        <translation>Einheit der Temperatur</translation>
+    </message>
+    <message>
+        <source>unit of modulus</source>
+        <translation>Einheit des Moduls</translation>
+    </message>
+    <message>
+        <source>kind of modulus</source>
+        <translation>Art des Moduls</translation>
+    </message>
+    <message>
+        <source>test temperature</source>
+        <translation>Messtemperatur</translation>
+    </message>
+    <message>
+        <source>instantaneous modulus G₀</source>
+        <translation>Momentanmodul G₀</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa or MPa of a series that gives parts of it</source>
+        <translation>Schubmodul in Pa oder MPa zu einer Reihe, die Anteile davon nennt</translation>
+    </message>
+    <message>
+        <source>Columns of the table</source>
+        <translation>Spalten der Tabelle</translation>
+    </message>
+    <message>
+        <source>Name of the column, or its number from 1 on</source>
+        <translation>Name der Spalte oder ihre Nummer, von 1 an gezählt</translation>
+    </message>
+    <message>
+        <source>frequency column</source>
+        <translation>Spalte der Frequenz</translation>
+    </message>
+    <message>
+        <source>temperature column</source>
+        <translation>Spalte der Temperatur</translation>
+    </message>
+    <message>
+        <source>storage modulus column</source>
+        <translation>Spalte Speichermodul</translation>
+    </message>
+    <message>
+        <source>loss modulus column</source>
+        <translation>Spalte Verlustmodul</translation>
+    </message>
+    <message>
+        <source>loss tangent column</source>
+        <translation>Spalte Verlustfaktor</translation>
+    </message>
+    <message>
+        <source>found by its name</source>
+        <translation>am Namen erkannt</translation>
+    </message>
+    <message>
+        <source>reference temperature</source>
+        <translation>Bezugstemperatur</translation>
+    </message>
+    <message>
+        <source>temperature shift</source>
+        <translation>Temperaturverschiebung</translation>
+    </message>
+    <message>
+        <source>How the material keeps the shifts with temperature: by the formula of Williams, Landel and Ferry, by that of Arrhenius, or as their table</source>
+        <translation>Wie das Material die Verschiebungen mit der Temperatur enthält: nach der Formel von Williams, Landel und Ferry, nach der von Arrhenius oder als ihre Tabelle</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>as few as needed</source>
+        <translation>so wenige wie nötig</translation>
+    </message>
+    <message>
+        <source>number of terms</source>
+        <translation>Zahl der Glieder</translation>
+    </message>
+    <message>
+        <source>equilibrium modulus G∞</source>
+        <translation>Gleichgewichtsmodul G∞</translation>
+    </message>
+    <message>
+        <source>Shear modulus in Pa or MPa where it is known from elsewhere</source>
+        <translation>Schubmodul in Pa oder MPa, wenn er von anderswo bekannt ist</translation>
+    </message>
+    <message>
+        <source>from the fit</source>
+        <translation>aus der Anpassung</translation>
+    </message>
+    <message>
+        <source>allow G∞ = 0 (a liquid)</source>
+        <translation>G∞ = 0 zulassen (Flüssigkeit)</translation>
+    </message>
+    <message>
+        <source>Whether the material may flow, without an equilibrium modulus</source>
+        <translation>Ob das Material fließen darf, also keinen Gleichgewichtsmodul hat</translation>
+    </message>
+    <message>
+        <source>The material file</source>
+        <translation>Die Materialdatei</translation>
     </message>
 </context>
 <context>
@@ -3172,7 +3212,7 @@
     </message>
     <message>
         <source>as in file</source>
-        <translation>wie Datei</translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>choose a profile file</source>
@@ -3241,6 +3281,22 @@
     <message>
         <source>No parameter of this scene has “%1”. Escape clears the filter.</source>
         <translation>Kein Parameter dieser Szene hat „%1“. Escape löscht den Filter.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>all rows</source>
+        <translation>alle Zeilen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
     </message>
 </context>
 <context>
@@ -4105,18 +4161,6 @@
 <context>
     <name>asperity::SurfaceImport</name>
     <message>
-        <source>What the file is</source>
-        <translation>Was die Datei ist</translation>
-    </message>
-    <message>
-        <source>From heights to a profile</source>
-        <translation>Von Höhen zum Profil</translation>
-    </message>
-    <message>
-        <source>From the profile to the line</source>
-        <translation>Vom Profil zur Linie</translation>
-    </message>
-    <message>
         <source>raw</source>
         <translation>roh</translation>
     </message>
@@ -4133,16 +4177,28 @@
         <translation>Oberfläche öffnen</translation>
     </message>
     <message>
-        <source>normal force %1 on one period of %2, F_N/L = %3</source>
-        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3</translation>
-    </message>
-    <message>
         <source>the profile, raw and used</source>
         <translation>das Profil, roh und verwendet</translation>
     </message>
     <message>
         <source>spectrum and distribution of the heights, raw and used</source>
         <translation>Spektrum und Verteilung der Höhen, roh und verwendet</translation>
+    </message>
+    <message>
+        <source>The file</source>
+        <translation>Die Datei</translation>
+    </message>
+    <message>
+        <source>Levelling and filters</source>
+        <translation>Ausrichten und Filtern</translation>
+    </message>
+    <message>
+        <source>The line that slides</source>
+        <translation>Die gleitende Linie</translation>
+    </message>
+    <message>
+        <source>Normal force %1 on one period of %2, F_N/L = %3.</source>
+        <translation>Normalkraft %1 auf eine Periode von %2; F_N/L = %3.</translation>
     </message>
 </context>
 <context>

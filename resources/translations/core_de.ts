@@ -1395,10 +1395,6 @@
         <translation>Realisierungen</translation>
     </message>
     <message>
-        <source>reference</source>
-        <translation>Bezug</translation>
-    </message>
-    <message>
         <source>relaxation time</source>
         <translation>Relaxationszeit</translation>
     </message>
@@ -3007,20 +3003,16 @@
         <translation>Datei der Linie, relativ zur Szene: ein CSV-Profil aus Ort und Höhe in Metern, eine gemessene Oberfläche beliebiger Art oder die Tabelle eines Spektrums.</translation>
     </message>
     <message>
-        <source>format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
         <source>What the file is taken for; auto: the program finds out and says what it found.</source>
         <translation>Wofür die Datei genommen wird; auto: Das Programm findet es heraus und sagt, was es fand.</translation>
     </message>
     <message>
         <source>position unit</source>
-        <translation>Einheit des Orts</translation>
+        <translation>Einheit der Position</translation>
     </message>
     <message>
         <source>Unit of positions along the surface; auto: as the file states.</source>
-        <translation>Einheit der Orte entlang der Oberfläche; auto: wie die Datei angibt.</translation>
+        <translation>Einheit der Positionen entlang der Oberfläche; auto: wie die Datei angibt.</translation>
     </message>
     <message>
         <source>height unit</source>
@@ -3032,11 +3024,11 @@
     </message>
     <message>
         <source>position column</source>
-        <translation>Spalte des Orts</translation>
+        <translation>Spalte der Position</translation>
     </message>
     <message>
         <source>Column of positions, counted from 1; 0: the program finds it.</source>
-        <translation>Spalte der Orte, ab 1 gezählt; 0: Das Programm findet sie.</translation>
+        <translation>Spalte der Positionen, ab 1 gezählt; 0: Das Programm findet sie.</translation>
     </message>
     <message>
         <source>height column</source>
@@ -3047,16 +3039,8 @@
         <translation>Spalte oder Kanal der Höhen, ab 1 gezählt; 0: Das Programm findet sie.</translation>
     </message>
     <message>
-        <source>row</source>
-        <translation>Zeile</translation>
-    </message>
-    <message>
         <source>Row of a topography that is the line, counted from 1; 0: all rows, each a realization.</source>
         <translation>Zeile einer Topographie, die die Linie ist, ab 1 gezählt; 0: alle Zeilen, jede eine Realisierung.</translation>
-    </message>
-    <message>
-        <source>direction</source>
-        <translation>Richtung</translation>
     </message>
     <message>
         <source>Direction of sliding on a topography: along its rows (x) or across them (y).</source>
@@ -3071,40 +3055,8 @@
         <translation>Nicht gemessene Punkte: abgelehnt oder entlang der Zeile interpoliert.</translation>
     </message>
     <message>
-        <source>outliers</source>
-        <translation>Ausreißer</translation>
-    </message>
-    <message>
         <source>Heights farther from the form than so many median deviations are replaced by interpolation; 0: all are kept.</source>
         <translation>Höhen, die weiter als so viele mediane Abweichungen von der Form liegen, werden durch Interpolation ersetzt; 0: alle bleiben.</translation>
-    </message>
-    <message>
-        <source>form</source>
-        <translation>Form</translation>
-    </message>
-    <message>
-        <source>What is subtracted from each row by least squares: a straight line, nothing, the mean or a parabola.</source>
-        <translation>Was von jeder Zeile nach kleinsten Quadraten abgezogen wird: eine Gerade, nichts, der Mittelwert oder eine Parabel.</translation>
-    </message>
-    <message>
-        <source>short-wave cut</source>
-        <translation>Grenze kurzer Wellen</translation>
-    </message>
-    <message>
-        <source>Cut-off wavelength below which waves are removed: by the Gaussian filter of ISO 16610-21 from a measured surface, sharply from a spectrum; 0: none.</source>
-        <translation>Grenzwellenlänge, unter der Wellen entfernt werden: aus einer gemessenen Oberfläche durch das Gauß-Filter nach ISO 16610-21, aus einem Spektrum scharf; 0: keine.</translation>
-    </message>
-    <message>
-        <source>long-wave cut</source>
-        <translation>Grenze langer Wellen</translation>
-    </message>
-    <message>
-        <source>Cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.</source>
-        <translation>Grenzwellenlänge, über der Wellen ebenso entfernt werden; lange Wellen entscheiden, wo die Last getragen wird, daher hat man für Reibung meist keine; 0: keine.</translation>
-    </message>
-    <message>
-        <source>seam</source>
-        <translation>Naht</translation>
     </message>
     <message>
         <source>How the ends of the profile meet where its period repeats: mirrored (the period is twice the profile), blended, with random phases, or as they are, which may be a step.</source>
@@ -3243,10 +3195,6 @@
         <translation>%1 liegt nicht in 0 bis %2, den Zeilen der Datei</translation>
     </message>
     <message>
-        <source>refuse: row %1 has %2 points without a height, the first is point %3; interpolate fills them</source>
-        <translation>refuse: Zeile %1 hat %2 Punkte ohne Höhe, der erste ist Punkt %3; interpolate füllt sie</translation>
-    </message>
-    <message>
         <source>has no row with %1 measured points or more</source>
         <translation>hat keine Zeile mit %1 oder mehr gemessenen Punkten</translation>
     </message>
@@ -3273,10 +3221,6 @@
     <message>
         <source>row %1 has no measured point within %2 m</source>
         <translation>Zeile %1 hat keinen gemessenen Punkt innerhalb von %2 m</translation>
-    </message>
-    <message>
-        <source>along_y needs a topography; the file has a single profile</source>
-        <translation>along_y braucht eine Topographie; die Datei hat ein einziges Profil</translation>
     </message>
     <message>
         <source>%1 rows with fewer than three heights are left out</source>
@@ -3516,7 +3460,7 @@
     </message>
     <message>
         <source>is needed (%1): the file states no unit of positions, and in metres it would be %2 m long</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Positionen, und in Metern wäre sie %2 m lang</translation>
     </message>
     <message>
         <source>is needed (in m): the file does not say how far its points are apart</source>
@@ -3536,7 +3480,7 @@
     </message>
     <message>
         <source>is needed (%1): the file states no unit of positions, and in metres the rms slope would be %2</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre die mittlere Steigung %2</translation>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Positionen, und in Metern wäre die mittlere Steigung %2</translation>
     </message>
     <message>
         <source>has %1 points along x; at least %2 are needed</source>
@@ -3580,23 +3524,23 @@
     </message>
     <message>
         <source>Positions are %1, heights %2.</source>
-        <translation>Orte sind %1, Höhen %2.</translation>
+        <translation>Positionen sind %1, Höhen %2.</translation>
     </message>
     <message>
         <source>Positions are %1 and %2, heights %3.</source>
-        <translation>Orte sind %1 und %2, Höhen %3.</translation>
+        <translation>Positionen sind %1 und %2, Höhen %3.</translation>
     </message>
     <message>
         <source>Positions are in %1, as the file states.</source>
-        <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
+        <translation>Die Positionen sind in %1, wie die Datei sagt.</translation>
     </message>
     <message>
         <source>Positions are in %1, as the scene says.</source>
-        <translation>Die Orte sind in %1, wie die Szene sagt.</translation>
+        <translation>Die Positionen sind in %1, wie die Szene sagt.</translation>
     </message>
     <message>
         <source>The file states no unit of positions: they are taken as metres.</source>
-        <translation>Die Datei nennt keine Einheit der Orte: sie gelten als Meter.</translation>
+        <translation>Die Datei nennt keine Einheit der Positionen: sie gelten als Meter.</translation>
     </message>
     <message>
         <source>Heights are in %1, as the file states.</source>
@@ -3612,7 +3556,7 @@
     </message>
     <message>
         <source>The file does not say how far its points are apart: one unit of positions.</source>
-        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
+        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Positionen.</translation>
     </message>
     <message>
         <source>%1 points have no height.</source>
@@ -3684,7 +3628,7 @@
     </message>
     <message>
         <source>is the column of the positions, too; they need one each</source>
-        <translation>ist auch die Spalte der Orte; beide brauchen eine eigene</translation>
+        <translation>ist auch die Spalte der Positionen; beide brauchen eine eigene</translation>
     </message>
     <message>
         <source>The first row and the first column are positions.</source>
@@ -3724,7 +3668,7 @@
     </message>
     <message>
         <source>The unit &apos;%1&apos; of the positions is not known: they are taken as metres.</source>
-        <translation>Die Einheit „%1“ der Orte ist nicht bekannt: Sie gelten als Meter.</translation>
+        <translation>Die Einheit „%1“ der Positionen ist nicht bekannt: Sie gelten als Meter.</translation>
     </message>
     <message>
         <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
@@ -3780,7 +3724,7 @@
     </message>
     <message>
         <source>the positions leap from %1 to %2, %3 times the usual step; each stretch needs a file of its own</source>
-        <translation>die Orte springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
+        <translation>die Positionen springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
     </message>
     <message>
         <source>line %1: there is a point at this position already</source>
@@ -3804,15 +3748,15 @@
     </message>
     <message>
         <source>%1 places have no row in the file and are taken as gaps.</source>
-        <translation>%1 Orte haben keine Zeile in der Datei und gelten als Lücken.</translation>
+        <translation>%1 Positionen haben keine Zeile in der Datei und gelten als Lücken.</translation>
     </message>
     <message>
         <source>Positions are not uniform (steps differ by up to %1 %): heights are interpolated linearly onto %2 uniform places.</source>
-        <translation>Die Orte sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Orte umgerechnet.</translation>
+        <translation>Die Positionen sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Positionen umgerechnet.</translation>
     </message>
     <message>
         <source>Positions fall from row to row: the profile is turned round.</source>
-        <translation>Die Orte fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
+        <translation>Die Positionen fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
     </message>
     <message>
         <source>line %1: the position goes back; positions must rise or fall all along</source>
@@ -4267,14 +4211,6 @@
         <translation>Modul G', G''</translation>
     </message>
     <message>
-        <source>G' (● measured, line: series)</source>
-        <translation>G' (● gemessen, Linie: Reihe)</translation>
-    </message>
-    <message>
-        <source>G'' (▲ measured, line: series)</source>
-        <translation>G'' (▲ gemessen, Linie: Reihe)</translation>
-    </message>
-    <message>
         <source>residual in %</source>
         <translation>Restabweichung in %</translation>
     </message>
@@ -4665,10 +4601,6 @@
     <message>
         <source>%1 Hz is outside %2 to %3 Hz</source>
         <translation>%1 Hz liegt außerhalb von %2 bis %3 Hz</translation>
-    </message>
-    <message>
-        <source>%1 Pa is outside %2 to %3 Pa; --modulus-unit says what the file means</source>
-        <translation>%1 Pa liegt außerhalb von %2 bis %3 Pa; --modulus-unit sagt, was die Datei meint</translation>
     </message>
     <message>
         <source>standard error of μ</source>
@@ -5705,6 +5637,190 @@
     <message>
         <source>Note: %1.</source>
         <translation>Zu beachten: %1.</translation>
+    </message>
+    <message>
+        <source>reference temperature</source>
+        <translation>Bezugstemperatur</translation>
+    </message>
+    <message>
+        <source>row of the topography</source>
+        <translation>Zeile der Topographie</translation>
+    </message>
+    <message>
+        <source>Levelling: what is subtracted from each row by least squares, a straight line, nothing, the mean or a parabola.</source>
+        <translation>Ausrichten: was von jeder Zeile nach kleinsten Quadraten abgezogen wird, eine Gerade, nichts, der Mittelwert oder eine Parabel.</translation>
+    </message>
+    <message>
+        <source>short-wave cut-off</source>
+        <translation>kurze Grenzwellenlänge</translation>
+    </message>
+    <message>
+        <source>S-filter: cut-off wavelength below which waves are removed, by the Gaussian filter of ISO 16610-21 from a measured surface, sharply from a spectrum; 0: none.</source>
+        <translation>S-Filter: Grenzwellenlänge, unter der Wellen entfernt werden, aus einer gemessenen Oberfläche durch das Gauß-Filter nach ISO 16610-21, aus einem Spektrum scharf; 0: keine.</translation>
+    </message>
+    <message>
+        <source>long-wave cut-off</source>
+        <translation>lange Grenzwellenlänge</translation>
+    </message>
+    <message>
+        <source>L-filter: cut-off wavelength above which waves are removed, likewise; long waves decide where the load is carried, so for friction there is usually none; 0: none.</source>
+        <translation>L-Filter: Grenzwellenlänge, über der Wellen ebenso entfernt werden; lange Wellen entscheiden, wo die Last getragen wird, daher hat man für Reibung meist keine; 0: keine.</translation>
+    </message>
+    <message>
+        <source>file format</source>
+        <translation>Dateiformat</translation>
+    </message>
+    <message>
+        <source>sliding direction</source>
+        <translation>Gleitrichtung</translation>
+    </message>
+    <message>
+        <source>missing points</source>
+        <translation>fehlende Punkte</translation>
+    </message>
+    <message>
+        <source>outlier limit</source>
+        <translation>Ausreißergrenze</translation>
+    </message>
+    <message>
+        <source>form removal</source>
+        <translation>Formabzug</translation>
+    </message>
+    <message>
+        <source>profile ends</source>
+        <translation>Profilenden</translation>
+    </message>
+    <message>
+        <source>line that slides</source>
+        <translation>gleitende Linie</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>aus der Datei</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>text table</source>
+        <translation>Texttabelle</translation>
+    </message>
+    <message>
+        <source>text: profile</source>
+        <translation>Text: Profil</translation>
+    </message>
+    <message>
+        <source>text: matrix of heights</source>
+        <translation>Text: Höhenmatrix</translation>
+    </message>
+    <message>
+        <source>text: points x y z</source>
+        <translation>Text: Punkte x y z</translation>
+    </message>
+    <message>
+        <source>Zygo, text</source>
+        <translation>Zygo, Text</translation>
+    </message>
+    <message>
+        <source>Wyko, text</source>
+        <translation>Wyko, Text</translation>
+    </message>
+    <message>
+        <source>Surfer grid</source>
+        <translation>Surfer-Gitter</translation>
+    </message>
+    <message>
+        <source>read by Gwyddion</source>
+        <translation>durch Gwyddion gelesen</translation>
+    </message>
+    <message>
+        <source>along the rows (x)</source>
+        <translation>längs der Zeilen (x)</translation>
+    </message>
+    <message>
+        <source>across the rows (y)</source>
+        <translation>quer zu den Zeilen (y)</translation>
+    </message>
+    <message>
+        <source>refuse the file</source>
+        <translation>Datei ablehnen</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>Ausgleichsgerade</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>mean height</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>blended</source>
+        <translation>überblendet</translation>
+    </message>
+    <message>
+        <source>random phases</source>
+        <translation>Zufallsphasen</translation>
+    </message>
+    <message>
+        <source>as they are</source>
+        <translation>wie sie sind</translation>
+    </message>
+    <message>
+        <source>as measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>isotropic equivalent</source>
+        <translation>isotrop gleichwertig</translation>
+    </message>
+    <message>
+        <source>C1, two-sided</source>
+        <translation>C1, zweiseitig</translation>
+    </message>
+    <message>
+        <source>C1, one-sided</source>
+        <translation>C1, einseitig</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 points without a height, the first is point %3; interpolate fills them</source>
+        <translation>Zeile %1 hat %2 Punkte ohne Höhe, der erste ist Punkt %3; „interpolieren“ (interpolate) füllt sie</translation>
+    </message>
+    <message>
+        <source>across the rows (along_y) needs a topography; the file has a single profile</source>
+        <translation>quer zu den Zeilen (along_y) braucht eine Topographie; die Datei hat ein einziges Profil</translation>
+    </message>
+    <message>
+        <source>row %1 alone is the line</source>
+        <translation>Zeile %1 allein ist die Linie</translation>
+    </message>
+    <message>
+        <source>G' (● measured)</source>
+        <translation>G' (● gemessen)</translation>
+    </message>
+    <message>
+        <source>G'' (▲ measured)</source>
+        <translation>G'' (▲ gemessen)</translation>
+    </message>
+    <message>
+        <source>modulus</source>
+        <translation>Modul</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3; --modulus-unit says what the file means</source>
+        <translation>%1 liegt außerhalb von %2 bis %3; --modulus-unit sagt, was die Datei meint</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include <QRegularExpression>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -61,11 +62,74 @@ QString symbolHtml(std::string_view symbol) {
       .arg(text.left(low).toHtmlEscaped(), text.mid(low + 1).toHtmlEscaped());
 }
 
-QString wordText(std::string_view word) {
+QString inQuotes(const QString& text) {
+  return (presentLanguage() == "de" ? QStringLiteral("„%1“") : QStringLiteral("“%1”")).arg(text);
+}
+
+namespace {
+
+/// The words of a choice as people say them, where those of the file are too short for that.
+struct ChoiceName {
+  std::string_view key;
+  std::string_view word;
+  const char* name;
+};
+
+constexpr std::array<ChoiceName, 33> kChoiceNames{{
+    {"surface.format", "text", "text table"},
+    {"surface.format", "profile", "text: profile"},
+    {"surface.format", "matrix", "text: matrix of heights"},
+    {"surface.format", "points", "text: points x y z"},
+    {"surface.format", "x3p", "X3P"},
+    {"surface.format", "sdf", "SDF"},
+    {"surface.format", "smd", "SMD, PRF"},
+    {"surface.format", "sur", "SUR"},
+    {"surface.format", "gsf", "GSF"},
+    {"surface.format", "gwy", "GWY"},
+    {"surface.format", "zygo", "Zygo, text"},
+    {"surface.format", "wyko", "Wyko, text"},
+    {"surface.format", "surfer", "Surfer grid"},
+    {"surface.format", "gwyddion", "read by Gwyddion"},
+    {"surface.position_unit", "auto", "from the file"},
+    {"surface.position_unit", "in", "inch"},
+    {"surface.height_unit", "auto", "from the file"},
+    {"surface.height_unit", "in", "inch"},
+    {"surface.direction", "along_x", "along the rows (x)"},
+    {"surface.direction", "along_y", "across the rows (y)"},
+    {"surface.gaps", "refuse", "refuse the file"},
+    {"surface.form", "line", "straight line"},
+    {"surface.form", "none", "nothing"},
+    {"surface.form", "mean", "mean height"},
+    {"surface.seam", "mirror", "mirrored"},
+    {"surface.seam", "blend", "blended"},
+    {"surface.seam", "random_phases", "random phases"},
+    {"surface.seam", "periodic", "as they are"},
+    {"surface.line", "as_measured", "as measured"},
+    {"surface.line", "isotropic_equivalent", "isotropic equivalent"},
+    {"surface.spectrum_kind", "unstated", "not stated"},
+    {"surface.spectrum_kind", "c1_two_sided", "C1, two-sided"},
+    {"surface.spectrum_kind", "c1_one_sided", "C1, one-sided"},
+}};
+
+/// The English names of words that are written otherwise in files.
+constexpr std::array<std::pair<std::string_view, const char*>, 8> kEnglishNames{
+    {{"kelvin", "Kelvin"},
+     {"prony", "Prony"},
+     {"standard_solid", "standard solid"},
+     {"wlf", "WLF"},
+     {"arrhenius", "Arrhenius"},
+     {"auto", "automatic"},
+     {"um", "\u00b5m"},
+     {"c2", "C2"}}};
+
+}  // namespace
+
+QString wordText(std::string_view word, std::string_view key) {
+  for (const ChoiceName& each : kChoiceNames)
+    if (each.word == word && each.key == key) return translatedText(Message(each.name));
   if (presentLanguage() == "en")
-    for (const auto& [key, name] : {std::pair("kelvin", "Kelvin"), std::pair("prony", "Prony"),
-                                    std::pair("standard_solid", "standard solid")})
-      if (word == key) return QString::fromLatin1(name);
+    for (const auto& [known, name] : kEnglishNames)
+      if (word == known) return QString::fromUtf8(name);
   return translatedText(fromUtf8(word).replace('_', '-').toStdString());
 }
 

@@ -24,8 +24,12 @@ QString valueText(const ParameterValue& value);
 /// Returns "F_N" and "tau" as rich text in italics: F with a lowered N, the Greek letter.
 QString symbolHtml(std::string_view symbol);
 
-/// Returns "self_affine" as "self-affine", in the current language.
-QString wordText(std::string_view word);
+/// Returns the text in the quotation marks of the current language.
+QString inQuotes(const QString& text);
+
+/// Returns a word of a choice in the current language: "self_affine" as "self-affine", and "line"
+/// of the key "surface.form" as "straight line".
+QString wordText(std::string_view word, std::string_view key = {});
 
 inline QString fromUtf8(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));

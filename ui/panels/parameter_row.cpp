@@ -33,7 +33,7 @@ namespace {
 constexpr int kGap = 5;  // pixels between the columns
 
 // These widths are in digits.
-constexpr double kEntryWidth = 8.2;
+constexpr double kEntryWidth = 8.6;
 constexpr double kUnitWidth = 5.6;
 constexpr double kResetWidth = 2.25;
 
@@ -103,7 +103,7 @@ QString rangeText(const Parameter& parameter) {
   if (allowedRange(parameter)) return allowedInWords(ruleOf(parameter));
   QStringList words;
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
-    for (const std::string_view word : choice->choices) words += wordText(word);
+    for (const std::string_view word : choice->choices) words += wordText(word, parameter.key);
   return words.join(QStringLiteral(", "));
 }
 
@@ -187,7 +187,7 @@ void ParameterRow::showTexts() {
     choice_->view()->setAccessibleName(choice_->accessibleName());
     const auto& words = std::get<ChoiceField>(parameter_.field).choices;
     for (int i = 0; i < choice_->count(); ++i)
-      choice_->setItemText(i, wordText(words[static_cast<std::size_t>(i)]));
+      choice_->setItemText(i, wordText(words[static_cast<std::size_t>(i)], parameter_.key));
   }
   if (browse_) {
     entry_->setPlaceholderText(tr("no file"));
@@ -206,6 +206,20 @@ void ParameterRow::setParameter(const Parameter& parameter) {
 
 QString ParameterRow::labelOf(const Parameter& parameter) {
   return translatedText(parameter.label);
+}
+
+QString withLabels(const QString& text) {
+  static const QRegularExpression key(QStringLiteral(R"([a-z_]+(\.[a-z0-9_]+)+)"));
+  QString labelled;
+  qsizetype end = 0;
+  for (auto it = key.globalMatch(text); it.hasNext();) {
+    const QRegularExpressionMatch match = it.next();
+    const Parameter* parameter = findParameter(match.captured().toStdString());
+    labelled += text.mid(end, match.capturedStart() - end);
+    labelled += parameter ? inQuotes(ParameterRow::labelOf(*parameter)) : match.captured();
+    end = match.capturedEnd();
+  }
+  return labelled + text.mid(end);
 }
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
@@ -389,7 +403,7 @@ void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
   choice_ = new ChoiceBox;
   name(*choice_, "choice");
   for (const std::string_view word : field.choices)
-    choice_->addItem(wordText(word), fromUtf8(word));
+    choice_->addItem(wordText(word, parameter_.key), fromUtf8(word));
   choice_->setEnabled(field.choices.size() > 1);
   connect(choice_, &QComboBox::activated, this, [this](int index) {
     emit valueGiven(choice_->itemData(index).toString().toStdString());

@@ -127,4 +127,7 @@ class ParameterRow : public QWidget {
   QLabel* error_ = nullptr;
 };
 
+/// Returns a text with the quoted labels of parameters in place of their keys.
+QString withLabels(const QString& text);
+
 }  // namespace asperity

@@ -45,6 +45,18 @@ Placeholder fromFile(double known) {
   return {ParameterPanel::tr("as in file"), {}, false};
 }
 
+/// What an entry of 0 means; empty: the number itself.
+QString meaningOfZero(const Parameter& parameter) {
+  const auto is = [&](const char* key) { return parameter.key == key; };
+  if (is("surface.position_column") || is("surface.height_column"))
+    return ParameterPanel::tr("automatic");
+  if (is("surface.point_spacing")) return ParameterPanel::tr("from file");
+  if (is("surface.row")) return ParameterPanel::tr("all rows");
+  if (is("surface.short_wave_cut") || is("surface.long_wave_cut") || is("surface.outliers"))
+    return ParameterPanel::tr("none");
+  return {};
+}
+
 LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
   Surface surface;
   surface.kind = kind;
@@ -61,6 +73,11 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
     return scene.ensemble.realizations == 0
                ? std::optional(Placeholder{ParameterPanel::tr("every row"), {}, false})
                : std::nullopt;
+  if (const QString meaning = meaningOfZero(parameter); !meaning.isEmpty()) {
+    const ParameterValue value = valueOf(parameter, scene);
+    const bool isZero = value == ParameterValue(0.0) || value == ParameterValue(std::int64_t{0});
+    return isZero ? std::optional(Placeholder{meaning, 0, false}) : std::nullopt;
+  }
   if (!mayBeLeftOpen(parameter, scene)) return {};
   if (isChosenWhereOpen(parameter))
     return scene.accuracy.oversampling == 0 ? std::optional(chosenOversampling(scene))
@@ -91,6 +108,8 @@ void giveText(const Parameter& parameter, Scene& scene, std::string_view text) {
     useMaterial(scene, std::string(text));
   else if (mayBeLeftOpen(parameter, scene) && (text.empty() || text == "0"))
     leaveOpen(parameter, scene);
+  else if (text.empty() && !meaningOfZero(parameter).isEmpty())
+    setFromText(parameter, scene, "0");
   else
     setFromText(parameter, scene, text);
 }

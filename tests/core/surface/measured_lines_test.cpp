@@ -158,7 +158,7 @@ TEST(MeasuredLines, RefuseGapsUnlessTheyAreToBeFilled) {
   heights[7] = heights[8] = kNone;
   Scene scene = measuredScene();
   EXPECT_EQ(errorOf(scene, topographyOf(heights)),
-            "surface.gaps: refuse: row 1 has 2 points without a height, the first is point 8; "
+            "surface.gaps: row 1 has 2 points without a height, the first is point 8; "
             "interpolate fills them");
   scene.surface.processing.gaps = GapHandling::Interpolate;
   scene.surface.processing.form = FormRemoval::None;

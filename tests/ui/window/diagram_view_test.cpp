@@ -13,6 +13,7 @@
 #include "qt_application.h"
 #include "ui/window/main/main_window.h"
 #include "ui/window/main/session.h"
+#include "ui/window/map/map_view.h"
 
 namespace asperity {
 namespace {
@@ -85,6 +86,39 @@ TEST(DiagramView, SaysWhatCannotBeMade) {
   view.show([] { return spectrumSheet({}); });  // and goes on
   ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
   EXPECT_NE(complaint, view.image());
+}
+
+TEST(DiagramView, TakesTheFocusWhereItCanBeSaved) {
+  DiagramView view;
+  view.show([] { return spectrumSheet({}); });
+  EXPECT_EQ(view.focusPolicy(), Qt::NoFocus);
+  view.show([] { return spectrumSheet({}); }, {"spectrum", {}, {}, {}});
+  EXPECT_EQ(view.focusPolicy(), Qt::StrongFocus);
+}
+
+TEST(MapView, ArrowKeysMoveTheCross) {
+  MapView view;
+  view.resize(500, 300);
+  view.QWidget::show();
+  view.show([] {
+    Diagram diagram;
+    diagram.x = {"x", "", AxisScale::Linear, 0, 10};
+    diagram.y = {"y", "", AxisScale::Linear, 0, 10};
+    DiagramSheet sheet;
+    sheet.diagrams = {diagram};
+    return sheet;
+  });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.isPainted(); }, kWait));
+  view.setCross(5, 5);
+  QSignalSpy moves(&view, &MapView::crossMoved);
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Up);
+  QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+  ASSERT_EQ(moves.count(), 3);
+  EXPECT_NEAR(moves[0][0].toDouble(), 5.2, 1e-3);
+  EXPECT_NEAR(moves[0][1].toDouble(), 5, 1e-3);
+  EXPECT_NEAR(moves[1][1].toDouble(), 5.2, 1e-3);
+  EXPECT_NEAR(moves[2][0].toDouble(), 5.16, 1e-3);
 }
 
 TEST(DiagramView, TabsShowSpectrumAndStatisticsOfTheScene) {

@@ -250,6 +250,16 @@ TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
   EXPECT_TRUE(reason().contains("no_such_column")) << reason().toStdString();
 }
 
+TEST_F(ExportDialogTest, ReturnPressesTheButtonWithTheFocus) {
+  openDialog(ExportKind::Table);
+  dialog_->setFile(folder_.filePath("curve.csv"));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog_));
+  in<QPushButton>("exportClose").setFocus();
+  QTest::keyClick(&in<QPushButton>("exportClose"), Qt::Key_Return);
+  EXPECT_FALSE(dialog_ && dialog_->isVisible());
+  EXPECT_FALSE(QFile::exists(folder_.filePath("curve.csv")));
+}
+
 TEST_F(ExportDialogTest, AFolderThatIsNotThereIsSaid) {
   openDialog(ExportKind::Table);
   dialog_->setFile(folder_.filePath("no_such_folder/curve.csv"));

@@ -166,6 +166,18 @@ TEST_F(FitPageTest, IsStoppedAtOnceAndBeginsAgain) {
   EXPECT_EQ(page.fitted()->fit.scene.ensemble.realizations, 3);
 }
 
+TEST_F(FitPageTest, ReturnPressesTheButtonWithTheFocus) {
+  FitPage& page = openPage(withData());
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+  auto& lines = *page.findChild<QSpinBox*>("fitLines");
+  lines.setFocus();
+  QTest::keyClick(&lines, Qt::Key_Return);
+  EXPECT_TRUE(page.isVisible());
+  button(page, "fitClose").setFocus();
+  QTest::keyClick(&button(page, "fitClose"), Qt::Key_Return);
+  EXPECT_FALSE(page.isVisible());
+}
+
 TEST_F(FitPageTest, ARefusedLimitIsSaidAndNothingRuns) {
   FitPage& page = openPage(withData());
   tick(page, "surface.rms_height");

@@ -124,16 +124,49 @@ TEST_F(MaterialImportTest, AComplaintNamesTheControlThatHelps) {
   openPage(file.fileName());
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_TRUE(page_->complaint().contains("instantaneous modulus”"))
+  EXPECT_TRUE(page_->complaint().contains("instantaneous modulus G₀”"))
       << page_->complaint().toStdString();
   EXPECT_FALSE(page_->complaint().contains("--")) << page_->complaint().toStdString();
   enter("dmaInstantaneous", "10 MPa");
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->complaint().contains("measured at”")) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->complaint().contains("test temperature”")) << page_->complaint().toStdString();
   enter("dmaTemperature", "20 °C");
   ASSERT_TRUE(waitForPage());
   ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
   EXPECT_NEAR(page_->material()->series.equilibriumModulus, 0.5 * 10e6, 1);
+}
+
+/// A table whose columns have names of their own: the page asks for them, and can be told.
+TEST_F(MaterialImportTest, ColumnsCanBeSaid) {
+  QFile file(folder_.filePath("mine.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("run,drive,cold,one,two\n");
+  for (int i = 0; i < 10; ++i)
+    file.write(QByteArray("1,") + QByteArray::number(0.1 * (1 << i)) + ",20," +
+               QByteArray::number(1 + 0.2 * i) + "," + QByteArray::number(0.2 + 0.01 * i) + "\n");
+  file.close();
+  openPage(file.fileName());
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->complaint().contains("“frequency column”"))
+      << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->complaint().startsWith("mine.csv")) << page_->complaint().toStdString();
+  for (const auto& [entry, column] : {std::pair{"dmaFrequencyColumn", "drive"},
+                                      {"dmaTemperatureColumn", "3"},
+                                      {"dmaStorageColumn", "one"},
+                                      {"dmaLossColumn", "two"}}) {
+    enter(entry, column);
+    ASSERT_TRUE(waitForPage());
+  }
+  for (const auto& [box, word] : {std::pair{"dmaModulus", "shear"},
+                                  {"dmaModulusUnit", "MPa"},
+                                  {"dmaFrequencyUnit", "Hz"},
+                                  {"dmaTemperatureUnit", "C"}}) {
+    auto& choice = inPage<QComboBox>(box);
+    choice.setCurrentIndex(choice.findData(word));
+    emit choice.activated(choice.currentIndex());
+    ASSERT_TRUE(waitForPage());
+  }
+  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
 }
 
 TEST_F(MaterialImportTest, DroppedFilesAreOpenedAsWhatTheyAre) {

@@ -19,6 +19,8 @@
 #include <QSet>
 #include <QSizeGrip>
 #include <QSplitterHandle>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
@@ -143,11 +145,15 @@ void checkTabs(const QTabBar& bar, QStringList& faults) {
 }
 
 void checkEntry(const QLineEdit& entry, QStringList& faults) {
-  constexpr int kAround = 6;  // pixels beside the text
+  constexpr int kMargin = 2;  // pixels that an entry keeps free on each side of its text
+  QStyleOptionFrame frame;
+  frame.initFrom(&entry);
+  const QRect inside = entry.style()->subElementRect(QStyle::SE_LineEditContents, &frame, &entry);
+  const int room = inside.width() - 2 * kMargin;
   const auto check = [&](const QString& text) {
-    const int needed = QFontMetrics(entry.font()).horizontalAdvance(text) + kAround;
-    if (needed > entry.width() + kNothing && !isInTip(text, entry.toolTip()))
-      faults += cut(entry, text, needed, entry.width());
+    const int needed = QFontMetrics(entry.font()).horizontalAdvance(text);
+    if (needed > room + kNothing && !isInTip(text, entry.toolTip()))
+      faults += cut(entry, text, needed, room);
   };
   if (entry.text().isEmpty()) check(entry.placeholderText());
   if (qobject_cast<const QAbstractSpinBox*>(entry.parentWidget())) check(entry.text());
@@ -177,9 +183,6 @@ void checkCells(const QAbstractItemView& view, QStringList& faults) {
   const auto* table = qobject_cast<const QTableView*>(&view);
   const auto* tree = qobject_cast<const QTreeView*>(&view);
   if ((!table && !tree) || !view.model()) return;
-  if ((table && table->wordWrap() && table->rowHeight(0) > 2 * view.fontMetrics().height()) ||
-      (tree && tree->wordWrap()))
-    return;
   constexpr int kAround = 4;  // pixels beside the text
   for (int row = 0; row < view.model()->rowCount(); ++row)
     for (int column = 0; column < view.model()->columnCount(); ++column) {
@@ -190,7 +193,13 @@ void checkCells(const QAbstractItemView& view, QStringList& faults) {
       const bool hasTick = index.data(Qt::CheckStateRole).isValid();
       const QVariant font = index.data(Qt::FontRole);
       const QFontMetrics metrics(font.isValid() ? font.value<QFont>() : view.font());
-      const int needed = metrics.horizontalAdvance(text) + kAround + (hasTick ? 18 : 0);
+      // A text that is broken into lines needs the width of its longest word.
+      const bool isWrapped = place.height() > 2 * metrics.height();
+      int widest = isWrapped ? 0 : metrics.horizontalAdvance(text);
+      if (isWrapped)
+        for (const QString& word : plain(text).split(' '))
+          widest = std::max(widest, metrics.horizontalAdvance(word));
+      const int needed = widest + kAround + (hasTick ? 18 : 0);
       if (needed > place.width() + kNothing &&
           !isInTip(text, index.data(Qt::ToolTipRole).toString()))
         faults += cut(view, text, needed, place.width());
@@ -276,7 +285,7 @@ QStringList faultsNow(QWidget& window) {
   QStringList faults;
   QList<QWidget*> widgets{&window};
   for (QWidget* widget : window.findChildren<QWidget*>())
-    if (widget->isVisible() && widget->window() == &window) widgets += widget;
+    if (widget->isVisible() && widget->window() == window.window()) widgets += widget;
   for (const QWidget* widget : widgets) {
     checkText(*widget, faults);
     checkPlace(*widget, faults);

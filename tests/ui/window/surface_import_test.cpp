@@ -117,6 +117,20 @@ TEST_F(SurfaceImportTest, CancelLeavesEverything) {
   EXPECT_EQ(window_.document().history().count(), 0);
 }
 
+TEST_F(SurfaceImportTest, ReturnPressesTheButtonWithTheFocus) {
+  const Scene before = scene();
+  openPage(sineFile());
+  ASSERT_TRUE(waitForPage());
+  auto& entry = inPage<ValueEntry>("entry:surface.short_wave_cut");
+  entry.setFocus();
+  QTest::keyClick(&entry, Qt::Key_Return);
+  EXPECT_TRUE(page_->isVisible());
+  inPage<QPushButton>("importCancel").setFocus();
+  QTest::keyClick(&inPage<QPushButton>("importCancel"), Qt::Key_Return);
+  EXPECT_FALSE(page_->isVisible());
+  EXPECT_EQ(scene(), before);
+}
+
 /// A column of a table as the program writes it; numbers read back to the same bits.
 std::vector<double> columnOf(const std::string& csv, const std::string& name) {
   std::istringstream lines(csv);

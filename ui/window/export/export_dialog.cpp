@@ -132,13 +132,12 @@ QWidget* ExportDialog::makeBottom() {
   file_->setAccessibleName(tr("file name"));
   auto* browse = new QPushButton(tr("&Browse…"));
   browse->setObjectName("exportBrowse");
-  browse->setAutoDefault(false);
   connect(browse, &QPushButton::clicked, this, &ExportDialog::askFile);
   grid->addWidget(fileLabel, 0, 0);
   grid->addWidget(file_, 0, 1);
   grid->addWidget(browse, 0, 2);
 
-  auto* commandLabel = new QLabel(tr("The same in a shell"));
+  auto* commandLabel = new QLabel(tr("Command line"));
   commandLabel->setAlignment(Qt::AlignTop);
   command_->setObjectName("exportCommand");
   command_->setAccessibleName(tr("command line that writes the same file"));
@@ -148,7 +147,6 @@ QWidget* ExportDialog::makeBottom() {
   command_->setFixedHeight(3 * QFontMetrics(command_->font()).lineSpacing() + 14);
   auto* copy = new QPushButton(tr("&Copy"));
   copy->setObjectName("exportCopy");
-  copy->setAutoDefault(false);
   connect(copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(command_->toPlainText()); });
   grid->addWidget(commandLabel, 1, 0);
@@ -171,7 +169,6 @@ QWidget* ExportDialog::makeBottom() {
   connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
   close_ = new QPushButton;
   close_->setObjectName("exportClose");
-  close_->setAutoDefault(false);
   connect(close_, &QPushButton::clicked, this, &ExportDialog::reject);
   row->addWidget(write_);
   row->addWidget(close_);

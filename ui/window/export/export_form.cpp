@@ -95,7 +95,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
   transparent_ = new QCheckBox(tr("Trans&parent background"));
   transparent_->setObjectName("exportTransparent");
   rows_->addRow(transparent_);
-  asShown_ = new QCheckBox(tr("P&art of the line and moment as in the window"));
+  asShown_ = new QCheckBox(tr("Same p&art of the line and moment as in the window"));
   asShown_->setObjectName("exportAsShown");
   asShown_->setChecked(true);
   rows_->addRow(asShown_);

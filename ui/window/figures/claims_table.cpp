@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,21 @@ void ClaimsTable::showTexts() {
       {tr("Holds"), tr("The paper says"), tr("Measured"), tr("Expected"), tr("Where")});
 }
 
+/// Returns the width that the longest word of a column needs, because words are not broken.
+int ClaimsTable::longest(int column) const {
+  int width = 0;
+  for (int row = 0; row < rowCount(); ++row) {
+    const QTableWidgetItem* cell = item(row, column);
+    if (!cell) continue;
+    const QVariant font = cell->data(Qt::FontRole);
+    const QFontMetrics metrics(font.isValid() ? font.value<QFont>() : this->font());
+    for (const QString& word : cell->text().split(QRegularExpression(QStringLiteral("\\s"))))
+      width = std::max(width, metrics.horizontalAdvance(word));
+  }
+  constexpr int kInside = 8;  // pixels that the style keeps free beside a text
+  return width + 2 * kAside + kInside;
+}
+
 /// Gives each column the width of its texts, within limits; the claim gets the rest.
 void ClaimsTable::setWidths() {
   ensurePolished();
@@ -130,7 +146,8 @@ void ClaimsTable::setWidths() {
        {std::pair{kHolds, 17}, {kMeasured, 20}, {kExpected, 13}, {kWhere, 18}}) {
     const int needed = std::max(sizeHintForColumn(column),
                                 horizontalHeader()->sectionSizeHint(column) + 2 * letter);
-    horizontalHeader()->resizeSection(column, std::min(needed, letters * letter));
+    horizontalHeader()->resizeSection(
+        column, std::max(std::min(needed, letters * letter), longest(column)));
   }
 }
 

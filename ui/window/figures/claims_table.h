@@ -27,6 +27,7 @@ class ClaimsTable : public QTableWidget {
  private:
   void showTexts();
   void fill();
+  int longest(int column) const;
   void setWidths();
   void unfold(int row);
 

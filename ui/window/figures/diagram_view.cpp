@@ -85,6 +85,8 @@ DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(t
 void DiagramView::show(Maker maker, DiagramExport saved) {
   maker_ = std::move(maker);
   export_ = std::move(saved);
+  // The menu with which it is saved opens by a key, too.
+  if (!export_.name.isEmpty()) setFocusPolicy(Qt::StrongFocus);
   requestSoon();
 }
 
@@ -206,6 +208,9 @@ void DiagramView::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::SmoothPixmapTransform,
                         image_.size() != size() * devicePixelRatioF());
   painter.drawImage(rect(), image_);
+  if (!hasFocus()) return;
+  painter.setPen(palette().color(QPalette::Highlight));
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 }  // namespace asperity

@@ -103,7 +103,7 @@ GalleryPage::GalleryPage(FigureMaker maker, QWidget* parent)
 void GalleryPage::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::LanguageChange) return;
-  note_->clear();
+  showNote({});
   showPlaceholder();
   // This runs later, because the buttons get the event after this page and first set their usual
   // texts.
@@ -219,6 +219,8 @@ QWidget* GalleryPage::makeCommands() {
   progress_ = new QProgressBar;
   progress_->setObjectName("figureProgress");
   progress_->setRange(0, kSteps);
+  progress_->setFormat(QStringLiteral("%p %"));
+  progress_->setMinimumWidth(60);
   row->addWidget(progress_, 1);
   note_ = new QLabel;
   note_->setObjectName("galleryNote");
@@ -313,7 +315,7 @@ void GalleryPage::showWork() {
   note_->setVisible(!computing);
   if (!computing) return;
   progress_->setValue(static_cast<int>(kSteps * gallery_->status(*computing).part));
-  progress_->setFormat(figureLabel(*computing) + QStringLiteral(": %p %"));
+  progress_->setToolTip(figureLabel(*computing));
 }
 
 void GalleryPage::choose(FigureName name, bool compute) {
@@ -330,18 +332,24 @@ void GalleryPage::choosePaper() {
 }
 
 void GalleryPage::compute() {
-  note_->clear();
+  showNote({});
   gallery_->compute(chosen(), realizations_->value());
 }
 
 /// Computes the figures that are missing for this number of lines.
 void GalleryPage::computeAll() {
-  note_->clear();
+  showNote({});
   for (const FigureEntry& entry : figureEntries()) {
     const std::shared_ptr<const MadeFigure> made = gallery_->status(entry.name).made;
     if (!made || made->realizations != realizations_->value())
       gallery_->compute(entry.name, realizations_->value());
   }
+}
+
+/// A text that has no room is whole in the tooltip.
+void GalleryPage::showNote(const QString& text) {
+  note_->setText(text);
+  note_->setToolTip(text);
 }
 
 void GalleryPage::openScene() {
@@ -363,7 +371,7 @@ void GalleryPage::askData() {
 void GalleryPage::copyPicture() {
   if (!picture_->isPainted()) return;
   QGuiApplication::clipboard()->setImage(picture_->image());
-  note_->setText(tr("The picture is on the clipboard"));
+  showNote(tr("The picture is on the clipboard"));
 }
 
 void GalleryPage::savePicture(const QString& file) {
@@ -378,16 +386,16 @@ void GalleryPage::save(const QString& file,
                        void (*write)(const std::filesystem::path&, const MadeFigure&)) {
   const std::shared_ptr<const MadeFigure> made = gallery_->status(chosen()).made;
   if (!made) return;
-  note_->setText(tr("Saving %1…").arg(QFileInfo(file).fileName()));
+  showNote(tr("Saving %1…").arg(QFileInfo(file).fileName()));
   saving_.request(
       [file, made, write](const BackgroundWork::Run&) { write(file.toStdString(), *made); },
       [this, file] {
-        note_->setText(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
+        showNote(tr("Saved %1").arg(QDir::toNativeSeparators(file)));
         if (messages_->end(MessageBar::Failure::Export)) showChosen();
         emit saved(file);
       },
       [this](const QString& reason) {
-        note_->clear();
+        showNote({});
         messages_->showFailure(MessageBar::Failure::Export, reason);
       });
 }

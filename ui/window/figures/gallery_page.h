@@ -84,6 +84,7 @@ class GalleryPage : public QWidget {
   void showChosen();
   void showMade(std::shared_ptr<const MadeFigure> made);
   void showWork();
+  void showNote(const QString& text);
 
   FigureGallery* gallery_;
   std::shared_ptr<const MadeFigure> shown_;  // null: a text is shown

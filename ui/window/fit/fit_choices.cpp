@@ -56,7 +56,7 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(6);
-  column->addWidget(heading(tr("Vary")));
+  column->addWidget(heading(tr("Parameters to fit")));
   column->addWidget(keys_, 3);
   column->addWidget(heading(tr("Measured friction")));
   column->addWidget(tables_);
@@ -86,7 +86,7 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
                                           : static_cast<int>(scene.ensemble.realizations));
   lines_->setEnabled(hasRandomPhases(scene.surface));
   lines_->setToolTip(
-      tr("All points are computed on the same lines; their scatter is part of the errors"));
+      tr("Every trial uses the same random lines; their scatter is part of the errors"));
   profiles_->setObjectName("fitProfiles");
   profiles_->setChecked(true);
   profiles_->setToolTip(

@@ -124,8 +124,8 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   });
   connect(this, &QDialog::finished, this, [this] { work_.cancel(); });
   notes_->setText(
-      tr("Tick what may change; limits are optional. All points are computed on the same random "
-         "lines, and the weighted squares of what is left become least."));
+      tr("Tick the parameters to fit; limits are optional. Every trial uses the same random lines, "
+         "and the weighted sum of the squared residuals is minimized."));
   showState();
   showSheet();
 }
@@ -330,10 +330,12 @@ void FitPage::saveReport() {
       });
 }
 
-/// Return in an entry ends the entry, not the page.
+/// Return presses the button that has the focus; in an entry it ends the entry, not the page.
 void FitPage::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return event->accept();
-  QDialog::keyPressEvent(event);
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    return QDialog::keyPressEvent(event);
+  event->accept();
+  if (auto* button = qobject_cast<QAbstractButton*>(focusWidget())) button->click();
 }
 
 }  // namespace asperity

@@ -52,14 +52,16 @@ void ImportCommands::askSurface(const Scene& scene) {
       &parts_.window, tr("Open surface"),
       QString::fromStdString((scene.folder / scene.surface.file).string()),
       tr("Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur "
-         "*.pro *.gsf *.gwy);;All files (*)"));
+         "*.pro *.gsf *.gwy);;All files (*)"),
+      nullptr, QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) showSurface(scene, file);
 }
 
 void ImportCommands::askMaterial() {
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open material"), folder(),
-      tr("Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)"));
+      tr("Materials and measured moduli (*.json *.csv *.txt *.dat *.inp);;All files (*)"), nullptr,
+      QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) openMaterial(file);
 }
 
@@ -122,7 +124,8 @@ void ImportCommands::takeMaterial(const QString& file) {
 bool ImportCommands::askFriction() {
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Add measured friction"), folder(),
-      tr("Tables of velocity and friction (*.csv *.txt *.dat *.tsv);;All files (*)"));
+      tr("Tables of velocity and friction (*.csv *.txt *.dat *.tsv);;All files (*)"), nullptr,
+      QFileDialog::HideNameFilterDetails);
   return !file.isEmpty() && takeFriction(file);
 }
 

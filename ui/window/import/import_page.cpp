@@ -47,7 +47,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   complaint_->setWordWrap(true);
   complaint_->setTextFormat(Qt::PlainText);
   complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  complaint_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  complaint_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   progress_->setObjectName("importProgress");
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
@@ -56,11 +56,6 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   stop_->setObjectName("importStop");
   stop_->setAutoRaise(true);
   connect(stop_, &QToolButton::clicked, this, &ImportPage::pressStop);
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, stop_}) {
-    QSizePolicy keepsRoom = widget->sizePolicy();
-    keepsRoom.setRetainSizeWhenHidden(true);
-    widget->setSizePolicy(keepsRoom);
-  }
   accept_->setObjectName("importAccept");
   accept_->setDefault(true);
   cancel_->setObjectName("importCancel");
@@ -82,6 +77,12 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   const QSize room = (parent ? parent->screen() : screen())->availableSize();
   resize(kUsual.boundedTo(room - QSize(kAround, 2 * kAround)));
   connect(this, &QDialog::finished, this, &ImportPage::endSoon);
+}
+
+QString ImportPage::sentence(QString text) {
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  return text.endsWith('.') ? text : text + '.';
 }
 
 QString ImportPage::complaint() const {
@@ -129,11 +130,12 @@ void ImportPage::endSoon() {
   work().request([](const BackgroundWork::Run&) {}, [this] { deleteLater(); });
 }
 
-/// Return in an entry ends the entry, not the page.
+/// Return presses the button that has the focus; in an entry it ends the entry, not the page.
 void ImportPage::keyPressEvent(QKeyEvent* event) {
-  const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isEnter && !accept_->hasFocus()) return event->accept();
-  QDialog::keyPressEvent(event);
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    return QDialog::keyPressEvent(event);
+  event->accept();
+  if (auto* button = qobject_cast<QAbstractButton*>(focusWidget())) button->click();
 }
 
 }  // namespace asperity

@@ -31,6 +31,9 @@ class ImportPage : public QDialog {
   QString complaint() const;
 
  protected:
+  /// Returns a text of core as a sentence, with a capital letter and a full stop.
+  static QString sentence(QString text);
+
   ImportPage(const QString& file, const QString& accept, QWidget* parent);
 
   QVBoxLayout& views() { return *views_; }    // left

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
@@ -129,12 +130,13 @@ QLineEdit* MaterialImport::addEntry(QFormLayout& form, const char* name, const Q
 }
 
 QComboBox* MaterialImport::addChoice(QFormLayout& form, const char* name, const QString& label,
-                                     const QString& tip, const QStringList& words) {
+                                     const QString& tip, const QString& automatic,
+                                     const QStringList& words) {
   auto* box = new ChoiceBox;
   box->setObjectName(name);
   box->setToolTip(tip);
   box->setAccessibleName(label);
-  box->addItem(tr("as found"), QString());
+  box->addItem(automatic, QString());
   for (const QString& word : words) box->addItem(wordText(word.toStdString()), word);
   connect(box, &QComboBox::activated, this, [this] { restart(); });
   form.addRow(label, box);
@@ -151,27 +153,40 @@ void MaterialImport::buildChoices() {
     auto* label = new QLabel("<b>" + text + "</b>");
     form->addRow(label);
   };
-  heading(tr("What the file is"));
-  frequencyUnit_ = addChoice(*form, "dmaFrequencyUnit", tr("frequency in"),
-                             tr("Unit of the frequencies"), {"Hz", "rad/s"});
-  temperatureUnit_ = addChoice(*form, "dmaTemperatureUnit", tr("temperature in"),
-                               tr("Unit of the temperatures"), {"C", "K", "F"});
-  modulusUnit_ = addChoice(*form, "dmaModulusUnit", tr("modulus in"), tr("Unit of the moduli"),
-                           {"Pa", "kPa", "MPa", "GPa"});
-  modulus_ =
-      addChoice(*form, "dmaModulus", tr("deformation"),
-                tr("Whether the moduli are of shear (G) or of tension (E)"), {"shear", "tension"});
+  const QString fromFile = tr("from the file");
+  heading(tr("The measurement"));
+  frequencyUnit_ = addChoice(*form, "dmaFrequencyUnit", tr("unit of frequency"),
+                             tr("Unit of the frequencies"), fromFile, {"Hz", "rad/s"});
+  temperatureUnit_ = addChoice(*form, "dmaTemperatureUnit", tr("unit of temperature"),
+                               tr("Unit of the temperatures"), fromFile, {"C", "K", "F"});
+  modulusUnit_ = addChoice(*form, "dmaModulusUnit", tr("unit of modulus"), tr("Unit of the moduli"),
+                           fromFile, {"Pa", "kPa", "MPa", "GPa"});
+  modulus_ = addChoice(*form, "dmaModulus", tr("kind of modulus"),
+                       tr("Whether the moduli are of shear (G) or of tension (E)"), fromFile,
+                       {"shear", "tension"});
   poisson_ = addEntry(*form, "dmaPoisson", tr("Poisson's ratio"),
                       tr("Turns moduli of tension into those of shear: G = E / (2 (1 + ν))"));
   poisson_->setPlaceholderText(inLanguage(QStringLiteral("0.5")));
-  temperature_ = addEntry(*form, "dmaTemperature", tr("measured at"),
+  temperature_ = addEntry(*form, "dmaTemperature", tr("test temperature"),
                           tr("Temperature of a file that does not state one, such as 20 °C"));
-  temperature_->setPlaceholderText(tr("as found"));
-  instantaneous_ = addEntry(*form, "dmaInstantaneous", tr("instantaneous modulus"),
-                            tr("Shear modulus in Pa of a series that gives parts of it"));
-  instantaneous_->setPlaceholderText(tr("as found"));
+  temperature_->setPlaceholderText(fromFile);
+  instantaneous_ = addEntry(*form, "dmaInstantaneous", tr("instantaneous modulus G₀"),
+                            tr("Shear modulus in Pa or MPa of a series that gives parts of it"));
+  instantaneous_->setPlaceholderText(fromFile);
+  heading(tr("Columns of the table"));
+  const QString column = tr("Name of the column, or its number from 1 on");
+  for (const auto& [entry, name, label] :
+       std::initializer_list<std::tuple<QLineEdit**, const char*, QString>>{
+           {&frequencyColumn_, "dmaFrequencyColumn", tr("frequency column")},
+           {&temperatureColumn_, "dmaTemperatureColumn", tr("temperature column")},
+           {&storageColumn_, "dmaStorageColumn", tr("storage modulus column")},
+           {&lossColumn_, "dmaLossColumn", tr("loss modulus column")},
+           {&lossTangentColumn_, "dmaLossTangentColumn", tr("loss tangent column")}}) {
+    *entry = addEntry(*form, name, label, column);
+    (*entry)->setPlaceholderText(tr("found by its name"));
+  }
   heading(tr("Master curve"));
-  reference_ = addEntry(*form, "dmaReference", tr("reference"),
+  reference_ = addEntry(*form, "dmaReference", tr("reference temperature"),
                         tr("Temperature to which all isotherms are shifted, such as 20 °C"));
   reference_->setPlaceholderText(tr("near 25 °C"));
   vertical_ = new QCheckBox(tr("vertical shifts, too"));
@@ -179,28 +194,29 @@ void MaterialImport::buildChoices() {
   vertical_->setAccessibleName(tr("vertical shifts, too"));
   connect(vertical_, &QCheckBox::toggled, this, [this] { restart(); });
   form->addRow(QString(), vertical_);
-  shift_ = addChoice(*form, "dmaShift", tr("shift"),
-                     tr("How the shifts stand in the material: as a formula, or as their table"),
-                     {"wlf", "arrhenius", "table"});
+  shift_ = addChoice(*form, "dmaShift", tr("temperature shift"),
+                     tr("How the material keeps the shifts with temperature: by the formula of "
+                        "Williams, Landel and Ferry, by that of Arrhenius, or as their table"),
+                     tr("automatic"), {"wlf", "arrhenius", "table"});
   heading(tr("Prony series"));
   terms_ = new QSpinBox;
   terms_->setObjectName("dmaTerms");
   terms_->setRange(0, kMostChosenTerms);
-  terms_->setSpecialValueText(tr("as few as do"));
+  terms_->setSpecialValueText(tr("as few as needed"));
   terms_->setToolTip(tr("Relaxation times, evenly spaced in their logarithm"));
-  terms_->setAccessibleName(tr("terms"));
+  terms_->setAccessibleName(tr("number of terms"));
   connect(terms_, &QSpinBox::valueChanged, this, [this] { restart(); });
-  form->addRow(tr("terms"), terms_);
-  equilibrium_ = addEntry(*form, "dmaEquilibrium", tr("equilibrium modulus"),
-                          tr("Shear modulus in Pa where it is known from elsewhere"));
-  equilibrium_->setPlaceholderText(tr("as found"));
-  liquid_ = new QCheckBox(tr("may be liquid"));
+  form->addRow(tr("number of terms"), terms_);
+  equilibrium_ = addEntry(*form, "dmaEquilibrium", tr("equilibrium modulus G∞"),
+                          tr("Shear modulus in Pa or MPa where it is known from elsewhere"));
+  equilibrium_->setPlaceholderText(tr("from the fit"));
+  liquid_ = new QCheckBox(tr("allow G∞ = 0 (a liquid)"));
   liquid_->setObjectName("dmaLiquid");
-  liquid_->setAccessibleName(tr("may be liquid"));
-  liquid_->setToolTip(tr("Whether there may be no equilibrium modulus"));
+  liquid_->setAccessibleName(tr("allow G∞ = 0 (a liquid)"));
+  liquid_->setToolTip(tr("Whether the material may flow, without an equilibrium modulus"));
   connect(liquid_, &QCheckBox::toggled, this, [this] { restart(); });
   form->addRow(QString(), liquid_);
-  heading(tr("In the file of the material"));
+  heading(tr("The material file"));
   name_ = addEntry(*form, "dmaName", tr("name"), tr("Name of the material"));
   name_->setPlaceholderText(QFileInfo(file()).completeBaseName());
   source_ = addEntry(*form, "dmaSource", tr("source"),
@@ -239,6 +255,11 @@ MaterialChoices MaterialImport::choices() const {
   const std::string modulus = word(*modulus_, "--modulus");
   if (!modulus.empty())
     made.columns.modulus = modulus == "shear" ? ModulusKind::Shear : ModulusKind::Tension;
+  made.columns.frequencyColumn = text(*frequencyColumn_, "--frequency-column").toStdString();
+  made.columns.temperatureColumn = text(*temperatureColumn_, "--temperature-column").toStdString();
+  made.columns.storageColumn = text(*storageColumn_, "--storage-column").toStdString();
+  made.columns.lossColumn = text(*lossColumn_, "--loss-column").toStdString();
+  made.columns.lossTangentColumn = text(*lossTangentColumn_, "--tan-delta-column").toStdString();
   if (const QString typed = text(*poisson_, "--poisson-ratio"); !typed.isEmpty()) {
     bool isNumber = false;
     made.columns.poissonRatio = withPoint(typed).toDouble(&isNumber);
@@ -277,6 +298,11 @@ std::vector<std::pair<const char*, const QWidget*>> MaterialImport::controls() c
           {"--modulus-unit", modulusUnit_},
           {"--modulus", modulus_},
           {"--poisson-ratio", poisson_},
+          {"--frequency-column", frequencyColumn_},
+          {"--temperature-column", temperatureColumn_},
+          {"--storage-column", storageColumn_},
+          {"--loss-column", lossColumn_},
+          {"--tan-delta-column", lossTangentColumn_},
           {"--temperature", temperature_},
           {"--instantaneous-modulus", instantaneous_},
           {"--equilibrium-modulus", equilibrium_},
@@ -295,9 +321,9 @@ QString MaterialImport::inWordsOfThePage(const std::string& option, QString text
     if (option == name) subject = label;
     // Not the beginning of a longer option.
     text.replace(QRegularExpression(QLatin1String(name) + QStringLiteral("(?![a-z-])")),
-                 QStringLiteral("“%1”").arg(label));
+                 inQuotes(label));
   }
-  return subject.isEmpty() ? text : subject + ": " + text;
+  return (subject.isEmpty() ? QFileInfo(file()).fileName() : subject) + ": " + text;
 }
 
 void MaterialImport::begin() {
@@ -356,7 +382,7 @@ void MaterialImport::take(const Preview& preview) {
   }
   showSheet();
   QStringList lines;
-  for (const Message& line : materialSummary(*material_)) lines += translatedText(line);
+  for (const Message& line : materialSummary(*material_)) lines += sentence(translatedText(line));
   summary_->setText(lines.join('\n'));
   if (material_->isMeasured())
     reference_->setPlaceholderText(translatedText(celsius(material_->referenceTemperature)));

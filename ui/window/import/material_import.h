@@ -59,7 +59,7 @@ class MaterialImport : public ImportPage {
   QLineEdit* addEntry(QFormLayout& form, const char* name, const QString& label,
                       const QString& tip);
   QComboBox* addChoice(QFormLayout& form, const char* name, const QString& label,
-                       const QString& tip, const QStringList& words);
+                       const QString& tip, const QString& automatic, const QStringList& words);
   MaterialChoices choices() const;
   std::vector<std::pair<const char*, const QWidget*>> controls() const;
   QString inWordsOfThePage(const std::string& option, QString text) const;
@@ -74,7 +74,8 @@ class MaterialImport : public ImportPage {
   QLabel* summary_;
   QLineEdit *reference_ = nullptr, *temperature_ = nullptr, *poisson_ = nullptr,
             *instantaneous_ = nullptr, *equilibrium_ = nullptr, *name_ = nullptr,
-            *source_ = nullptr;
+            *source_ = nullptr, *frequencyColumn_ = nullptr, *temperatureColumn_ = nullptr,
+            *storageColumn_ = nullptr, *lossColumn_ = nullptr, *lossTangentColumn_ = nullptr;
   QComboBox *shift_ = nullptr, *modulus_ = nullptr, *frequencyUnit_ = nullptr,
             *temperatureUnit_ = nullptr, *modulusUnit_ = nullptr;
   QSpinBox* terms_ = nullptr;

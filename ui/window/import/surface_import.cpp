@@ -39,13 +39,13 @@ constexpr double kReading = 0.3;  // part of the work, where a spectrum follows
 
 std::vector<ParameterGroup> groups() {
   return {
-      {[] { return SurfaceImport::tr("What the file is"); },
+      {[] { return SurfaceImport::tr("The file"); },
        {"surface.format", "surface.position_unit", "surface.height_unit", "surface.point_spacing",
         "surface.position_column", "surface.height_column", "surface.direction", "surface.row"}},
-      {[] { return SurfaceImport::tr("From heights to a profile"); },
+      {[] { return SurfaceImport::tr("Levelling and filters"); },
        {"surface.gaps", "surface.outliers", "surface.form", "surface.short_wave_cut",
         "surface.long_wave_cut"}},
-      {[] { return SurfaceImport::tr("From the profile to the line"); },
+      {[] { return SurfaceImport::tr("The line that slides"); },
        {"surface.seam", "surface.blend_length", "surface.seed", "surface.line",
         "surface.contact_side", "surface.length", "surface.elements", "ensemble.realizations"}}};
 }
@@ -180,12 +180,13 @@ void SurfaceImport::take(const Preview& preview) {
   topography_->show(preview.image, row);
   if (preview.fault) {
     const auto& [key, message] = *preview.fault;
-    const QString text = translatedText(message);
+    const QString text = withLabels(translatedText(message));
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
     for (QLabel* label : {facts_, values_, notes_}) label->clear();
     for (DiagramView* view : {profile_, spectrum_}) view->show([] { return DiagramSheet{}; });
-    return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text : text);
+    return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text
+                            : QFileInfo(file()).fileName() + ": " + text);
   }
   panel_->showLine(preview.line);
   showSummary(*summary_);
@@ -194,19 +195,19 @@ void SurfaceImport::take(const Preview& preview) {
 
 void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   QStringList facts, notes;
-  for (const Message& fact : factsOf(summary)) facts += translatedText(fact);
+  for (const Message& fact : factsOf(summary)) facts += sentence(withLabels(translatedText(fact)));
   // A mirrored period is twice the file, and the force stays that on one period.
   const Load load = loadOn(scene_.load, summary.period);
   if (load.kind == LoadKind::Force) {
     const auto quantity = [](double value, const char* unit) {
       return inLanguage(QString::fromStdString(printedQuantity(value, unit, 4)));
     };
-    facts += tr("normal force %1 on one period of %2, F_N/L = %3")
+    facts += tr("Normal force %1 on one period of %2, F_N/L = %3.")
                  .arg(quantity(load.normalForce, "N"), quantity(summary.period, "m"),
                       quantity(load.normalForce / summary.period, "N/m"));
   }
   for (const Note note : summary.notes.list())
-    notes += QStringLiteral("⚠ ") + translatedText(sentenceOf(note));
+    notes += QStringLiteral("⚠ ") + sentence(withLabels(translatedText(sentenceOf(note))));
   facts_->setText(facts.join('\n'));
   notes_->setText(notes.join('\n'));
   notes_->setVisible(!notes.isEmpty());

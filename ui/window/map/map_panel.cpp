@@ -80,14 +80,14 @@ MapPanel::MapPanel(QWidget* parent)
       xLabel_(new QLabel),
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
-      reading_(new QLabel),
+      complaint_(new QLabel),
       save_(new QPushButton),
       view_(new MapView) {
   setObjectName("mapPanel");
   x_->setObjectName("mapX");
   y_->setObjectName("mapY");
   quantity_->setObjectName("mapQuantity");
-  reading_->setObjectName("mapReading");
+  complaint_->setObjectName("mapComplaint");
   save_->setObjectName("mapSave");
   view_->setObjectName("mapView");
   view_->setPause(kPause);
@@ -98,21 +98,20 @@ MapPanel::MapPanel(QWidget* parent)
     label->setBuddy(box);
     // The longest names may be shortened; the list shows them whole.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(7);
+    box->setMinimumContentsLength(11);
     row->addWidget(label);
     row->addWidget(box, 1);
   }
   // The quantity has the longest names.
   row->setStretchFactor(quantity_, kLongerName);
   for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
+  complaint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row->addWidget(complaint_, kShorterName);
   row->addWidget(save_);
-  reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  reading_->setContentsMargins(8, 0, 8, 0);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addLayout(row);
-  column->addWidget(reading_);
   column->addWidget(view_, 1);
   for (const std::string_view name : mapQuantities())
     quantity_->addItem(QString(), QString::fromUtf8(name.data(), std::ssize(name)));
@@ -121,20 +120,17 @@ MapPanel::MapPanel(QWidget* parent)
   connect(x_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
   connect(y_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
   connect(quantity_, &QComboBox::currentIndexChanged, this, [this] { showMap(); });
-  // A list without room for a long name has it in its tooltip.
-  for (QComboBox* box : {x_, y_, quantity_})
-    connect(box, &QComboBox::currentTextChanged, box, &QWidget::setToolTip);
   connect(save_, &QPushButton::clicked, view_, &MapView::saveAs);
   connect(view_, &MapView::crossMoved, this, &MapPanel::moveTo);
   connect(view_, &MapView::pointedAt, this, &MapPanel::read);
-  connect(view_, &MapView::left, reading_, [this] { reading_->clear(); });
+  connect(view_, &MapView::left, view_, [this] { view_->setReading({}); });
   connect(view_, &MapView::saved, this, &MapPanel::saved);
   connect(view_, &MapView::failed, this, &MapPanel::failed);
 }
 
 void MapPanel::showTexts() {
-  xLabel_->setText(tr("x:"));
-  yLabel_->setText(tr("y:"));
+  xLabel_->setText(QStringLiteral("x:"));
+  yLabel_->setText(QStringLiteral("y:"));
   x_->setAccessibleName(tr("parameter along x"));
   y_->setAccessibleName(tr("parameter along y"));
   quantityLabel_->setText(tr("Show:"));
@@ -144,11 +140,11 @@ void MapPanel::showTexts() {
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
         i, translatedText(titleOfMapQuantity(quantity_->itemData(i).toString().toStdString())));
-  quantity_->setToolTip(quantity_->currentText());
   for (QComboBox* box : {x_, y_})
     for (int i = 0; i < box->count(); ++i)
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
         box->setItemText(i, translatedText(row->label));
+  showTips();
 }
 
 QString MapPanel::quantity() const {
@@ -169,12 +165,12 @@ void MapPanel::fillChoosers() {
                      QString::fromUtf8(row.key.data(), std::ssize(row.key)));
     box->setCurrentIndex(std::max(0, box->findData(chosen)));
   }
-  for (QComboBox* box : {x_, y_}) box->setToolTip(box->currentText());
   if (x_->currentIndex() == y_->currentIndex() && y_->count() > 1) {
     const QSignalBlocker quiet(y_);
     const int load = std::max(y_->findData("load.nominal_pressure"), y_->findData("load.depth"));
     y_->setCurrentIndex(load >= 0 && load != x_->currentIndex() ? load : (x_->currentIndex() == 0));
   }
+  showTips();
 }
 
 void MapPanel::showScene(const Scene& scene) {
@@ -235,11 +231,11 @@ void MapPanel::compute() {
   } catch (const InputError& error) {
     work_.cancel();
     wanted_.reset();
-    reading_->setText(translatedError(error));
+    showComplaint(translatedError(error));
     return;
   }
   wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
-  reading_->clear();
+  showComplaint({});
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
         MapOptions options;
@@ -256,7 +252,7 @@ void MapPanel::compute() {
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
         wanted_.reset();
-        reading_->setText(reason);
+        showComplaint(reason);
       });
 }
 
@@ -268,6 +264,7 @@ void MapPanel::take(ParameterMap map) {
 }
 
 void MapPanel::showMap() {
+  showTips();
   if (!map_) return;
   const std::string shown = quantity().toStdString();
   view_->setCross(numberOf(*map_->x.range.row, map_->scene),
@@ -290,6 +287,17 @@ void MapPanel::moveTo(double x, double y) {
   }
 }
 
+/// Shows why there is no map. A text that has no room is whole in the tooltip.
+void MapPanel::showComplaint(const QString& text) {
+  complaint_->setText(text);
+  complaint_->setToolTip(text);
+}
+
+/// The boxes may shorten their texts.
+void MapPanel::showTips() {
+  for (QComboBox* box : {x_, y_, quantity_}) box->setToolTip(box->currentText());
+}
+
 /// Reads the nearest cell.
 void MapPanel::read(double x, double y) {
   if (!map_) return;
@@ -308,7 +316,7 @@ void MapPanel::read(double x, double y) {
   const auto text = [](double number, std::string_view unit) {
     return QString::fromStdString(asperity::quantity(number, std::string(unit)));
   };
-  reading_->setText(QStringLiteral("%1, %2: %3")
+  view_->setReading(QStringLiteral("%1, %2: %3")
                         .arg(text(map_->x.values[i], map_->x.range.row->unit),
                              text(map_->y.values[j], map_->y.range.row->unit),
                              text(value, unitOfMapQuantity(shown))));

@@ -52,13 +52,15 @@ class MapPanel : public QWidget {
   void showMap();
   void moveTo(double x, double y);
   void read(double x, double y);
+  void showComplaint(const QString& text);
+  void showTips();
   QString quantity() const;
 
   Scene scene_;
   bool hasScene_ = false;
   QComboBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
-  QLabel* reading_;
+  QLabel* complaint_;
   QPushButton* save_;
   MapView* view_;
   std::shared_ptr<const ParameterMap> map_;

@@ -1,5 +1,6 @@
 #include "ui/window/map/map_view.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -28,6 +29,12 @@ void MapView::setCross(double x, double y) {
   y_ = y;
   hasCross_ = true;
   setMouseTracking(true);
+  update();
+}
+
+void MapView::setReading(const QString& text) {
+  if (text == reading_) return;
+  reading_ = text;
   update();
 }
 
@@ -71,6 +78,34 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
   DiagramView::mouseReleaseEvent(event);
 }
 
+/// The arrow keys move the cross, in fine steps with Shift.
+void MapView::keyPressEvent(QKeyEvent* event) {
+  constexpr double kSteps = 50, kFineSteps = 250;  // across the map
+  int right = 0, down = 0;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      right = -1;
+      break;
+    case Qt::Key_Right:
+      right = 1;
+      break;
+    case Qt::Key_Up:
+      down = -1;
+      break;
+    case Qt::Key_Down:
+      down = 1;
+      break;
+    default:
+      return DiagramView::keyPressEvent(event);
+  }
+  const DiagramFrame* frame = map();
+  if (!frame || !hasCross_) return;
+  const double steps = event->modifiers().testFlag(Qt::ShiftModifier) ? kFineSteps : kSteps;
+  moveCross(
+      {static_cast<qreal>(frame->rightOf(x_)) + right * static_cast<qreal>(frame->width) / steps,
+       static_cast<qreal>(frame->downOf(y_)) + down * static_cast<qreal>(frame->height) / steps});
+}
+
 void MapView::leaveEvent(QEvent* event) {
   DiagramView::leaveEvent(event);
   emit left();
@@ -94,13 +129,29 @@ void MapView::paintEvent(QPaintEvent* event) {
     if (std::isfinite(at.y()))
       painter.drawLine(QPointF(left, at.y()), QPointF(left + width, at.y()));
   }
-  if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   painter.setPen(Qt::NoPen);
   for (const auto& [colour, radius] : {std::pair{kEdgeOnField, 8.0}, std::pair{kLineOnField, 6.7},
                                        std::pair{seriesColour(kCrossColour, theme()), 5.2}}) {
     painter.setBrush(colourOf(colour));
-    painter.drawEllipse(at, radius, radius);
+    if (std::isfinite(at.x()) && std::isfinite(at.y())) painter.drawEllipse(at, radius, radius);
   }
+  paintReading(painter, {left, top, width, height});
+}
+
+void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
+  if (reading_.isEmpty()) return;
+  constexpr qreal kAround = 4;  // pixels
+  const QFontMetricsF metrics(font());
+  const QSizeF size(metrics.horizontalAdvance(reading_) + 2 * kAround, metrics.height() + kAround);
+  // It is read beside the map, too, where the map is narrow.
+  QRectF box(frame.topLeft() + QPointF(kAround, kAround), size);
+  box.moveRight(std::max(frame.right() - kAround, size.width()));
+  painter.setClipping(false);
+  QColor ground = colourOf(theme().background);
+  ground.setAlphaF(0.85F);
+  painter.fillRect(box, ground);
+  painter.setPen(colourOf(theme().text));
+  painter.drawText(box, Qt::AlignCenter, reading_);
 }
 
 }  // namespace asperity

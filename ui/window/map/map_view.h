@@ -7,6 +7,8 @@
 
 #include "ui/window/figures/diagram_view.h"
 
+class QPainter;
+
 namespace asperity {
 
 class MapView : public DiagramView {
@@ -18,10 +20,14 @@ class MapView : public DiagramView {
   /// Shows the cross here, where the sheet itself has none.
   void setCross(double x, double y);
 
+  /// Shows a text in a corner of the map; an empty one goes away.
+  void setReading(const QString& text);
+  QString reading() const { return reading_; }
+
   QSize minimumSizeHint() const override { return {320, 200}; }
 
  signals:
-  /// Emitted while the cross is dragged, and where the map is clicked.
+  /// Emitted while the cross is dragged or moved by the arrow keys, and where the map is clicked.
   void crossMoved(double x, double y);
   /// Emitted with the place under the pointer; left: it is beside the map.
   void pointedAt(double x, double y);
@@ -32,12 +38,15 @@ class MapView : public DiagramView {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
   const DiagramFrame* map() const;
+  void paintReading(QPainter& painter, const QRectF& frame) const;
   void moveCross(const QPointF& to);
 
+  QString reading_;
   double x_ = 0, y_ = 0;
   bool hasCross_ = false, isDragged_ = false;
 };
