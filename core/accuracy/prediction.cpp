@@ -26,11 +26,6 @@ constexpr std::int64_t kTargetVelocities = 9;
 constexpr double kOperationsOfTarget = 5;
 constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line used as reference
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0 : values[values.size() / 2];
-}
-
 /// One resolution of a scene's lines: slides them and measures the time.
 class Pilot {
  public:
@@ -61,9 +56,9 @@ class Pilot {
 
   double largestResidual() const { return residual_; }
   /// Return the processor time to make one line, and to slide it at one velocity: medians.
-  double secondsOfLine() const { return median(making_); }
+  double secondsOfLine() const { return medianSeconds(making_); }
   double secondsOfBalance() const {
-    return median(sweeping_) / static_cast<double>(velocities_.size());
+    return medianSeconds(sweeping_) / static_cast<double>(velocities_.size());
   }
   double secondsOfLastBalance() const {
     return sweeping_.back() / static_cast<double>(velocities_.size());

@@ -27,12 +27,6 @@ constexpr std::int64_t kTimedSteps = 50;       // of a longer march that are tim
 constexpr std::int64_t kLinesOfMarch = 2;
 constexpr std::int64_t kMostLinesOfSpread = 512;
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 double quantile(std::vector<double> values, double part) {
   std::sort(values.begin(), values.end());
   return values[static_cast<std::size_t>(
@@ -63,7 +57,7 @@ Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t li
     prepared.lines.push_back(prepareProfile(line, prepared.scene.accuracy.scheme));
     seconds.push_back(threadSeconds() - start);
   }
-  prepared.lineSeconds = median(seconds);
+  prepared.lineSeconds = medianSeconds(seconds);
   return prepared;
 }
 
@@ -229,7 +223,7 @@ class Comparison {
                            const std::vector<double>& reference) const {
     const Errors errors = errorsOf(slideAll(prepared, region.velocities), reference);
     WorkPrecisionPoint point{choice, errors.rms, errors.largest, choice.method == Method::Nodal};
-    point.seconds = median(seconds);
+    point.seconds = medianSeconds(seconds);
     point.fastest = quantile(seconds, 0.25);
     point.slowest = quantile(seconds, 0.75);
     point.lineSeconds = prepared.lineSeconds;
@@ -264,10 +258,10 @@ class Comparison {
     const Errors errors = errorsOf(found, expected);
     point.error = point.isExtrapolated ? kNotApplicable : errors.rms;
     point.largest = point.isExtrapolated ? kNotApplicable : errors.largest;
-    point.seconds = median(seconds);
+    point.seconds = medianSeconds(seconds);
     point.fastest = quantile(seconds, 0.25);
     point.slowest = quantile(seconds, 0.75);
-    point.lineSeconds = median(lineSeconds);
+    point.lineSeconds = medianSeconds(lineSeconds);
     return point;
   }
 

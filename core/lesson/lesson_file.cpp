@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-constexpr int kDeepest = 16;
+constexpr int kDeepestLesson = 16;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ Lesson readLesson(std::string_view text, const std::string& file,
     if (text.size() > kLargestLesson)
       refuseMember(
           "", message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
-    const LessonJson root = parseJson(text, kDeepest, "a lesson is JSON in UTF-8");
+    const LessonJson root = parseJson(text, kDeepestLesson, "a lesson is JSON in UTF-8");
     Lesson lesson = lessonFrom(root, folder, readNamed);
     lesson.name = std::filesystem::path(file).stem().string();
     lesson.digest = sha256(writeLesson(lesson));
@@ -55,7 +55,7 @@ std::string writeLesson(const Lesson& lesson) {
 
 bool isLesson(std::string_view text) {
   try {
-    const LessonJson schema = memberOf(text, "schema", kDeepest);
+    const LessonJson schema = memberOf(text, "schema", kDeepestLesson);
     return schema.is_string() && schema.get<std::string>().starts_with("asperity-lesson/");
   } catch (const InputError&) {
     return false;

@@ -25,7 +25,6 @@ using Json = LessonJson;
 
 constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMostValues = 30;
 constexpr double kLargestTolerance = 10;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Runs `read`; an error about a key is reported as one about the key at this place.
 template <class Read>
@@ -373,8 +372,8 @@ class StepReader {
         if (!one["right"].is_boolean()) refuseMember(where + ".right", "needs true or false");
         choice.isRight = one["right"].get<bool>();
       }
-      choice.above = optionalNumber(one, where, "above").value_or(-kInfinity);
-      choice.below = optionalNumber(one, where, "below").value_or(kInfinity);
+      choice.above = optionalNumber(one, where, "above").value_or(choice.above);
+      choice.below = optionalNumber(one, where, "below").value_or(choice.below);
       if (choice.isRange() && !prediction.answer)
         refuseMember(where, "has above or below, which need a computed answer");
       if (one.contains("right") && prediction.answer)

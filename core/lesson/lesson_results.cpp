@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-lesson-results/1";
 constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
-constexpr int kDeepest = 6;
+constexpr int kDeepestResults = 6;
 
 constexpr NamedChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
                                                   {"number", PredictionKind::Number},
@@ -114,7 +114,7 @@ std::string resultsJson(const LessonResults& results) {
 
 LessonResults resultsFrom(std::string_view text, const std::string& file) {
   try {
-    const Json json = parseJson(text, kDeepest, "results of a lesson are JSON in UTF-8");
+    const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
     checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
     if (textIn(json, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{

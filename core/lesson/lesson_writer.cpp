@@ -1,4 +1,4 @@
-#include <limits>
+#include <cmath>
 
 #include "core/lesson/lesson_json.h"
 #include "core/scene/parameters.h"
@@ -8,8 +8,6 @@ namespace asperity {
 namespace {
 
 using Json = LessonJson;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Json jsonOf(const std::string& text) {
   Json list = Json::array();
@@ -92,8 +90,8 @@ Json jsonOf(const LessonPrediction& prediction) {
     Json one = Json::object();
     addText(one, "text", choice.text);
     if (choice.isRight) one["right"] = true;
-    if (choice.above > -kInfinity) one["above"] = choice.above;
-    if (choice.below < kInfinity) one["below"] = choice.below;
+    if (std::isfinite(choice.above)) one["above"] = choice.above;
+    if (std::isfinite(choice.below)) one["below"] = choice.below;
     json["choices"].push_back(one);
   }
   if (prediction.x) json["x"] = *prediction.x;

@@ -15,7 +15,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+// What a file leaves out.
+constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
 constexpr double kZeroCelsius = 273.15;
 
 /// What all of these files say: parts of the instantaneous modulus or moduli, and one modulus.
@@ -26,8 +27,8 @@ struct RawSeries {
   };
   std::vector<Term> terms;
   bool isRelative = true;       // weights are parts of the instantaneous modulus
-  double instantaneous = kNaN;  // in the file's unit, of shear
-  double equilibrium = kNaN;    // the same
+  double instantaneous = kNotStated;  // in the file's unit, of shear
+  double equilibrium = kNotStated;    // the same
   double unit = 1;              // Pa
   bool isUnitKnown = false;
   std::optional<TemperatureShift> shift;
@@ -149,7 +150,7 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
   RawSeries series;
   series.format = "commands of Ansys";
   bool isFound = false;
-  double youngs = kNaN, poisson = kNaN;
+  double youngs = kNotStated, poisson = kNotStated;
   std::vector<double> shearData, shiftData;
   std::size_t lineOfData = 0;
   for (const Line& line : lines) {
@@ -172,7 +173,7 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
       auto place = static_cast<std::size_t>(start) - 1;
       for (std::size_t i = 2; i < line.words.size(); ++i, ++place) {
         if (line.words[i].empty()) continue;
-        data.resize(std::max(data.size(), place + 1), kNaN);
+        data.resize(std::max(data.size(), place + 1), kNotStated);
         data[place] = numberIn(line, i, name);
       }
     } else if (command == "mp" && word(1) == "ex") {
@@ -286,7 +287,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   if (!series.isRelative)
     for (RawSeries::Term& term : series.terms) term.weight *= shear;
   if (series.isRelative && std::isfinite(series.equilibrium) && series.equilibrium < shear)
-    series.equilibrium = kNaN;  // a part, too: what is left of 1
+    series.equilibrium = kNotStated;  // a part, too: what is left of 1
   if (series.terms.empty()) throw InputError(name, "", "holds no relaxation time");
   return series;
 }
@@ -333,7 +334,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   double equilibrium = series.equilibrium * unit, instantaneous = series.instantaneous * unit;
   if (std::isfinite(choices.instantaneousModulus)) {
     instantaneous = choices.instantaneousModulus;
-    equilibrium = kNaN;
+    equilibrium = kNotStated;
   }
   if (std::isfinite(choices.equilibriumModulus)) equilibrium = choices.equilibriumModulus;
   if (series.isRelative && !std::isfinite(instantaneous) && !std::isfinite(equilibrium))

@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-constexpr std::size_t kMostPoints = 1500;  // of one diagram of scattered points
+constexpr std::size_t kMostDots = 1500;  // of one diagram of scattered points
 
 /// Every axis or column gets a place at 1, 2, ... with its name over it.
 void addNames(Diagram& diagram, const std::vector<std::string>& names,
@@ -128,7 +128,7 @@ DiagramSheet effectsSheet(const ParameterStudy& study, const OutputAnalysis& out
     single.mark = SeriesMark::Circle;
     single.stroke = SeriesStroke::None;
     single.isFaded = true;
-    const std::size_t step = effect.sample.size() / kMostPoints + 1;
+    const std::size_t step = effect.sample.size() / kMostDots + 1;
     for (std::size_t i = 0; i < effect.sample.size(); i += step)
       single.points.push_back({effect.sample[i].first, effect.sample[i].second});
     mean.name = "mean";

@@ -29,7 +29,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr int kApplication = 0x41737031;  // "Asp1", in the header of the file
 constexpr int kSchema = 1;                // of the tables
-constexpr int kPatience = 60000;          // ms to wait for another process
+constexpr int kLockPatience = 60000;          // ms to wait for another process
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS meta (key TEXT PRIMARY KEY, value) WITHOUT ROWID;
@@ -251,7 +251,7 @@ void StudyStore::open(Access access) {
     connection_.reset(connection);
     if (status != SQLITE_OK) fail(status);
     sqlite3_extended_result_codes(connection, 1);
-    sqlite3_busy_timeout(connection, kPatience);
+    sqlite3_busy_timeout(connection, kLockPatience);
   };
   const int usual = SQLITE_OPEN_NOMUTEX;
   // An absolute name cannot be taken for a URI or for one of SQLite's own names.
@@ -269,7 +269,7 @@ void StudyStore::open(Access access) {
     const int status =
         sqlite3_exec(connection_.get(), "PRAGMA journal_mode=WAL", nullptr, nullptr, nullptr);
     if (status == SQLITE_OK) break;
-    if ((status & 0xFF) != SQLITE_BUSY || tries == kPatience / 20) fail(status);
+    if ((status & 0xFF) != SQLITE_BUSY || tries == kLockPatience / 20) fail(status);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   execute("PRAGMA synchronous=NORMAL");
@@ -476,7 +476,7 @@ void StudyStore::finish() {
   // Another process may still have the store open; then its last one does this.
   sqlite3_busy_timeout(connection_.get(), 0);
   sqlite3_exec(connection_.get(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
-  sqlite3_busy_timeout(connection_.get(), kPatience);
+  sqlite3_busy_timeout(connection_.get(), kLockPatience);
   if (shard_.isWhole() && claims_ >= 0) ::unlink(claimsOf(file_).c_str());
 }
 
