@@ -11,7 +11,7 @@ namespace {
 
 // largest width and height in pixels of one picture on a sheet
 constexpr int kWidest = 480, kHighest = 960;
-constexpr std::string_view kName = "contact_sheet", kEnd = ".png";
+constexpr std::string_view kSheetName = "contact_sheet", kEnd = ".png";
 
 }  // namespace
 
@@ -43,16 +43,16 @@ ContactSheets::Cell ContactSheets::cell(int picture) const {
 }
 
 std::vector<std::string> ContactSheets::names() const {
-  std::vector<std::string> names{fmt::format("{}{}", kName, kEnd)};
+  std::vector<std::string> names{fmt::format("{}{}", kSheetName, kEnd)};
   for (int sheet = 2; sheet <= sheets(); ++sheet)
-    names.push_back(fmt::format("{}_{}{}", kName, sheet, kEnd));
+    names.push_back(fmt::format("{}_{}{}", kSheetName, sheet, kEnd));
   return names;
 }
 
 bool isSheetName(const std::string& name) {
-  if (!name.starts_with(kName) || !name.ends_with(kEnd)) return false;
-  const std::string_view number =
-      std::string_view(name).substr(kName.size(), name.size() - kName.size() - kEnd.size());
+  if (!name.starts_with(kSheetName) || !name.ends_with(kEnd)) return false;
+  const std::string_view number = std::string_view(name).substr(
+      kSheetName.size(), name.size() - kSheetName.size() - kEnd.size());
   return number.empty() ||
          (number.front() == '_' && number.find_first_not_of("0123456789", 1) == number.npos);
 }

@@ -10,9 +10,8 @@
 namespace asperity {
 namespace {
 
-constexpr std::string_view kMinus = "\u2212";
-constexpr std::array<std::string_view, 11> kPrefixes = {"f", "p", "n", "\u00B5", "m", "",
-                                                        "k", "M", "G", "T",      "P"};
+constexpr std::array<std::string_view, 11> kSiPrefixes = {"f", "p", "n", "\u00B5", "m", "",
+                                                          "k", "M", "G", "T",      "P"};
 constexpr int kSmallestPrefix = -15;        // power of ten of the first prefix
 constexpr int kFirstPower = -4, kMost = 6;  // plain decimals from 10^-4 to below 10^6
 
@@ -41,7 +40,7 @@ std::string withPower(double value, int power, int digits, Zeros zeros) {
   std::string mantissa = printedDecimals(value / std::pow(10.0, power), digits - 1);
   if (zeros == Zeros::Drop) mantissa = withoutTrailingZeros(std::move(mantissa));
   if (mantissa == "1") return powerOfTen(power);
-  if (mantissa == std::string(kMinus) + "1") return std::string(kMinus) + powerOfTen(power);
+  if (mantissa == std::string(kMinusSign) + "1") return std::string(kMinusSign) + powerOfTen(power);
   return mantissa + "\u00D7" + powerOfTen(power);
 }
 
@@ -64,7 +63,7 @@ std::string printedDecimals(double value, int decimals) {
                                  std::chars_format::fixed, std::max(decimals, 0));
   std::string text(buffer.data(), end.ptr);
   if (text.find_first_of("123456789") == std::string::npos && text[0] == '-') text.erase(0, 1);
-  if (text[0] == '-') text.replace(0, 1, kMinus);
+  if (text[0] == '-') text.replace(0, 1, kMinusSign);
   return text;
 }
 
@@ -72,9 +71,10 @@ UnitPrefix prefixFor(double magnitude) {
   if (!(magnitude > 0) || !std::isfinite(magnitude)) return {"", 1};
   // The logarithm is rounded up a little: 0.001 gives 1 m, whatever the rounding error.
   const int power = static_cast<int>(std::floor((std::log10(magnitude) + 1e-12) / 3));
-  const int last = static_cast<int>(kPrefixes.size()) - 1;
+  const int last = static_cast<int>(kSiPrefixes.size()) - 1;
   const int index = std::clamp(power - kSmallestPrefix / 3, 0, last);
-  return {kPrefixes[static_cast<std::size_t>(index)], std::pow(10.0, kSmallestPrefix + 3 * index)};
+  return {kSiPrefixes[static_cast<std::size_t>(index)],
+          std::pow(10.0, kSmallestPrefix + 3 * index)};
 }
 
 std::string printedNumber(double value, int digits, Zeros zeros) {

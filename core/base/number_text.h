@@ -13,6 +13,9 @@
 
 namespace asperity {
 
+/// The sign of printed negative numbers, in UTF-8.
+inline constexpr std::string_view kMinusSign = "\u2212";
+
 /// Whether significant digits keep trailing zeros ("0.0120") or not ("0.012").
 enum class Zeros { Keep, Drop };
 

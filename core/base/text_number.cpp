@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/number_text.h"
+
 namespace asperity {
 namespace {
 
@@ -59,8 +61,6 @@ constexpr std::array kWideBlanks{"\u00A0"sv, "\u2009"sv, "\u202F"sv, "\u2007"sv,
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
-constexpr std::string_view kMinus = "\u2212";
-
 constexpr std::size_t kLongestNumber = 64;
 
 /// All of the text by std::from_chars.
@@ -83,9 +83,9 @@ constexpr std::array kThousands{"'"sv, "\u2019"sv, " "sv, "\u00A0"sv, "\u202F"sv
 bool readGroupedNumber(std::string_view text, char decimal, double& number) {
   if (text.empty() || text.size() > kLongestNumber) return false;
   std::string plain;
-  if (text.front() == '-' || text.front() == '+' || text.starts_with(kMinus)) {
+  if (text.front() == '-' || text.front() == '+' || text.starts_with(kMinusSign)) {
     if (text.front() != '+') plain = "-";
-    text.remove_prefix(text.starts_with(kMinus) ? kMinus.size() : 1);
+    text.remove_prefix(text.starts_with(kMinusSign) ? kMinusSign.size() : 1);
   }
   const auto takeDigits = [&] {
     const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
@@ -161,9 +161,9 @@ bool readTextNumber(std::string_view text, char decimal, double& number) {
   if (text.empty() || text.size() > kLongestNumber) return false;
   std::array<char, kLongestNumber + 1> plain{};
   char* end = plain.data();
-  if (text.starts_with(kMinus)) {
+  if (text.starts_with(kMinusSign)) {
     *end++ = '-';
-    text.remove_prefix(kMinus.size());
+    text.remove_prefix(kMinusSign.size());
   } else if (text.front() == '+') {
     text.remove_prefix(1);
     if (!text.empty() && text.front() == '-') return false;
@@ -180,9 +180,9 @@ bool readTextNumber(std::string_view text, char decimal, double& number) {
                !hasExponent) {
       hasExponent = true;
       letter = 'e';
-    } else if (afterExponent && text.substr(i).starts_with(kMinus)) {
+    } else if (afterExponent && text.substr(i).starts_with(kMinusSign)) {
       letter = '-';
-      i += kMinus.size() - 1;
+      i += kMinusSign.size() - 1;
     } else if (letter != '-' && !(letter == '+' && afterExponent)) {
       return false;  // letters of "inf" and "nan", too
     }

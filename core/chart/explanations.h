@@ -13,7 +13,7 @@
 
 namespace asperity {
 
-struct Explanation {
+struct HoverExplanation {
   std::string_view id;           // scene key, column, "region IV", text of a legend, "Eq. (11)"
   std::string_view formula;      // in printed letters, the same in every language; may be empty
   std::string_view sentence;     // English; its German is in core_de.ts
@@ -21,16 +21,16 @@ struct Explanation {
 };
 
 /// Returns the explanation with this id; nothing where there is none. Every scene key has one.
-std::optional<Explanation> explanationOf(std::string_view id);
+std::optional<HoverExplanation> explanationOf(std::string_view id);
 
 /// Returns the explanation of a text of a chart, by its English template; nothing where there is
 /// none, as for a curve that a user named.
-std::optional<Explanation> explanationOf(const Message& text);
+std::optional<HoverExplanation> explanationOf(const Message& text);
 
 /// Returns the numbers of the equations that a text mentions, as ids: "Eq. (13)".
 std::vector<std::string_view> equationsIn(std::string_view text);
 
 /// Returns all explanations of the table itself, for tests and the guide.
-std::span<const Explanation> explanations();
+std::span<const HoverExplanation> explanations();
 
 }  // namespace asperity

@@ -31,7 +31,7 @@ void ForceBalance::take(const PassSums& sums) {
     bestSums_ = sums;
   }
   (sums.depth > load_ ? high_ : low_) = depth_;
-  done_ = residual_ <= kWantedResidual || stalled_ >= kPatience || passes_ >= kMostPasses;
+  done_ = residual_ <= kWantedResidual || stalled_ >= kMostStalledPasses || passes_ >= kMostPasses;
   if (!done_) move(sums);
 }
 

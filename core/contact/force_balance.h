@@ -17,7 +17,7 @@ inline constexpr double kWantedResidual = 1e-13;
 /// Maximum number of passes over a resolved line in one balance.
 inline constexpr int kMostPasses = 200;
 /// Number of passes without a smaller residual after which the best one is taken.
-inline constexpr int kPatience = 2;
+inline constexpr int kMostStalledPasses = 2;
 
 /// The result of a balance.
 struct Balance {

@@ -50,7 +50,7 @@ class ChartLegend : public QWidget {
     DiagramSeries series;  // without its points
     bool hasSample = true, hasBars = false, isMarker = false;
     QRectF box{};
-    std::optional<Explanation> explanation{};
+    std::optional<HoverExplanation> explanation{};
 
     bool isPinned() const { return series.id > kPresentCurve; }
   };

@@ -485,8 +485,8 @@ void ChartView::read(QPointF place) {
 }
 
 /// Returns what explains the region, the shade or the curve at a place.
-std::optional<Explanation> ChartView::explanationAt(const ChartTarget& target,
-                                                    QPointF place) const {
+std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& target,
+                                                         QPointF place) const {
   if (frames_.empty()) return std::nullopt;
   if (target.isPoint())
     return explanationOf(english_.diagrams[static_cast<std::size_t>(target.diagram)]

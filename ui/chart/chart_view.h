@@ -97,7 +97,7 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
-  std::optional<Explanation> explanationAt(const ChartTarget& target, QPointF place) const;
+  std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF place) const;
   VisibleRange whole() const;
   void showAll();
   void placeFrames();

@@ -48,7 +48,7 @@ QString formulaText(std::string_view formula) {
   }
 }
 
-QString explanationHtml(const Explanation& explanation, const QString& title,
+QString explanationHtml(const HoverExplanation& explanation, const QString& title,
                         const QString& sentence) {
   QString text;
   if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";

@@ -17,10 +17,10 @@ QString formulaText(std::string_view formula);
 
 /// Returns title, formula and sentence as rich text for a tooltip; an empty title is left out.
 /// sentence: one that says more at this place than that of the explanation; may be empty.
-QString explanationHtml(const Explanation& explanation, const QString& title = {},
+QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},
                         const QString& sentence = {});
 
-inline QString anchorText(const Explanation& explanation) {
+inline QString anchorText(const HoverExplanation& explanation) {
   return QString::fromUtf8(explanation.guideAnchor.data(),
                            static_cast<qsizetype>(explanation.guideAnchor.size()));
 }

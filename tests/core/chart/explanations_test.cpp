@@ -53,7 +53,7 @@ TEST(Explanations, ANameThatAUserGaveHasNone) {
 
 TEST(Explanations, IdsAreUniqueAndEachOneIsFoundWhole) {
   std::set<std::string_view> ids;
-  for (const Explanation& one : explanations()) {
+  for (const HoverExplanation& one : explanations()) {
     EXPECT_TRUE(ids.insert(one.id).second) << one.id;
     const auto found = explanationOf(one.id);
     ASSERT_TRUE(found) << one.id;
@@ -76,7 +76,7 @@ TEST(Explanations, TheGuideHasEveryPlace) {
     guide.append(std::istreambuf_iterator<char>(in), {});
   }
   std::set<std::string> anchors;
-  for (const Explanation& one : explanations()) anchors.emplace(one.guideAnchor);
+  for (const HoverExplanation& one : explanations()) anchors.emplace(one.guideAnchor);
   for (const Parameter& row : parameters()) anchors.emplace(explanationOf(row.key)->guideAnchor);
   for (const std::string& anchor : anchors)
     EXPECT_NE(guide.find("#" + anchor + "}"), std::string::npos) << anchor;

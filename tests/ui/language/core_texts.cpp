@@ -156,7 +156,7 @@ Texts tableTexts() {
 
 Texts explanationTexts() {
   Texts texts;
-  for (const Explanation& one : explanations())
+  for (const HoverExplanation& one : explanations())
     if (!one.sentence.empty()) texts.insert(Message(one.sentence));
   for (std::size_t i = 0; i < kNotes; ++i) texts.insert(sentenceOf(static_cast<Note>(i)));
   for (const TheoryEntry& entry : theoryEntries()) texts.insert(Message(entry.range));

@@ -8,7 +8,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPatience = 3000;  // ms, until a call that was asked to end is killed
+constexpr int kTimeToEnd = 3000;  // ms, until a call that was asked to end is killed
 
 }  // namespace
 
@@ -55,7 +55,7 @@ void CommandRun::cancel() {
   connect(process, &QProcess::finished, process, &QObject::deleteLater);
   if (process->state() == QProcess::NotRunning) return process->deleteLater();
   process->terminate();
-  QTimer::singleShot(kPatience, process, &QProcess::kill);
+  QTimer::singleShot(kTimeToEnd, process, &QProcess::kill);
 }
 
 /// Takes whole lines: those of progress are numbers, the others say what is wrong.

@@ -19,8 +19,8 @@ namespace {
 
 enum Column { kHolds, kClaim, kMeasured, kExpected, kWhere, kClaimColumns };
 
-constexpr int kAside = 5;  // pixels of space beside a cell's text
-constexpr int kAbove = 4;  // pixels of space above and below it
+constexpr int kBesideText = 5;  // pixels of space beside a cell's text
+constexpr int kAbove = 4;       // pixels of space above and below it
 
 QString markedVerdict(const Claim& claim) {
   const QString text = verdictText(claim);
@@ -71,15 +71,15 @@ class ClaimDelegate : public QStyledItemDelegate {
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     QStyleOptionViewItem inside = option;
-    inside.rect.adjust(0, 0, -2 * kAside, 0);
-    return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kAside, 2 * kAbove);
+    inside.rect.adjust(0, 0, -2 * kBesideText, 0);
+    return QStyledItemDelegate::sizeHint(inside, index) + QSize(2 * kBesideText, 2 * kAbove);
   }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override {
     QStyleOptionViewItem inside = option;
     inside.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus | QStyle::State_MouseOver);
-    inside.rect.adjust(kAside, kAbove, -kAside, -kAbove);
+    inside.rect.adjust(kBesideText, kAbove, -kBesideText, -kAbove);
     QStyledItemDelegate::paint(painter, inside, index);
   }
 };
@@ -135,7 +135,7 @@ int ClaimsTable::longest(int column) const {
       width = std::max(width, metrics.horizontalAdvance(word));
   }
   constexpr int kInside = 8;  // pixels that the style keeps free beside a text
-  return width + 2 * kAside + kInside;
+  return width + 2 * kBesideText + kInside;
 }
 
 /// Gives each column the width of its texts, within limits; the claim gets the rest.

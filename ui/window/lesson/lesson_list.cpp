@@ -20,8 +20,8 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(820, 460);  // pixels
-constexpr int kAround = 60;        // pixels of the screen that stay free
+constexpr QSize kUsualSize(820, 460);  // pixels
+constexpr int kFreeAround = 60;        // pixels of the screen that stay free
 
 /// The shipped lessons, read once.
 const std::vector<Lesson>& shippedOnes() {
@@ -95,7 +95,7 @@ LessonList::LessonList(QWidget* parent)
   all->addWidget(status_);
   all->addLayout(foot);
   const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsual.boundedTo(room - QSize(kAround, kAround)));
+  resize(kUsualSize.boundedTo(room - QSize(kFreeAround, kFreeAround)));
 
   connect(list_, &QListWidget::currentRowChanged, this, &LessonList::showChosen);
   connect(notes_, &QCheckBox::toggled, this, &LessonList::showChosen);

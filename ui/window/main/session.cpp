@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPatience = 200;  // ms, until the window says that it waits
-constexpr int kCalm = 1000;     // ms without an order or a frame, until the session rests
+constexpr int kSilentWait = 200;  // ms, until the window says that it waits
+constexpr int kCalm = 1000;       // ms without an order or a frame, until the session rests
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
@@ -155,7 +155,7 @@ void Session::startCurve() {
 
 bool Session::isWaiting() const {
   return runningNumber_ != sceneNumber_ && brokenNumber_ != sceneNumber_ &&
-         sceneTime_.elapsed() > kPatience;
+         sceneTime_.elapsed() > kSilentWait;
 }
 
 /// Measures the rate. The same curve may come again under another scene's number.
