@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/input_error.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -191,6 +192,15 @@ std::optional<Unit> temperatureUnit(std::string_view unit) {
 std::optional<double> angleUnit(std::string_view unit) {
   if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
   return sizeOfUnit(unit, "rad");
+}
+
+void refuseSoftModulus(const std::string& name, const std::string& key, double largest) {
+  constexpr double kSoftest = 1e3;  // Pa
+  if (largest < kSoftest)
+    throw InputError(name, key,
+                     message("has no unit, and {:.3g} Pa would be no rubber; say --modulus-unit "
+                             "MPa or another one",
+                             largest));
 }
 
 }  // namespace asperity

@@ -53,4 +53,8 @@ std::optional<Unit> temperatureUnit(std::string_view unit);
 /// Radians, of one unit; nothing where it is no unit of angle.
 std::optional<double> angleUnit(std::string_view unit);
 
+/// Refuses moduli without a unit, the largest of which (`largest`, Pa) is below 1 kPa: read in Pa
+/// they would be those of no rubber. `name` is the file's, `key` the column's. Throws InputError.
+void refuseSoftModulus(const std::string& name, const std::string& key, double largest);
+
 }  // namespace asperity

@@ -442,9 +442,6 @@ class Reader {
   std::vector<double> strains_;
 };
 
-/// Moduli of less than this (Pa) without a unit are hardly those of a solid.
-constexpr double kSoftest = 1e3;
-
 }  // namespace
 
 std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option) {
@@ -472,11 +469,7 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
   if (file.facts.storage.isUnitAssumed && choices.modulusUnit.empty()) {
     double largest = 0;
     for (const MeasuredModulus& row : file.rows) largest = std::max(largest, row.modulus.storage);
-    if (largest < kSoftest)
-      throw InputError(name, file.facts.storage.name,
-                       message("has no unit, and {:.3g} Pa would be no rubber; say --modulus-unit "
-                               "MPa or another one",
-                               largest));
+    refuseSoftModulus(name, file.facts.storage.name, largest);
   }
   return file;
 }

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
+#include "core/material/dma_columns.h"
 
 namespace asperity {
 namespace {
@@ -26,10 +27,10 @@ struct RawSeries {
     std::size_t line = 0;
   };
   std::vector<Term> terms;
-  bool isRelative = true;       // weights are parts of the instantaneous modulus
+  bool isRelative = true;             // weights are parts of the instantaneous modulus
   double instantaneous = kNotStated;  // in the file's unit, of shear
   double equilibrium = kNotStated;    // the same
-  double unit = 1;              // Pa
+  double unit = 1;                    // Pa
   bool isUnitKnown = false;
   std::optional<TemperatureShift> shift;
   Message format;
@@ -370,13 +371,8 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   file.equilibriumModulus = std::max(0.0, file.equilibriumModulus);
   double stiffest = file.equilibriumModulus;
   for (const Arm& arm : file.arms) stiffest += arm.modulus;
-  constexpr double kSoftest = 1e3;  // Pa
-  if (!series.isUnitKnown && choices.modulusUnit.empty() && stiffest < kSoftest)
-    throw InputError(
-        name, "modulus",
-        message("has no unit, and {:.3g} Pa would be no rubber; say --modulus-unit MPa "
-                "or another one",
-                stiffest));
+  if (!series.isUnitKnown && choices.modulusUnit.empty())
+    refuseSoftModulus(name, "modulus", stiffest);
   return file;
 }
 
