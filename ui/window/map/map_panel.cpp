@@ -29,6 +29,7 @@ constexpr int kPause = 40;                        // ms between two pictures
 constexpr double kCut = 0.42;                     // height of the cut over that of the map
 constexpr int kDigits = 3;                        // of a value that the cross sets
 constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
+constexpr int kWidestList = 360;                  // pixels
 
 /// A value as a person would choose it.
 double rounded(double value) {
@@ -105,6 +106,8 @@ MapPanel::MapPanel(QWidget* parent)
   // The quantity has the longest names.
   row->setStretchFactor(quantity_, kLongerName);
   for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
+  for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
+  row->addStretch(0);
   row->addWidget(save_);
   reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   reading_->setContentsMargins(8, 0, 8, 0);
