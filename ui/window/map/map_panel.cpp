@@ -92,6 +92,7 @@ MapPanel::MapPanel(QWidget* parent)
   save_->setObjectName("mapSave");
   view_->setObjectName("mapView");
   view_->setPause(kPause);
+  for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
   for (const auto& [label, box] :
@@ -106,8 +107,6 @@ MapPanel::MapPanel(QWidget* parent)
   // The quantity has the longest names.
   row->setStretchFactor(quantity_, kLongerName);
   for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
-  for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
-  row->addStretch(0);
   row->addWidget(save_);
   reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   reading_->setContentsMargins(8, 0, 8, 0);

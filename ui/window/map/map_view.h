@@ -18,7 +18,7 @@ class MapView : public DiagramView {
   /// Shows the cross here, where the sheet itself has none.
   void setCross(double x, double y);
 
-  QSize minimumSizeHint() const override { return {320, 182}; }
+  QSize minimumSizeHint() const override { return {320, 200}; }
 
  signals:
   /// Emitted while the cross is dragged, and where the map is clicked.
