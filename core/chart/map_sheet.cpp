@@ -165,7 +165,7 @@ std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<d
                                  double from, double to, double noise) {
   constexpr double kMuch = 0.35;  // part of the map between two levels
   constexpr int kBetween = 4;     // further levels there, about
-  constexpr int kTimes = 2;
+  constexpr int kTimes = 3;
   constexpr double kErrors = 3;  // standard errors between two levels
   const double least = std::max(0.01, kErrors * noise);
   std::vector<double> known;
@@ -182,8 +182,10 @@ std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<d
       if (static_cast<double>(inside) < kMuch * static_cast<double>(known.size())) continue;
       const std::vector<double> further = contourLevels(low, high, false, kBetween);
       const double size = std::max(std::abs(low), std::abs(high));
-      if (further.size() > 1 && further[1] - further[0] >= least * size)
-        levels.insert(levels.end(), further.begin(), further.end());
+      if (further.empty()) continue;
+      const double step = further.size() > 1 ? further[1] - further[0]
+                                             : std::max(further[0] - low, high - further[0]);
+      if (step >= least * size) levels.insert(levels.end(), further.begin(), further.end());
     }
     std::ranges::sort(levels);
   }

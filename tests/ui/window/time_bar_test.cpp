@@ -80,7 +80,7 @@ TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
   for (const char* nonsense : {"", "fast", "-3", "0", "nan", "inf", "3 fast", "3 slowly"}) {
     type(nonsense);
     EXPECT_DOUBLE_EQ(bar_.pace(), 20) << nonsense;
-    EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1000×")) << nonsense;
+    EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1000× slower")) << nonsense;
   }
   EXPECT_EQ(paces.size(), 2);
   type("1e12");  // as slow as it gets

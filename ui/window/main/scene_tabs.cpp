@@ -35,6 +35,7 @@ namespace {
 
 constexpr int kMotionTab = 1;
 constexpr int kTabAir = 14, kCrowdedTabAir = 7;  // pixels at each side of a title
+constexpr int kSpare = 24;                       // pixels of the bar beside its titles, at least
 constexpr int kOnePlot = 170, kTwoPlots = 300;   // minimum heights, pixels
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
@@ -154,22 +155,37 @@ void SceneTabs::showTexts() {
   fitTitles();
 }
 
+/// Returns the width of the visible tabs with these titles.
+int SceneTabs::widthOf(const QStringList& titles, int air) const {
+  const QFontMetrics metrics(tabBar()->font());
+  int width = 0;
+  for (int i = 0; i < count(); ++i)
+    if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * air;
+  return width;
+}
+
+/// Qt keeps room for the button in the corner, also where it is hidden.
+int SceneTabs::cornerWidth() const {
+  return cornerWidget() ? cornerWidget()->sizeHint().width() : 0;
+}
+
+/// Room for all tabs, before which the parameters become narrower.
+QSize SceneTabs::minimumSizeHint() const {
+  QSize size = QTabWidget::minimumSizeHint();
+  if (!mayScroll_ && !briefTitles_.isEmpty())
+    size.setWidth(
+        std::max(size.width(), widthOf(briefTitles_, kCrowdedTabAir) + kSpare + cornerWidth()));
+  return size;
+}
+
 /// Gives the tabs as much air, and as long titles, as their bar has room for.
 void SceneTabs::fitTitles() {
-  const QFontMetrics metrics(tabBar()->font());
-  const auto needed = [&](const QStringList& titles, int air) {
-    int width = 0;
-    for (int i = 0; i < count(); ++i)
-      if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * air;
-    return width;
-  };
-  // Qt keeps room for the button in the corner, also where it is hidden.
-  const int room = width() - (cornerWidget() ? cornerWidget()->sizeHint().width() : 0);
+  const auto needed = [this](const QStringList& titles, int air) { return widthOf(titles, air); };
+  const int room = width() - cornerWidth();
   const bool isCrowded = needed(titles_, kTabAir) > room;
   const QStringList& shown =
       isCrowded && needed(titles_, kCrowdedTabAir) > room ? briefTitles_ : titles_;
-  // In a presentation on a small screen even the shortest titles may need more than there is.
-  const bool needsButtons = needed(shown, kCrowdedTabAir) > room;
+  const bool needsButtons = mayScroll_ && needed(shown, kCrowdedTabAir) > room;
   if (tabBar()->usesScrollButtons() != needsButtons) {
     tabBar()->setUsesScrollButtons(needsButtons);
     tabBar()->setElideMode(needsButtons ? Qt::ElideNone : Qt::ElideRight);
@@ -178,6 +194,7 @@ void SceneTabs::fitTitles() {
     if (tabText(i) != shown[i]) setTabText(i, shown[i]);
     setTabToolTip(i, titles_[i]);
   }
+  updateGeometry();  // other tabs need another least width
   if (tabBar()->property("crowded").toBool() == isCrowded) return;
   tabBar()->setProperty("crowded", isCrowded);  // for the style sheet of the window
   tabBar()->style()->unpolish(tabBar());
@@ -185,6 +202,12 @@ void SceneTabs::fitTitles() {
   // The bar keeps the sizes of its tabs until it is told.
   QEvent changed(QEvent::StyleChange);
   QCoreApplication::sendEvent(tabBar(), &changed);
+}
+
+void SceneTabs::setMayScroll(bool mayScroll) {
+  mayScroll_ = mayScroll;
+  updateGeometry();
+  fitTitles();
 }
 
 void SceneTabs::resizeEvent(QResizeEvent* event) {

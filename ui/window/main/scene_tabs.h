@@ -54,6 +54,10 @@ class SceneTabs : public QTabWidget {
   /// settings.
   QStringList hiddenTabs() const;
   void hideTabs(const QStringList& names);
+  /// Whether titles may be scrolled by buttons, as for the large letters of a presentation on a
+  /// small screen. Otherwise the window keeps room for all of them.
+  void setMayScroll(bool mayScroll);
+  QSize minimumSizeHint() const override;
 
   /// Brings the tab of this object name to the front, if it is shown.
   void bringToFront(const QString& name);
@@ -86,6 +90,8 @@ class SceneTabs : public QTabWidget {
  private:
   void showTexts();
   void fitTitles();
+  int widthOf(const QStringList& titles, int air) const;
+  int cornerWidth() const;
   void bringToFront(int index);
   void setWanted(int index, bool isWanted);
   void showMeasuredCurve();
@@ -103,6 +109,7 @@ class SceneTabs : public QTabWidget {
   QList<QAction*> wanted_;            // one for each tab, checkable
   QStringList titles_, briefTitles_;  // of the tabs; the latter where there is little room
   std::optional<Scene> timed_;        // the scene whose curve is timed
+  bool mayScroll_ = false;
   bool hasMeasuredFriction_ = false;  // whose ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete
   /// Results for the present curve; errors are relative, root mean square.

@@ -159,6 +159,7 @@ void WindowLayout::beginPresentation() {
   large.setPointSizeF(large.pointSizeF() * scale);
   QApplication::setFont(large);
   parts_.canvas.setTextScale(scale);
+  parts_.tabs.setMayScroll(true);
   for (QToolBar* bar : window.findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) bar->hide();
   for (QWidget* around :
        std::initializer_list<QWidget*>{window.menuBar(), window.statusBar(), &parts_.dock})
@@ -173,6 +174,7 @@ void WindowLayout::endPresentation() {
   const Presentation before = *std::exchange(presentation_, std::nullopt);
   QApplication::setFont(before.font);
   parts_.canvas.setTextScale(1);
+  parts_.tabs.setMayScroll(false);
   window.menuBar()->show();
   window.statusBar()->setVisible(before.hasStatus);
   parts_.appearance.setDark(parts_.appearance.isDark());

@@ -29,6 +29,7 @@ constexpr int kPause = 40;                        // ms between two pictures
 constexpr double kCut = 0.42;                     // height of the cut over that of the map
 constexpr int kDigits = 3;                        // of a value that the cross sets
 constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
+constexpr int kWidestList = 360;                  // pixels
 
 /// A value as a person would choose it.
 double rounded(double value) {
@@ -91,6 +92,7 @@ MapPanel::MapPanel(QWidget* parent)
   save_->setObjectName("mapSave");
   view_->setObjectName("mapView");
   view_->setPause(kPause);
+  for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
   for (const auto& [label, box] :
