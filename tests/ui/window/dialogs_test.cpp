@@ -2,6 +2,8 @@
 // reached in both languages on a screen of 1024 x 700 pixels.
 #include <gtest/gtest.h>
 
+#include <QScreen>
+
 #include "tests/ui/window/dialog_states.h"
 #include "tests/ui/window/qt_application.h"
 #include "tests/ui/window/readable_widgets.h"
@@ -17,6 +19,8 @@ class Dialogs : public testing::TestWithParam<const char*> {};
 
 TEST_P(Dialogs, AreReadableAndReachable) {
   WindowIn window(GetParam());
+  // Dialogs take their size from the screen: a large one, so that the wish below decides.
+  window->move(QGuiApplication::screens().back()->geometry().topLeft());
   window->resize(kScreen);
   DialogWishes wishes;
   wishes.program = ASPERITY_PROGRAM;

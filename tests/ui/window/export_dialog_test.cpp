@@ -254,6 +254,7 @@ TEST_F(ExportDialogTest, ReturnPressesTheButtonWithTheFocus) {
   openDialog(ExportKind::Table);
   dialog_->setFile(folder_.filePath("curve.csv"));
   ASSERT_TRUE(QTest::qWaitForWindowActive(dialog_));
+  EXPECT_TRUE(in<QPushButton>("exportWrite").isDefault());
   in<QPushButton>("exportClose").setFocus();
   QTest::keyClick(&in<QPushButton>("exportClose"), Qt::Key_Return);
   EXPECT_FALSE(dialog_ && dialog_->isVisible());

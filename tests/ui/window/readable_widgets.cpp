@@ -314,6 +314,8 @@ bool takesTab(const QWidget& widget, const QWidget& window) {
 bool needsAKey(const QAbstractButton& button, const QWidget& window) {
   static const QRegularExpression key(QStringLiteral("\\([^)]+\\)$"));
   const auto* tool = qobject_cast<const QToolButton*>(&button);
+  // What stood before can be typed, too.
+  if (button.objectName().startsWith("reset:")) return false;
   return button.isVisible() && button.isEnabled() && button.window() == &window &&
          !isPart(button) && button.focusPolicy() == Qt::NoFocus &&
          !(tool && tool->defaultAction()) && !button.inherits("QTableCornerButton") &&

@@ -86,6 +86,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   auto* column = new QVBoxLayout(this);
   column->addLayout(middle, 1);
   column->addWidget(makeBottom());
+  write_->setDefault(true);  // which takes a dialog around it
 
   quiet_->setSingleShot(true);
   quiet_->setInterval(kPause);
@@ -165,7 +166,6 @@ QWidget* ExportDialog::makeBottom() {
   row->addWidget(progress_, 1);
   write_ = new QPushButton(tr("&Export"));
   write_->setObjectName("exportWrite");
-  write_->setDefault(true);
   connect(write_, &QPushButton::clicked, this, &ExportDialog::write);
   close_ = new QPushButton;
   close_->setObjectName("exportClose");
