@@ -326,11 +326,11 @@ TEST_F(LessonsTest, ALessonChangesItsLanguage) {
   press("load.normal_force");
   const double force = session().scene().load.normalForce;
   useLanguage("de");
-  EXPECT_EQ(said("lessonStepTitle"), "Das Gesetz von Amontons");
+  EXPECT_TRUE(waitFor([&] { return said("lessonStepTitle") == "Das Gesetz von Amontons"; }));
   EXPECT_EQ(session().scene().title, "Das Gesetz von Amontons");
   EXPECT_EQ(session().scene().load.normalForce, force);
   useLanguage("en");
-  EXPECT_EQ(session().scene().title, "Amontons' law");
+  EXPECT_TRUE(waitFor([&] { return session().scene().title == "Amontons' law"; }));
 }
 
 TEST_F(LessonsTest, AStepBringsItsTabToTheFront) {

@@ -276,8 +276,8 @@ void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage
     if (page.answer) {
       const bool isRight = number == page.answer->choice;
       const bool isGiven = number == page.given->choice;
-      if (isRight) text += QStringLiteral("  ✓");
-      if (isGiven && !isRight) text += QStringLiteral("  ✗");
+      if (isRight) text += QStringLiteral("\u00A0\u00A0✓");
+      if (isGiven && !isRight) text += QStringLiteral("\u00A0\u00A0✗");
       button->setChecked(isGiven);
       button->setEnabled(false);
     }

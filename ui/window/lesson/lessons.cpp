@@ -43,7 +43,7 @@ namespace asperity {
 namespace {
 
 // Pixels of the pane and of the parameters below it, of which a step frees a few.
-constexpr int kUsualHeight = 480, kParametersHeight = 190;
+constexpr int kUsualHeight = 430, kParametersHeight = 230;
 constexpr int kLeastHeight = 260;  // of the pane
 
 /// Returns the scene under the step's name: what a scene says of itself may be the answer.
