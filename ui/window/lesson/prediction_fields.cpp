@@ -20,7 +20,7 @@ namespace {
 constexpr int kMostChoices = 6;
 
 enum Kind { kNone, kChoice, kNumber, kPoint };                     // as in the list
-enum Curve { kInSight, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
+enum CurveSight { kInSight, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
 
 QString endText(double end) {
   return std::isfinite(end) ? shownNumber(end) : QString();
