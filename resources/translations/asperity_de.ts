@@ -2854,16 +2854,8 @@
         <translation>Reibung über zwei Parametern</translation>
     </message>
     <message>
-        <source>x:</source>
-        <translation>x:</translation>
-    </message>
-    <message>
         <source>parameter along x</source>
         <translation>Parameter entlang x</translation>
-    </message>
-    <message>
-        <source>y:</source>
-        <translation>y:</translation>
     </message>
     <message>
         <source>parameter along y</source>
