@@ -2701,6 +2701,25 @@
     </message>
 </context>
 <context>
+    <name>asperity::ListBox</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 theories</source>
+        <translation>%1 Theorien</translation>
+    </message>
+    <message>
+        <source>%1 tables</source>
+        <translation>%1 Tabellen</translation>
+    </message>
+    <message>
+        <source>Add a table…</source>
+        <translation>Tabelle hinzufügen…</translation>
+    </message>
+</context>
+<context>
     <name>asperity::MainWindow</name>
     <message>
         <source>Parameters</source>
@@ -3740,10 +3759,6 @@
         <translation>Eine Szene für den Anfang wählen; alles darin lässt sich ändern</translation>
     </message>
     <message>
-        <source>Filter ( / )</source>
-        <translation>Filter ( / )</translation>
-    </message>
-    <message>
         <source>filter of the scenes</source>
         <translation>Filter der Szenen</translation>
     </message>
@@ -3754,6 +3769,10 @@
     <message>
         <source>No scene has these words.</source>
         <translation>Keine Szene enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Search ( / )</source>
+        <translation>Suchen ( / )</translation>
     </message>
 </context>
 <context>

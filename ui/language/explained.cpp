@@ -58,4 +58,8 @@ QString explanationHtml(const HoverExplanation& explanation, const QString& titl
   return text + "<p>" + said.toHtmlEscaped() + "</p>";
 }
 
+QString wrappedTip(const QString& text) {
+  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
+}
+
 }  // namespace asperity

@@ -20,6 +20,9 @@ QString formulaText(std::string_view formula);
 QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},
                         const QString& sentence = {});
 
+/// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.
+QString wrappedTip(const QString& text);
+
 inline QString anchorText(const HoverExplanation& explanation) {
   return QString::fromUtf8(explanation.guideAnchor.data(),
                            static_cast<qsizetype>(explanation.guideAnchor.size()));

@@ -367,6 +367,7 @@ void ParameterPanel::takeText(ParameterRow& row, const QString& text) {
 
 void ParameterPanel::chooseFile(ParameterRow& row) {
   if (isMaterial(row.parameter())) return emit materialWanted(scene_);
+  if (isList(row.parameter())) return emit frictionWanted();
   if (scene_.surface.kind == SurfaceKind::Measured) return emit surfaceWanted(scene_);
   const std::filesystem::path present = scene_.folder / scene_.surface.file;
   const QString file = chooser_(this, QString::fromStdString(present.parent_path().string()));

@@ -113,6 +113,8 @@ class ParameterPanel : public QWidget {
   /// Emitted where the user wants to open a measured surface, or a material, for this scene.
   void surfaceWanted(const asperity::Scene& scene);
   void materialWanted(const asperity::Scene& scene);
+  /// Emitted where the user wants to add a table of measured friction.
+  void frictionWanted();
   /// Emitted where the user wants to read about a parameter, at this place of the guide.
   void guideWanted(const QString& anchor);
   /// Emitted where the user chose other rows, or folded a section.

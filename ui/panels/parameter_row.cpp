@@ -20,6 +20,7 @@
 #include "ui/language/translated.h"
 #include "ui/panels/arms_editor.h"
 #include "ui/panels/choice_box.h"
+#include "ui/panels/list_box.h"
 #include "ui/panels/material_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/shift_editor.h"
@@ -164,7 +165,9 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
     addArms(*line, *column);
   else if (std::holds_alternative<ShiftTableField>(parameter.field))
     addShifts(*line, *column);
-  else if (std::holds_alternative<TextField>(parameter.field) || isList(parameter))
+  else if (isList(parameter))
+    addListBox(*line);
+  else if (std::holds_alternative<TextField>(parameter.field))
     addText(*line);
   else
     addNumber(*line, *column);
@@ -177,10 +180,11 @@ ParameterRow::ParameterRow(const Parameter& parameter, QWidget* parent)
 void ParameterRow::showTexts() {
   label_->setText(labelWithSymbol(parameter_));
   label_->setToolTip(meaning());
-  for (QWidget* control :
-       std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, shifts_, material_, text_})
+  for (QWidget* control : std::initializer_list<QWidget*>{slider_, entry_, choice_, arms_, shifts_,
+                                                          material_, list_, text_})
     if (control) describe(*control);
   if (material_) material_->showTexts();
+  if (list_) list_->showTexts();
   for (QWidget* table : std::initializer_list<QWidget*>{arms_, shifts_})
     if (table) table->setToolTip({});  // its parts have their own tooltips
   if (choice_) {
@@ -234,6 +238,7 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   if (arms_) arms_->showArms(scene.elastomer.arms, armsWanted(scene), replace);
   if (shifts_) shifts_->showShifts(scene.elastomer.shift.table, replace);
   if (material_) material_->showMaterial(scene.elastomer);
+  if (list_) list_->showScene(scene);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
   showReset(value, restingValue(parameter_, scene));
@@ -251,7 +256,9 @@ void ParameterRow::showEntry(const ParameterValue& value,
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
   else
     entry_->setPlaceholderText(placeholder ? placeholder->text : QString());
-  const QString unit = placeholder ? fromUtf8(parameter_.unit) : shown.unit;
+  const QString unit = !placeholder                  ? shown.unit
+                       : placeholder->unit.isEmpty() ? fromUtf8(parameter_.unit)
+                                                     : placeholder->unit;
   replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
 }
 
@@ -297,9 +304,9 @@ void ParameterRow::showEnabled() {
 }
 
 void ParameterRow::takeFocus() {
-  for (QWidget* control : std::initializer_list<QWidget*>{slider_, choice_, material_, entry_,
-                                                          text_, arms_ ? &arms_->fold() : nullptr,
-                                                          shifts_ ? &shifts_->fold() : nullptr})
+  for (QWidget* control : std::initializer_list<QWidget*>{
+           slider_, choice_, material_, list_, entry_, text_, arms_ ? &arms_->fold() : nullptr,
+           shifts_ ? &shifts_->fold() : nullptr})
     if (control && control->isVisibleTo(this)) return control->setFocus(Qt::ShortcutFocusReason);
 }
 
@@ -453,6 +460,14 @@ void ParameterRow::addMaterials(QHBoxLayout& line) {
           [this](const QString& given) { emit valueGiven(given.toStdString()); });
   connect(material_, &MaterialBox::fileWanted, this, &ParameterRow::fileWanted);
   line.addWidget(material_, 1);
+}
+
+void ParameterRow::addListBox(QHBoxLayout& line) {
+  list_ = new ListBox(std::string(parameter_.key));
+  name(*list_, "list");
+  connect(list_, &ListBox::listGiven, this, &ParameterRow::valueGiven);
+  connect(list_, &ListBox::fileWanted, this, &ParameterRow::fileWanted);
+  line.addWidget(list_, 1);
 }
 
 /// Adds the button for files. The entry shows the end of a path, which is more informative.

@@ -22,6 +22,7 @@ namespace asperity {
 
 class ArmsEditor;
 class ChoiceBox;
+class ListBox;
 class MaterialBox;
 class ShiftEditor;
 class TextBox;
@@ -93,6 +94,7 @@ class ParameterRow : public QWidget {
   void addArms(QHBoxLayout& line, QVBoxLayout& column);
   void addShifts(QHBoxLayout& line, QVBoxLayout& column);
   void addMaterials(QHBoxLayout& line);
+  void addListBox(QHBoxLayout& line);
   void addBrowse(QHBoxLayout& line);
   void addReset(QHBoxLayout& line);
   void addRemarks(QVBoxLayout& column);
@@ -116,6 +118,7 @@ class ParameterRow : public QWidget {
   ArmsEditor* arms_ = nullptr;
   ShiftEditor* shifts_ = nullptr;
   MaterialBox* material_ = nullptr;
+  ListBox* list_ = nullptr;
   TextBox* text_ = nullptr;  // for several sentences
   QLabel* label_ = nullptr;
   QLabel* unit_ = nullptr;  // for numbers

@@ -40,9 +40,10 @@ Placeholder chosenOversampling(const Scene& scene) {
           static_cast<double>(line), false};
 }
 
-Placeholder fromFile(double known) {
-  if (known > 0) return {shownNumber(roundedToDigits(known, kDigits)), known, false};
-  return {ParameterPanel::tr("as in file"), {}, false};
+Placeholder fromFile(const Parameter& parameter, double known) {
+  if (!(known > 0)) return {ParameterPanel::tr("as in file"), {}, false};
+  const UnitText text = inReadableUnit(roundedToDigits(known, kDigits), fromUtf8(parameter.unit));
+  return {inLanguage(text.number), known, false, text.unit};
 }
 
 /// What an entry of 0 means; empty: the number itself.
@@ -83,9 +84,11 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
     return scene.accuracy.oversampling == 0 ? std::optional(chosenOversampling(scene))
                                             : std::nullopt;
   if (parameter.key == kLength)
-    return scene.surface.length == 0 ? std::optional(fromFile(known.length)) : std::nullopt;
-  return scene.surface.elements == 0 ? std::optional(fromFile(static_cast<double>(known.elements)))
+    return scene.surface.length == 0 ? std::optional(fromFile(parameter, known.length))
                                      : std::nullopt;
+  return scene.surface.elements == 0
+             ? std::optional(fromFile(parameter, static_cast<double>(known.elements)))
+             : std::nullopt;
 }
 
 ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {

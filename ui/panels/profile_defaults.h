@@ -25,6 +25,7 @@ struct Placeholder {
   QString text;                 // in pale letters
   std::optional<double> value;  // position of a slider
   bool isFixed = false;         // the user cannot choose
+  QString unit{};               // of the text; empty: that of the parameter
 };
 
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,

@@ -68,7 +68,8 @@ TEST_F(ParameterPanelTest, WhatTheFileSaysStandsInPaleLetters) {
   EXPECT_EQ(entry("surface.length").text(), "");
   EXPECT_EQ(entry("surface.length").placeholderText(), "as in file");
   panel_.showLine({0.0128, 1024});
-  EXPECT_EQ(entry("surface.length").placeholderText(), "0.0128");
+  EXPECT_EQ(entry("surface.length").placeholderText(), "12.8");
+  EXPECT_EQ(entry("surface.length").unit(), "mm");
   EXPECT_EQ(entry("surface.elements").placeholderText(), "1024");
   EXPECT_EQ(panel_.scene().surface.length, 0);
 

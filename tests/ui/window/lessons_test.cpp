@@ -456,7 +456,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   QTest::keyClicks(editor.focusWidget(), "The whole curve.");
   choose("editorKind", 3);
   write("editorQuestion", "How large is friction at 0.1 m/s?");
-  write("editorX", "0.1");
+  write("editorX", "100 mm/s");
   EXPECT_EQ(editor.complaint(), QString());
 
   const std::string file = (folder / "mine.json").string();

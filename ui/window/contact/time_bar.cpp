@@ -14,6 +14,7 @@
 
 #include "core/run/runner.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/main/commands.h"

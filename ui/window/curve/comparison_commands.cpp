@@ -9,8 +9,10 @@
 #include "core/chart/fit_report.h"
 #include "core/friction/theories/theory.h"
 #include "core/scene/list_text.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/fit/fit_page.h"
 #include "ui/window/main/appearance.h"
@@ -93,10 +95,7 @@ void ComparisonCommands::showScene(const Scene& scene) {
 
 void ComparisonCommands::takeTheory(Theory theory, bool isWanted) {
   Scene scene = parts_.document.scene();
-  std::vector<Theory>& shown = scene.comparison.theory;
-  std::erase(shown, theory);
-  if (isWanted) shown.push_back(theory);
-  std::ranges::sort(shown);
+  scene.comparison.theory = withTheory(scene.comparison.theory, theory, isWanted);
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Theories"));
 }
 
@@ -106,8 +105,7 @@ void ComparisonCommands::fillTables() {
   const Scene& scene = parts_.document.scene();
   for (std::size_t i = 0; i < scene.comparison.data.size(); ++i) {
     const DataFile& table = scene.comparison.data[i];
-    QAction* action = tables_->addAction(fromUtf8(table.label.empty() ? table.file : table.label),
-                                         this, [this, i] { removeTable(i); });
+    QAction* action = tables_->addAction(nameOf(table), this, [this, i] { removeTable(i); });
     action->setObjectName(QStringLiteral("measured:%1").arg(i));
     action->setToolTip(fromUtf8((scene.folder / table.file).string()));
   }

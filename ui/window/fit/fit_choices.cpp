@@ -13,6 +13,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/language/language.h"
+#include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 
@@ -147,8 +148,7 @@ void FitChoices::fillTables() {
   tables_->setObjectName("fitTables");
   tables_->setAccessibleName(tr("measured friction"));
   for (const DataFile& table : scene_.comparison.data) {
-    const QString name = fromUtf8(table.label.empty() ? table.file : table.label);
-    auto* item = new QListWidgetItem(name, tables_);
+    auto* item = new QListWidgetItem(nameOf(table), tables_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     item->setCheckState(Qt::Checked);
     item->setToolTip(fromUtf8((scene_.folder / table.file).string()));

@@ -101,7 +101,7 @@ QWidget* SceneGallery::makeHeading() {
 
 void SceneGallery::showTexts() {
   title_->setText(tr("Choose a scene to begin with; everything in it can be changed"));
-  filter_->setPlaceholderText(tr("Filter ( / )"));
+  filter_->setPlaceholderText(tr("Search ( / )"));
   filter_->setAccessibleName(tr("filter of the scenes"));
   cards_->setAccessibleName(tr("scenes"));
   none_->setText(tr("No scene has these words."));

@@ -27,6 +27,7 @@ namespace asperity {
 ImportCommands::ImportCommands(const Parts& parts) : QObject(&parts.window), parts_(parts) {
   connect(&parts_.panel, &ParameterPanel::surfaceWanted, this, &ImportCommands::askSurface);
   connect(&parts_.panel, &ParameterPanel::materialWanted, this, &ImportCommands::askMaterial);
+  connect(&parts_.panel, &ParameterPanel::frictionWanted, this, &ImportCommands::askFriction);
   connect(&parts_.document, &SceneDocument::opening, this, [this] { work_.cancel(); });
 }
 

@@ -53,16 +53,20 @@ QString titleOf(std::string_view column) {
   return fromUtf8(column);
 }
 
-/// Returns a value of a key as its row of the panel shows it: "20 mN".
+}  // namespace
+
 QString valueOfKey(const std::string& key, double value) {
   const Parameter* row = findParameter(key);
-  if (value == 0) return {};
   if (!row) return shownNumber(value);
   const UnitText text = inReadableUnit(value, fromUtf8(row->unit));
   return (inLanguage(text.number) + ' ' + text.unit).trimmed();
 }
 
-}  // namespace
+std::optional<double> numberOfKey(const std::string& key, const QString& text) {
+  const Parameter* row = findParameter(key);
+  const QString number = withPoint(text.trimmed());
+  return numberIn(row ? plainNumberOf(number, ruleOf(*row)) : number);
+}
 
 LessonValueFields::LessonValueFields(LessonForm& page) : QObject(&page), page_(page) {
   kind_ = page.addChoice(tr("Computed answer"), "editorValue");
@@ -108,8 +112,8 @@ void LessonValueFields::show(const LessonValue& value, const Scene& scene) {
     key_->addItem(row ? ParameterRow::labelOf(*row) : key, key);
   }  // it has a meaning with the keys below
   key_->setCurrentIndex(key_->findData(key));
-  from_->setText(valueOfKey(value.key, value.from));
-  to_->setText(valueOfKey(value.key, value.to));
+  from_->setText(value.from == 0 ? QString() : valueOfKey(value.key, value.from));
+  to_->setText(value.to == 0 ? QString() : valueOfKey(value.key, value.to));
   showRows();
 }
 
@@ -142,9 +146,7 @@ void LessonValueFields::proposeEnds() {
 
 /// Returns the value in SI, 0 where nothing can be read: the lesson is then complained about.
 double LessonValueFields::endOf(const QLineEdit& entry) const {
-  const Parameter* row = findParameter(key_->currentData().toString().toStdString());
-  const QString text = withPoint(entry.text().trimmed());
-  return numberIn(row ? plainNumberOf(text, ruleOf(*row)) : text).value_or(0);
+  return numberOfKey(key_->currentData().toString().toStdString(), entry.text()).value_or(0);
 }
 
 LessonValue LessonValueFields::taken(const LessonValue& before) const {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
+#include <string>
 
 #include "core/lesson/lesson.h"
 
@@ -39,5 +41,11 @@ class LessonValueFields : public QObject {
   Scene scene_;  // of the step
   bool isShown_ = true;
 };
+
+/// Returns a parameter's value with its unit, as in "5 \u00B5m/s".
+QString valueOfKey(const std::string& key, double value);
+
+/// Reads such a text; a number alone counts in SI. Nothing where it is no number.
+std::optional<double> numberOfKey(const std::string& key, const QString& text);
 
 }  // namespace asperity

@@ -328,7 +328,7 @@ void Lessons::showTitle() {
   const QString title = isRunning() ? plainText(lesson_->title) : QString();
   title_->setText(title);
   title_->setToolTip(title);
-  pane_->setAccessibleName(tr("Lesson: %1").arg(title));
+  pane_->setAccessibleName(title.isEmpty() ? tr("Lesson") : tr("Lesson: %1").arg(title));
 }
 
 void Lessons::showScene() {

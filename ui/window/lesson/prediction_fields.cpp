@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostChoices = 6;
 
-enum Kind { kNone, kChoice, kNumber, kPoint };                     // as in the list
+enum Kind { kNone, kChoice, kNumber, kPoint };                          // as in the list
 enum CurveSight { kInSight, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
 
 QString endText(double end) {
@@ -80,7 +80,7 @@ void PredictionFields::show(const LessonStep& step) {
   LessonForm::showIn(*right_, page_.textOf(prediction.right));
   LessonForm::showIn(*wrong_, page_.textOf(prediction.wrong));
   tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
-  x_->setText(prediction.x ? shownNumber(*prediction.x) : QString());
+  x_->setText(prediction.x ? valueOfKey(step.scene.sweep.key, *prediction.x) : QString());
   value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
   hides_->setCurrentIndex(!step.show.hidesCurve       ? kInSight
                           : step.show.hidesCurveAfter ? kHiddenThroughout
@@ -161,7 +161,7 @@ void PredictionFields::take(LessonStep& step) const {
   if (std::abs(percent - 100 * prediction.tolerance) > 1e-9 * percent || percent == 0)
     prediction.tolerance = percent / 100;
   prediction.x.reset();
-  if (kind == kPoint) prediction.x = numberIn(x_->text());
+  if (kind == kPoint) prediction.x = numberOfKey(step.scene.sweep.key, x_->text());
   bool isComputed = kind == kNumber;
   if (kind == kChoice)
     isComputed = takeChoices(prediction);

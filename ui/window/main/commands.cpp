@@ -14,10 +14,6 @@ QString buttonText(QString text) {
   return text.remove(u'…').trimmed();
 }
 
-QString wrappedTip(const QString& text) {
-  return text.isEmpty() ? QString() : "<p>" + text.toHtmlEscaped() + "</p>";
-}
-
 Commands::Commands(QMainWindow& window) : QObject(&window), window_(window) {
   keepTranslated(*this, [this] {
     for (const auto& [name, entry] : entries_) showText(entry);

@@ -81,7 +81,4 @@ class Commands : public QObject {
 /// Returns a text for a button: without dots.
 QString buttonText(QString text);
 
-/// Returns a tooltip as rich text, which Qt breaks into lines as it does not break plain text.
-QString wrappedTip(const QString& text);
-
 }  // namespace asperity

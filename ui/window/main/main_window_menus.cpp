@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <string>
 
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"

@@ -16,6 +16,7 @@
 
 #include "core/material/element_law.h"
 #include "ui/chart/friction_chart_model.h"
+#include "ui/language/explained.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
