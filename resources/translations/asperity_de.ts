@@ -3305,10 +3305,6 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
-    <message>
-        <source>auto</source>
-        <translation>auto</translation>
-    </message>
 </context>
 <context>
     <name>asperity::ParameterRow</name>
@@ -4929,20 +4925,16 @@
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>pace</source>
-        <translation>Tempo</translation>
-    </message>
-    <message>
-        <source>%1× slower</source>
-        <translation>%1× langsamer</translation>
-    </message>
-    <message>
-        <source>%1× faster</source>
-        <translation>%1× schneller</translation>
-    </message>
-    <message>
         <source>Eq. (%1)</source>
         <translation>Gl. (%1)</translation>
+    </message>
+    <message>
+        <source>slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>time lapse</source>
+        <translation>Zeitraffer</translation>
     </message>
 </context>
 </TS>

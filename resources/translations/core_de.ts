@@ -5732,15 +5732,15 @@
     </message>
     <message>
         <source>read by Gwyddion</source>
-        <translation>durch Gwyddion gelesen</translation>
+        <translation>über Gwyddion</translation>
     </message>
     <message>
         <source>along the rows (x)</source>
-        <translation>längs der Zeilen (x)</translation>
+        <translation>längs Zeilen (x)</translation>
     </message>
     <message>
         <source>across the rows (y)</source>
-        <translation>quer zu den Zeilen (y)</translation>
+        <translation>quer dazu (y)</translation>
     </message>
     <message>
         <source>refuse the file</source>

@@ -123,14 +123,12 @@ std::vector<Reading> readingsOf(const Frame& frame) {
   if (frame.timeScale > 0) {
     const bool isSlower = frame.timeScale < 1;
     const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
-    readings.push_back(
-        {{{Words::tr("pace")}},
-         filled(isSlower ? Words::tr("%1\u00D7 slower") : Words::tr("%1\u00D7 faster"),
-                {shortNumber(factor, 2)}),
-         8,
-         filled(Words::tr("One second on the screen shows %1 of the motion."),
-                {quantity(frame.timeScale, "s")}),
-         "pace"});
+    readings.push_back({{{isSlower ? Words::tr("slow motion") : Words::tr("time lapse")}},
+                        shortNumber(factor, 2) + "\u00D7",
+                        8,
+                        filled(Words::tr("One second on the screen shows %1 of the motion."),
+                               {quantity(frame.timeScale, "s")}),
+                        "slow motion"});
   }
   return readings;
 }

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QToolButton>
+#include <algorithm>
 
 namespace asperity {
 
@@ -22,6 +23,14 @@ bool FilterLine::event(QEvent* event) {
     return true;
   }
   return QLineEdit::event(event);
+}
+
+/// Keeps room for the whole text that stands in the empty filter.
+QSize FilterLine::minimumSizeHint() const {
+  constexpr int kAround = 24;  // pixels of the frame and the margins
+  const QSize size = QLineEdit::minimumSizeHint();
+  const int wanted = fontMetrics().horizontalAdvance(placeholderText()) + kAround;
+  return {std::max(size.width(), wanted), size.height()};
 }
 
 void FilterLine::keyPressEvent(QKeyEvent* event) {
@@ -82,18 +91,6 @@ QStringList PanelBar::words() const {
   return filter_->text().split(' ', Qt::SkipEmptyParts);
 }
 
-/// Keeps room for the whole text that stands in the empty filter.
-void PanelBar::setWidths() {
-  constexpr int kAround = 18;  // pixels beside the text
-  filter_->setMinimumWidth(filter_->fontMetrics().horizontalAdvance(filter_->placeholderText()) +
-                           kAround);
-}
-
-void PanelBar::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) setWidths();
-}
-
 void PanelBar::showTexts() {
   essentials_->setText(tr("Essentials"));
   essentials_->setToolTip(
@@ -102,7 +99,6 @@ void PanelBar::showTexts() {
   all_->setText(tr("All"));
   all_->setToolTip(tr("All parameters of this scene, in sections"));
   filter_->setPlaceholderText(tr("Search ( / )"));
-  setWidths();
   filter_->setAccessibleName(tr("filter of the parameters"));
   for (QAbstractButton* button : filter_->findChildren<QAbstractButton*>())
     button->setAccessibleName(tr("clear the filter"));

@@ -16,6 +16,7 @@ class FilterLine : public QLineEdit {
 
  public:
   explicit FilterLine(QWidget* parent = nullptr);
+  QSize minimumSizeHint() const override;
 
  signals:
   void left();  // by Enter or the arrow down: to the first row that is found
@@ -43,12 +44,7 @@ class PanelBar : public QWidget {
  signals:
   void changed();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
-  void setWidths();
-
   QToolButton *essentials_, *all_;
   FilterLine* filter_;
 };

@@ -146,6 +146,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   scroll_->setWidget(content);
   setMinimumWidth(kLeastWidth);
   content->installEventFilter(this);
+  if (bar_) bar_->installEventFilter(this);
   followAxis();
   showTexts();
 }

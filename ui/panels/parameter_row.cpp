@@ -34,7 +34,7 @@ namespace {
 constexpr int kGap = 5;  // pixels between the columns
 
 // These widths are in digits.
-constexpr double kEntryWidth = 8.6;
+constexpr double kEntryWidth = 8.8;
 constexpr double kUnitWidth = 5.6;
 constexpr double kResetWidth = 2.25;
 

@@ -51,7 +51,7 @@ QString meaningOfZero(const Parameter& parameter) {
   const auto is = [&](const char* key) { return parameter.key == key; };
   if (is("surface.position_column") || is("surface.height_column"))
     return ParameterPanel::tr("automatic");
-  if (is("surface.point_spacing")) return ParameterPanel::tr("auto");
+  if (is("surface.point_spacing")) return ParameterPanel::tr("as in file");
   if (is("surface.row")) return ParameterPanel::tr("all rows");
   if (is("surface.short_wave_cut") || is("surface.long_wave_cut") || is("surface.outliers"))
     return ParameterPanel::tr("none");

@@ -170,7 +170,7 @@ TEST_F(ChartGestures, HoveringReadsPointsAndRegions) {
   QTest::mouseMove(view_.get(), at(0.1, 0.002));
   EXPECT_EQ(view_->reading(), "7:11");
   QTest::mouseMove(view_.get(), at(0.03, 1) - QPoint(0, 9));
-  EXPECT_EQ(view_->reading(), QStringLiteral("III plateau\nμ ≈ √2 ∇z(cont)\ntold of III"));
+  EXPECT_EQ(view_->reading(), QStringLiteral("III plateau\nμ ≈ √2 ∇z_cont\ntold of III"));
   QTest::mouseMove(view_.get(), at(0.03, 0.3));
   EXPECT_EQ(view_->reading(), "");
 }

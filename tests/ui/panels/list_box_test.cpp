@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QMenu>
+#include <QToolButton>
 
 #include "tests/ui/panels/parameter_panel_fixture.h"
 #include "tests/ui/window/qt_application.h"

@@ -31,6 +31,7 @@ QString controlOf(const Parameter& parameter) {
   if (std::holds_alternative<ArmsField>(parameter.field)) return "arms:";
   if (std::holds_alternative<ShiftTableField>(parameter.field)) return "shifts:";
   if (parameter.key == "elastomer.material") return "material:";
+  if (isList(parameter)) return "list:";
   return parameter.key == "description" ? "text:" : "entry:";
 }
 

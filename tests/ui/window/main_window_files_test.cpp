@@ -213,7 +213,7 @@ TEST_F(MainWindowTest, AProfileIsFoundFromWhereverItsSceneIsSaved) {
   scene.surface.elements = 0;
   window_.document().open(scene);
   ASSERT_TRUE(waitForFrame());
-  EXPECT_EQ(control<ValueEntry>("entry:surface.length").placeholderText(), "0.0064");
+  EXPECT_EQ(control<ValueEntry>("entry:surface.length").placeholderText(), "6.4");
   EXPECT_EQ(control<ValueEntry>("entry:surface.elements").placeholderText(), "64");
   ASSERT_TRUE(window_.documentCommands().saveTo(folder.filePath("a/b/scene.json")));
   ASSERT_TRUE(open(folder.filePath("a/b/scene.json")));
