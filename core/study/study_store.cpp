@@ -29,7 +29,7 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr int kApplication = 0x41737031;  // "Asp1", in the header of the file
 constexpr int kSchema = 1;                // of the tables
-constexpr int kLockPatience = 60000;          // ms to wait for another process
+constexpr int kLockPatience = 60000;      // ms to wait for another process
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS meta (key TEXT PRIMARY KEY, value) WITHOUT ROWID;

@@ -33,7 +33,8 @@ class ListBoxTest : public ParameterPanelTest {
 TEST_F(ListBoxTest, TheoriesAreChosenByTheirNames) {
   EXPECT_EQ(box("comparison.theory").currentText(), "Eq. (11)");
   EXPECT_EQ(press("comparison.theory", "shown:3"), "2 theories");
-  EXPECT_EQ(panel_.scene().comparison.theory, (std::vector{Theory::Eq11, Theory::PerssonHalfSpace}));
+  EXPECT_EQ(panel_.scene().comparison.theory,
+            (std::vector{Theory::Eq11, Theory::PerssonHalfSpace}));
   press("comparison.theory", "shown:0");
   EXPECT_EQ(press("comparison.theory", "shown:3"), "none");
   EXPECT_TRUE(panel_.scene().comparison.theory.empty());
