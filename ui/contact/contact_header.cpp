@@ -128,7 +128,7 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                         8,
                         filled(Words::tr("One second on the screen shows %1 of the motion."),
                                {quantity(frame.timeScale, "s")}),
-                        "slow motion"});
+                        "pace"});
   }
   return readings;
 }
