@@ -253,6 +253,8 @@ void CommandTable::addSurface() {
   CLI::App* command = addCommand(
       "surface", "A measured surface or the rigid line of a scene: values, spectrum, the line",
       surface_.common, [this] { return runSurface(surface_); });
+  command->get_option("SCENE")->description(
+      "Measured surface of any kind, scene file (JSON), or the name of a shipped scene (figure_1)");
   addOutputs(
       command, surface_.outputs,
       "FILE.csv (a line # asperity: ..., then position, height of the rigid line), FILE.json, "

@@ -1,5 +1,7 @@
 #include "core/base/input_error.h"
 
+#include <fmt/ranges.h>
+
 namespace asperity {
 
 Message TextError::withNames(const std::vector<std::string>& names, Message message) {
@@ -16,7 +18,10 @@ Message messageOf(const std::exception& error) {
 
 InputError unknownExtension(const std::string& file, const std::string& extension,
                             std::initializer_list<std::string_view> known) {
-  return {file, "", notOneOf("'" + extension + "'", {known})};
+  if (!extension.empty()) return {file, "", notOneOf("'" + extension + "'", {known})};
+  return {file, "",
+          message("the name has no ending; allowed is {}",
+                  Message::name(fmt::format("{}", fmt::join(known, ", "))))};
 }
 
 }  // namespace asperity

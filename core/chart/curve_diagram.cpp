@@ -268,7 +268,6 @@ DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
   return series;
 }
 
-/// Points with error bars.
 /// Returns the factor from measured friction to the vertical axis; NaN where the axis shows no
 /// friction. Forces and powers follow from what was computed at the point.
 double factorOfMeasured(const MeasuredCurve& measured, std::size_t i, const CurveSet& set) {
@@ -277,6 +276,7 @@ double factorOfMeasured(const MeasuredCurve& measured, std::size_t i, const Curv
   return i < measured.computed.size() ? perFriction(set.y, measured.computed[i]) : kNotApplicable;
 }
 
+/// Points with error bars.
 void addMeasured(Diagram& diagram, const CurveSet& set) {
   const double along = factorsOf(set.present.points, set.axes).velocity;
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
@@ -305,6 +305,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   one.isTheory = true;
   one.points = {{x.from, 1}, {x.to, 1}};
   diagram.series.push_back(std::move(one));
+  double least = 1, most = 1;
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
     const MeasuredCurve& measured = set.measured[k];
     DiagramSeries series = measuredSeries(set, k);
@@ -312,12 +313,19 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
     for (std::size_t i = 0; i < measured.computed.size(); ++i) {
       const double whole = totalMu(measured.computed[i]);
       const MeasuredPoint& point = measured.data.points[i];
+      if (std::isfinite(point.mu / whole)) {
+        least = std::min(least, point.mu / whole);
+        most = std::max(most, point.mu / whole);
+      }
       series.points.push_back({measured.places[i] * factor, point.mu / whole,
                                (point.mu - point.muError) / whole,
                                (point.mu + point.muError) / whole, static_cast<int>(i)});
     }
     diagram.series.push_back(std::move(series));
   }
+  // On a linear axis all ratios but the largest would lie on the line of 1.
+  constexpr double kDecade = 10;
+  if (least > 0 && most >= kDecade * least) diagram.y.scale = AxisScale::Logarithmic;
   return diagram;
 }
 

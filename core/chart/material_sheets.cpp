@@ -145,7 +145,7 @@ Diagram masterDiagram(const Material& material) {
 Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
   Diagram diagram;
   diagram.x = along;
-  diagram.y = {"residual in %", "", AxisScale::Linear};
+  diagram.y = {"residual", "%", AxisScale::Linear};
   for (const bool isLoss : {false, true}) {
     DiagramSeries series;
     series.name = isLoss ? "G''" : "G'";
@@ -294,7 +294,11 @@ DiagramSeries lawSeries(const ElementLaw& law, const FrequencyRange& range, Read
 }
 
 Message bandLabel(const Scene& scene) {
-  return message("excited at {}", PrintedNumber{printedQuantity(scene.sliding.velocity, "m/s")});
+  std::string velocity = printedQuantity(scene.sliding.velocity, "m/s");
+  // A hard blank keeps number and unit in one line.
+  if (const std::size_t gap = velocity.rfind(' '); gap != std::string::npos)
+    velocity.replace(gap, 1, "\u00A0");
+  return message("excited at {}", PrintedNumber{std::move(velocity)});
 }
 
 }  // namespace
@@ -348,9 +352,8 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   sheet.columns = 1;
   sheet.sharesAxis = true;
   sheet.note =
-      "Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact; below per decade "
-      "of "
-      "frequency, q\u00B2 C1 G'', over its largest value.";
+      "Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact. The share is per "
+      "decade of frequency, q\u00B2 C1 G'', over its largest value.";
   return sheet;
 }
 

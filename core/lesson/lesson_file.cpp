@@ -74,7 +74,9 @@ bool isLessonFile(const std::filesystem::path& file) {
 
 Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed) {
   std::error_code ignored;
-  if (std::filesystem::exists(name, ignored)) return readLessonFile(name, readNamed);
+  // A folder may have the name of a shipped lesson.
+  if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored))
+    return readLessonFile(name, readNamed);
   std::vector<std::string_view> names;
   for (const ShippedLesson& lesson : shippedLessons()) {
     names.push_back(lesson.name);

@@ -197,6 +197,11 @@ Message formText(const ReadingFacts& facts) {
   return Message::name(name);
 }
 
+/// The unit as people write it.
+std::string printedUnit(const std::string& unit) {
+  return unit == "um" ? "\u00B5m" : unit;
+}
+
 /// What the reader took the file for comes first, what is special after it.
 void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
   const Topography& grid = draft.grid;
@@ -212,9 +217,10 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
   notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
   const UnitFact& position = facts.positionUnit;
   if (position.source == UnitSource::File)
-    notes.push_back(message("Positions are in {}, as the file states.", position.unit));
+    notes.push_back(
+        message("Positions are in {}, as the file states.", printedUnit(position.unit)));
   else if (position.source == UnitSource::Choice)
-    notes.push_back(message("Positions are in {}, as the scene says.", position.unit));
+    notes.push_back(message("Positions are in {}, as the scene says.", printedUnit(position.unit)));
   else if (!draft.unknownPositionUnit.empty())
     notes.push_back(
         message("The unit '{}' of the positions is not known: they are taken as metres.",
@@ -223,9 +229,9 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
     notes.emplace_back("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
   if (height.source == UnitSource::File)
-    notes.push_back(message("Heights are in {}, as the file states.", height.unit));
+    notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
   else if (height.source == UnitSource::Choice)
-    notes.push_back(message("Heights are in {}, as the scene says.", height.unit));
+    notes.push_back(message("Heights are in {}, as the scene says.", printedUnit(height.unit)));
   else if (!draft.unknownHeightUnit.empty())
     notes.push_back(message("The unit '{}' of the heights is not known: they are taken as metres.",
                             shortened(draft.unknownHeightUnit)));

@@ -48,7 +48,7 @@ double rmsSlopeOf(std::span<const double> heights, double spacing) {
     sum += step * step;
     ++count;
   }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / spacing : 0;
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) / spacing : kNone;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct SurfaceValues {
   double pku = 0;     // kurtosis, mean of z^4 over Pq^4; likewise
   double pz = 0;      // m, maximum height: highest peak to deepest valley, mean over the sections
   double pt = 0;      // m, the same of the whole length
-  double pdq = 0;     // root mean square slope, by seven points; by two of fewer
+  double pdq = 0;     // root mean square slope, by seven points; by two of fewer; NaN
+                      // where no so many neighbours were measured
 };
 
 /// sectionLength: m, over which each maximum height is taken (for R parameters the cut-off

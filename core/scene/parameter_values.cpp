@@ -85,8 +85,11 @@ void setInteger(const Parameter& parameter, const IntegerField& field, Scene& sc
 void setChoice(const Parameter& parameter, const ChoiceField& field, Scene& scene,
                const ParameterValue& value) {
   const auto* word = std::get_if<std::string>(&value);
-  const auto found =
+  auto found =
       word ? std::find(field.choices.begin(), field.choices.end(), *word) : field.choices.end();
+  // People write the unit "um" with either micro sign.
+  if (word && (*word == "\u00B5m" || *word == "\u03BCm"))
+    found = std::find(field.choices.begin(), field.choices.end(), "um");
   if (found == field.choices.end()) {
     const Message allowed = allowedText(parameter);
     refuse(parameter, word ? message("'{}' is not {}", shortened(*word), allowed)

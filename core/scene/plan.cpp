@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "core/base/number_text.h"
 #include "core/material/element_law.h"
 #include "core/scene/scene_check.h"
 
@@ -150,19 +151,27 @@ Message whyPeriodicity(const Scene& scene, bool runs) {
              : "there is no steady state";
 }
 
+/// A value as it was given, with a unit that is easy to read.
+PrintedNumber printedValue(double value, std::string_view unit) {
+  constexpr int kDigits = 6;
+  return {printedQuantity(value, unit, kDigits)};
+}
+
 Message whyBalance(const Scene& scene, bool runs) {
   if (!runs) return "the indentation is given";
   if (scene.load.kind == LoadKind::Force)
-    return message("the indentation that carries {} N is sought", scene.load.normalForce);
+    return message("the indentation that carries {} is sought",
+                   printedValue(scene.load.normalForce, "N"));
   return scene.load.width > 0
              ? message(
-                   "the indentation that carries {} Pa on a width of {} m is sought; results "
-                   "depend on the width",
-                   scene.load.nominalPressure, scene.load.width)
+                   "the indentation that carries {} on a width of {} is sought; results depend on "
+                   "the width",
+                   printedValue(scene.load.nominalPressure, "Pa"),
+                   printedValue(scene.load.width, "m"))
              : message(
-                   "the indentation that carries {} Pa on the square of the period is sought; "
-                   "results depend on the width",
-                   scene.load.nominalPressure);
+                   "the indentation that carries {} on the square of the period is sought; results "
+                   "depend on the width",
+                   printedValue(scene.load.nominalPressure, "Pa"));
 }
 
 Message whyMarch(const Scene& scene, bool runs) {

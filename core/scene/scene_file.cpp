@@ -25,7 +25,8 @@ constexpr std::string_view kSchema = "asperity-scene/1";
 constexpr std::string_view kMaterialSchema = "asperity-material/1";
 constexpr int kDeepestScene = 8, kDeepestMaterial = 8;
 constexpr std::string_view kSceneIsNeeded =
-    "a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as surface.file";
+    "a scene is JSON in UTF-8; a measured surface is a file that a scene names as surface.file, "
+    "with surface.kind measured";
 
 /// A value of the file or of --set, on its way to its row.
 struct Assignment {

@@ -92,8 +92,8 @@
         <translation>%1-fach überhöht</translation>
     </message>
     <message>
-        <source>no colours: contact lies between two points</source>
-        <translation>keine Farben: Kontakt liegt zwischen zwei Punkten</translation>
+        <source>no colours: the contact is too small to be drawn</source>
+        <translation>keine Farben: Der Kontakt ist zu klein zum Zeichnen</translation>
     </message>
     <message>
         <source>no colours: nothing touches</source>
@@ -1544,7 +1544,7 @@
     </message>
     <message>
         <source>Export figures of the paper…</source>
-        <translation>Abbildungen der Arbeit exportieren …</translation>
+        <translation>Abbildungen der Arbeit exportieren…</translation>
     </message>
 </context>
 <context>
@@ -2628,10 +2628,6 @@
         <translation>Lektion</translation>
     </message>
     <message>
-        <source>Results…</source>
-        <translation>Ergebnisse…</translation>
-    </message>
-    <message>
         <source>Keeps your answers in a file of your choice</source>
         <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
     </message>
@@ -3218,10 +3214,6 @@
         <translation>gewählt: %1</translation>
     </message>
     <message>
-        <source>chosen: %1 / %2</source>
-        <translation>gewählt: %1 / %2</translation>
-    </message>
-    <message>
         <source>as in file</source>
         <translation>Datei</translation>
     </message>
@@ -3304,6 +3296,14 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>Nothing is changed here in this step.</source>
+        <translation>In diesem Schritt wird hier nichts verändert.</translation>
+    </message>
+    <message>
+        <source>%1, curve %2</source>
+        <translation>%1, Kurve %2</translation>
     </message>
 </context>
 <context>
@@ -4661,8 +4661,8 @@
         <translation>Punkt: der tiefste Kontakt</translation>
     </message>
     <message>
-        <source>dot: contact between two points</source>
-        <translation>Punkt: Kontakt zwischen zwei Stützpunkten</translation>
+        <source>dot: a contact too small to be drawn</source>
+        <translation>Punkt: ein Kontakt, zu klein zum Zeichnen</translation>
     </message>
     <message>
         <source>glow: pressure, not depth</source>
@@ -4891,6 +4891,10 @@
     <message>
         <source>My answer</source>
         <translation>Meine Antwort</translation>
+    </message>
+    <message>
+        <source>My answer, as a point in the chart and as a number</source>
+        <translation>Meine Antwort, als Punkt im Diagramm und als Zahl</translation>
     </message>
     <message>
         <source>at %1</source>

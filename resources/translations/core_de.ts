@@ -243,6 +243,10 @@
         <translation>Spalte %1 enthält Texte, wo Zahlen erwartet werden</translation>
     </message>
     <message>
+        <source>column %1: %2</source>
+        <translation>Spalte %1: %2</translation>
+    </message>
+    <message>
         <source>column %1: %2 (%3)</source>
         <translation>Spalte %1: %2 (%3)</translation>
     </message>
@@ -409,6 +413,10 @@
     <message>
         <source>Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal pressure: another model, whose elements feel each other.</source>
         <translation>Persson (2001) für die isotrope Fläche, der diese Linie entspricht, bei ihrer Nennpressung: ein anderes Modell, dessen Elemente einander spüren.</translation>
+    </message>
+    <message>
+        <source>the name has no ending; allowed is %1</source>
+        <translation>der Name hat keine Endung; erlaubt ist %1</translation>
     </message>
     <message>
         <source>%1 is not one of %2</source>
@@ -875,8 +883,8 @@
         <translation>einer rauen Linie: mehr als 0</translation>
     </message>
     <message>
-        <source>a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as surface.file</source>
-        <translation>eine Szene ist JSON in UTF-8; eine gemessene Linie ist eine CSV-Datei, die eine Szene als surface.file nennt</translation>
+        <source>a scene is JSON in UTF-8; a measured surface is a file that a scene names as surface.file, with surface.kind measured</source>
+        <translation>eine Szene ist JSON in UTF-8; eine gemessene Oberfläche ist eine Datei, die eine Szene als surface.file nennt, mit surface.kind measured</translation>
     </message>
     <message>
         <source>a self_affine line</source>
@@ -1095,8 +1103,8 @@
         <translation>das Kräftegleichgewicht ist %1 nicht erfüllt: relativer Rest %2</translation>
     </message>
     <message>
-        <source>the indentation that carries %1 N is sought</source>
-        <translation>die Eindringung, die %1 N trägt, wird gesucht</translation>
+        <source>the indentation that carries %1 is sought</source>
+        <translation>die Eindringung, die %1 trägt, wird gesucht</translation>
     </message>
     <message>
         <source>the paper&apos;s literal rule</source>
@@ -2831,8 +2839,8 @@
         <translation>nötig ist JSON in UTF-8</translation>
     </message>
     <message>
-        <source>a measured line is a CSV file, which a scene names as surface.file</source>
-        <translation>eine gemessene Linie ist eine CSV-Datei, die eine Szene als surface.file nennt</translation>
+        <source>a measured surface is a file that a scene names as surface.file, with surface.kind measured</source>
+        <translation>eine gemessene Oberfläche ist eine Datei, die eine Szene als surface.file nennt, mit surface.kind measured</translation>
     </message>
     <message>
         <source>row %1: the comma may divide columns, thousands or decimals; numbers are written with a point and without thousands separators</source>
@@ -3131,12 +3139,12 @@
         <translation>%1; %2; wiederholt, wie sie ist</translation>
     </message>
     <message>
-        <source>the indentation that carries %1 Pa on a width of %2 m is sought; results depend on the width</source>
-        <translation>gesucht wird die Eindringung, die %1 Pa auf einer Breite von %2 m trägt; Ergebnisse hängen von der Breite ab</translation>
+        <source>the indentation that carries %1 on a width of %2 is sought; results depend on the width</source>
+        <translation>gesucht wird die Eindringung, die %1 auf einer Breite von %2 trägt; Ergebnisse hängen von der Breite ab</translation>
     </message>
     <message>
-        <source>the indentation that carries %1 Pa on the square of the period is sought; results depend on the width</source>
-        <translation>gesucht wird die Eindringung, die %1 Pa auf dem Quadrat der Periode trägt; Ergebnisse hängen von der Breite ab</translation>
+        <source>the indentation that carries %1 on the square of the period is sought; results depend on the width</source>
+        <translation>gesucht wird die Eindringung, die %1 auf dem Quadrat der Periode trägt; Ergebnisse hängen von der Breite ab</translation>
     </message>
     <message>
         <source>%1 rows of the measured surface</source>
@@ -4211,8 +4219,8 @@
         <translation>Modul G', G''</translation>
     </message>
     <message>
-        <source>residual in %</source>
-        <translation>Restabweichung in %</translation>
+        <source>residual</source>
+        <translation>Restabweichung</translation>
     </message>
     <message>
         <source>%1: master curve</source>
@@ -4295,8 +4303,8 @@
         <translation>Wo das Gummi bei %1 gebraucht wird</translation>
     </message>
     <message>
-        <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact; below per decade of frequency, q² C1 G'', over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei vollständigem Kontakt; unten je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+        <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact. The share is per decade of frequency, q² C1 G'', over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei vollständigem Kontakt. Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>the line excites no loss at this velocity</source>
@@ -6046,7 +6054,7 @@
         <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
-        <source>The load is so high that the rubber fills every valley, and friction is 4 L eta v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
+        <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
         <translation>Die Last ist so hoch, dass das Gummi jedes Tal füllt, und die Reibungszahl ist exakt 4 L η v mal dem Quadrat der RMS-Steigung durch die Kraft. Die Geschwindigkeit erhöhen, bis sich die ersten Täler öffnen und die Gerade endet.</translation>
     </message>
     <message>

@@ -228,10 +228,15 @@ TEST_F(UsageTest, MessagesQuotePrintableCharactersOnly) {
   }
 }
 
+TEST_F(UsageTest, AnOutputWithoutAnEndingIsNamed) {
+  expectRefused("surface figure_1 -o x", 2, "x: the name has no ending; allowed is .csv");
+}
+
 TEST_F(UsageTest, AFileOfAnotherKindIsNamedAndNotQuoted) {
   program.folder.write("utf16.txt", "\xFF\xFEx\0 \0(\0m\0m\0)\0\r\0\n\0"s);
   program.folder.write("heights.csv", "x,z\n0,1e-6\n1,2e-6\n2,1e-6\n");
-  const std::string needed = "a measured line is a CSV file, which a scene names as surface.file";
+  const std::string needed =
+      "a measured surface is a file that a scene names as surface.file, with surface.kind measured";
   // Only `surface` takes a measured file itself.
   expectRefused("surface utf16.txt", 2, "utf16.txt: has no rows of numbers");
   expectRefused("surface heights.csv", 2, "heights.csv: surface.position_unit: is needed");

@@ -35,7 +35,8 @@ void MarkerItem::update(const ChartGeometry& geometry, const std::optional<Diagr
              label_;
 }
 
-/// At the foot of the line: on its right or on its left, else above the text that is in the way.
+/// At the foot of the line: on its right or on its left, else above the text that is in the way; at
+/// its head where that would be on the curve.
 QRectF MarkerItem::placeOfLabel(const QList<QRectF>& taken) const {
   const QRectF& area = geometry_.area;
   const QFontMetricsF metrics(look_.font);
@@ -46,13 +47,22 @@ QRectF MarkerItem::placeOfLabel(const QList<QRectF>& taken) const {
   const QRectF left = right.translated(-width - 2 * away + 6, 0);
   const bool fitsRight = right.right() - 3 <= area.right(), fitsLeft = left.left() >= area.left();
   const auto isFree = [&](const QRectF& place) {
-    return std::ranges::none_of(taken, [&](const QRectF& text) { return text.intersects(place); });
+    return std::ranges::none_of(taken, [&](const QRectF& text) {
+      return text.adjusted(-away / 2, 0, away / 2, 0).intersects(place);
+    });
   };
   if (fitsRight && isFree(right)) return right;
   if (fitsLeft && isFree(left)) return left;
   QRectF lifted = fitsRight ? right : left;
   for (const QRectF& text : taken)
-    if (text.intersects(lifted)) lifted.moveBottom(text.top());
+    if (text.adjusted(-away / 2, 0, away / 2, 0).intersects(lifted)) lifted.moveBottom(text.top());
+  QRectF head = fitsRight ? right : left;
+  head.moveTop(area.top() + away - 3);
+  const double dot = geometry_.at(marker_->x, marker_->y).y(), around = kDot * geometry_.scale;
+  const auto isOnCurve = [&](const QRectF& place) {
+    return place.top() < dot + around && place.bottom() > dot - around;
+  };
+  if (isOnCurve(lifted) && !isOnCurve(head) && isFree(head)) return head;
   return lifted.top() >= area.top() ? lifted : fitsRight ? right : left;
 }
 

@@ -268,7 +268,7 @@ double ChartView::besideWidth() const {
   const QFontMetricsF metrics(font());
   double whole = 0, words = 0;
   for (const Diagram& diagram : sheet_.diagrams) {
-    const std::string unit = diagram.y.unit.empty() ? "" : " (µ" + diagram.y.unit + ")";
+    const std::string unit = diagram.y.unit.empty() ? "" : " (m" + diagram.y.unit + ")";
     const QString title =
         QString::fromStdString(diagram.y.title.text + (unit.empty() ? " (10⁻⁸)" : unit));
     whole = std::max(whole, metrics.horizontalAdvance(title));

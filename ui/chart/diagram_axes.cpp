@@ -198,6 +198,8 @@ std::string symbolOf(const std::string& name) {
   // "relative error of mu" is not mu, in neither language.
   const std::string_view before = std::string_view(name).substr(0, std::min(space, name.size()));
   if (before.ends_with(" of") || before.ends_with(" von")) return {};
+  // Nor is "modulus G', G''" G'' alone, nor "exponent d ln mu / d ln x" x.
+  if (before.ends_with(',') || name.find(" / ") != name.npos) return {};
   if (name.find("\u00B0", std::min(space, name.size())) != name.npos) return {};  // a temperature
   return space != name.npos && name.size() - space - 1 <= kLongest ? name.substr(space + 1) : "";
 }

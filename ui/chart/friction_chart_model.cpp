@@ -162,7 +162,10 @@ bool FrictionChartModel::mark(const Frame& frame) {
     const Motion motion(frame.scene->sliding);
     fastest_ = motion.fastest(0, motion.duration());
   }
-  fitRanges(false);
+  // The curve may come before the first picture of its scene: then the marker of the scene before
+  // has widened the axes.
+  const bool isNewScene = std::exchange(markedScene_, frame.sceneNumber) != frame.sceneNumber;
+  fitRanges(isNewScene && curve_);
   return before == std::pair{velocities_, coefficients_};
 }
 
@@ -247,6 +250,7 @@ void FrictionChartModel::showDifference(std::optional<CurveDifference> differenc
 void FrictionChartModel::showComparisons(const Scene& scene, CurveSet comparisons) {
   compared_ = scene;
   comparisons_ = std::move(comparisons);
+  fitRanges(false);
 }
 
 bool FrictionChartModel::isDifferenceStale() const {
@@ -443,6 +447,7 @@ Message FrictionChartModel::status() const {
     if (!curve_->isComplete) return partOf(*curve_);
     if (!curve_->points.empty()) done = total = curve_->points.front().realizations;
   }
+  if (total == 1) return {};
   return message("{} of {} realizations", done, total);
 }
 
@@ -462,6 +467,22 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   }
   for (const PinnedCurve& pinned : pinned_)
     if (isOnThisAxis(*pinned.curve->scene)) addCurve(*pinned.curve, set, along, up);
+  // Measured friction does not depend on the scene: while a new curve is computed, that of the last
+  // one holds the axes.
+  if (compared_ && curve_ && isOnThisAxis(*compared_) && isOnThisAxis(*curve_->scene) &&
+      compared_->comparison.data == curve_->scene->comparison.data) {
+    const auto factors = asperity::factorsOf(curve_->points, axes_);
+    const bool showsMu = axes_ == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu;
+    for (const MeasuredCurve& measured : comparisons_.measured)
+      for (std::size_t i = 0; i < measured.places.size(); ++i) {
+        along.add(measured.places[i] * factors.velocity);
+        const double factor = showsMu ? factors.friction
+                              : i < measured.computed.size()
+                                  ? perFriction(set.y, measured.computed[i])
+                                  : kNotApplicable;
+        up.add(measured.data.points[i].mu * factor);
+      }
+  }
   const bool isMarked = marker_ && (expected_ || curve_);
   if (const std::optional<DiagramMarker> shown = marker(); shown && shown->isFixed) {
     // A motion often comes to rest: the axes then grow with it, but do not shrink.

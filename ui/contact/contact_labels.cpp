@@ -203,7 +203,7 @@ Notes notesFor(const Frame& frame, const ContactLayout& layout) {
   const bool pressed = greatestPressure(frame) > 0;
   if (layout.marked && !layout.theme.isPaper)
     notes.push_back({pressed ? Words::tr("dot: the deepest contact")
-                             : Words::tr("dot: contact between two points"),
+                             : Words::tr("dot: a contact too small to be drawn"),
                      "dot at a contact"});
   if (layout.scale.overlay == ContactOverlay::Power && layout.scale.isShown())
     notes.push_back({powerText(frame), "dissipated power"});

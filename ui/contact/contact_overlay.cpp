@@ -134,7 +134,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   const bool touches =
       frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
   if (touches && !(greatestOf(frame.pressure) > 0))
-    return Words::tr("no colours: contact lies between two points");
+    return Words::tr("no colours: the contact is too small to be drawn");
   if (overlay == ContactOverlay::Pressure) return Words::tr("no colours: nothing touches");
   if (overlay == ContactOverlay::Power)
     return rests ? Words::tr("no colours: nothing is dissipated at rest")

@@ -56,6 +56,7 @@ double nextOf(std::initializer_list<double> factors, double value) {
 
 constexpr double kRounding = 1e-9;    // of a decade: a tick at the very end belongs to the axis
 constexpr double kMostDecades = 700;  // the range of a double
+constexpr int kMostTicks = 12;
 
 /// Returns the multiples of every decade inside [from, to].
 std::vector<LogTick> multiples(double from, double to, const std::vector<int>& factors) {
@@ -88,7 +89,7 @@ std::vector<LogTick> decades(double from, double to, int most) {
 }
 
 int tickCount(float pixels, float each) {
-  return std::clamp(static_cast<int>(pixels / each), 2, 12);
+  return std::clamp(static_cast<int>(pixels / each), 2, kMostTicks);
 }
 
 }  // namespace
@@ -143,13 +144,27 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
 }
 
 AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit) {
-  for (int most = tickCount(pixels, size * 4); most > 1; --most) {
-    AxisTicks axis = linearTicks(from, to, most, unit);
-    if (axis.ticks.size() < 2) return axis;
+  const auto isRoomy = [&](const AxisTicks& axis) {
     float widest = 0;
     for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
     const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
-    if (widest + size < share * pixels) return axis;
+    return widest + size < share * pixels;
+  };
+  const int most = tickCount(pixels, size * 4);
+  for (int count = most; count > 1; --count) {
+    AxisTicks axis = linearTicks(from, to, count, unit);
+    if (axis.ticks.size() > 1) {
+      if (isRoomy(axis)) return axis;
+      continue;
+    }
+    // One tick gives no scale: with steps of 1, 2 and 5 more of them may have room.
+    for (int more = most + 1; count == most && more <= kMostTicks; ++more) {
+      AxisTicks closer = linearTicks(from, to, more, unit);
+      if (closer.ticks.size() < 2) continue;
+      if (isRoomy(closer)) return closer;
+      break;
+    }
+    return axis;
   }
   return linearTicks(from, to, 1, unit);
 }
@@ -159,12 +174,16 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
   int most = tickCount(pixels, each);
   AxisTicks axis = linearTicks(from, to, most, unit);
   // With steps of 1, 2 and 5 the next number of ticks is up to five times as large.
-  constexpr int kMost = 12;
-  while (axis.ticks.size() < 2 && most < kMost) {
+  while (axis.ticks.size() < 2 && most < kMostTicks) {
     AxisTicks closer = linearTicks(from, to, ++most, unit);
     if (closer.ticks.size() < 2) continue;
-    const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
-    if (apart * static_cast<double>(pixels) < 1.1 * static_cast<double>(size)) break;
+    const auto hasRoom = [&] {
+      const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
+      return apart * static_cast<double>(pixels) >= 1.1 * static_cast<double>(size);
+    };
+    // The outermost two give a scale where all have no room.
+    if (!hasRoom()) closer.ticks.erase(closer.ticks.begin() + 1, closer.ticks.end() - 1);
+    if (!hasRoom()) break;
     axis = std::move(closer);
   }
   return axis;

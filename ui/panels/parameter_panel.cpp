@@ -314,11 +314,14 @@ void ParameterPanel::arrange() {
       section.header->showState(section.group.title(), changed);
     }
   }
-  nothing_->setText(isFiltered
-                        ? tr("No parameter of this scene has “%1”. Escape clears the filter.")
-                              .arg(words.join(' '))
-                        : QString());
-  nothing_->setVisible(isFiltered && found == 0);
+  QString nothing;
+  if (found == 0 && isFiltered)
+    nothing =
+        tr("No parameter of this scene has “%1”. Escape clears the filter.").arg(words.join(' '));
+  else if (found == 0 && !access_.empty())
+    nothing = tr("Nothing is changed here in this step.");
+  nothing_->setText(nothing);
+  nothing_->setVisible(!nothing.isEmpty());
 }
 
 void ParameterPanel::showNotes(const NoteSet& notes) {

@@ -50,7 +50,9 @@ QString labelWithSymbol(const Parameter& parameter) {
   if (parameter.symbol.empty()) return label;
   const QString plain = fromUtf8(parameter.symbol).remove('_');
   if (label.endsWith(' ' + plain)) label.chop(plain.size() + 1);
-  return label + "&nbsp; " + symbolHtml(parameter.symbol);
+  // The symbol never stands alone on a second line.
+  const bool hasWords = label.contains(' ');
+  return label + (hasWords ? "&nbsp;&nbsp;" : "&nbsp; ") + symbolHtml(parameter.symbol);
 }
 
 /// Returns the width that a label needs where it is broken at spaces and hyphens.
@@ -58,7 +60,8 @@ int longestWord(QString html, const QFont& font) {
   static const QRegularExpression tag(QStringLiteral("<[^>]*>")), gap(QStringLiteral("\\s|(?<=-)"));
   const QFontMetrics metrics(font);
   int longest = 0;
-  for (const QString& word : html.remove(tag).replace("&nbsp;", " ").split(gap))
+  for (const QString& word :
+       html.remove(tag).replace("&nbsp;&nbsp;", "__").replace("&nbsp;", " ").split(gap))
     longest = std::max(longest, metrics.horizontalAdvance(word));
   return longest + 1;
 }
@@ -331,6 +334,7 @@ void ParameterRow::addRemarks(QVBoxLayout& column) {
     label->setObjectName(QString(role) + ":" + fromUtf8(parameter_.key));
     label->setProperty("role", role);
     label->setWordWrap(true);
+    label->setIndent(0);  // a padding of the style sheet would indent it
     label->hide();
     column.addWidget(label);
     return label;
@@ -346,7 +350,7 @@ void ParameterRow::setWidths() {
   const auto digits = [digit](double count) {
     return static_cast<int>(std::lround(count * digit));
   };
-  if (slider_)
+  if (unit_)
     label_->setMinimumWidth(longestWord(label_->text(), font()));
   else
     label_->setFixedWidth(labelWidth(font()));
@@ -404,6 +408,8 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
     QCoreApplication::sendEvent(slider_, &step);
   });
   column.addWidget(slider_);
+  // No place on a slider stands for "automatic" or "none"; the keys of its steps remain.
+  if (!meaningOfZero(parameter_).isEmpty()) slider_->hide();
 }
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {

@@ -36,7 +36,7 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
 Placeholder chosenOversampling(const Scene& scene) {
   const std::int64_t line = pointsPerElement(scene), curve = pointsPerElementOfCurve(scene);
   return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
-                        : ParameterPanel::tr("chosen: %1 / %2").arg(line).arg(curve),
+                        : ParameterPanel::tr("%1, curve %2").arg(line).arg(curve),
           static_cast<double>(line), false};
 }
 
@@ -46,7 +46,14 @@ Placeholder fromFile(const Parameter& parameter, double known) {
   return {inLanguage(text.number), known, false, text.unit};
 }
 
-/// What an entry of 0 means; empty: the number itself.
+LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
+  Surface surface;
+  surface.kind = kind;
+  return hasSurfaceFile(surface) ? profile : others;
+}
+
+}  // namespace
+
 QString meaningOfZero(const Parameter& parameter) {
   const auto is = [&](const char* key) { return parameter.key == key; };
   if (is("surface.position_column") || is("surface.height_column"))
@@ -57,14 +64,6 @@ QString meaningOfZero(const Parameter& parameter) {
     return ParameterPanel::tr("none");
   return {};
 }
-
-LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
-  Surface surface;
-  surface.kind = kind;
-  return hasSurfaceFile(surface) ? profile : others;
-}
-
-}  // namespace
 
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
                                           const LineSize& known) {

@@ -31,6 +31,9 @@ struct Placeholder {
 std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scene& scene,
                                           const LineSize& known);
 
+/// Returns what an entry of 0 means, such as "automatic" or "none"; empty: the number itself.
+QString meaningOfZero(const Parameter& parameter);
+
 /// Returns the reset button's value: the default, or 0 where a profile's file gives the value.
 ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
 

@@ -80,6 +80,15 @@ TEST(Parameters, BadValuesAreRefusedAndLeaveTheSceneAsItWas) {
   EXPECT_EQ(scene, Scene{});
 }
 
+TEST(Parameters, MicrometresMayBeWrittenWithEitherMicroSign) {
+  Scene scene;
+  for (const char* unit : {"um", "\u00B5m", "\u03BCm"}) {
+    setFromText(*findParameter("surface.height_unit"), scene, "mm");
+    setFromText(*findParameter("surface.height_unit"), scene, unit);
+    EXPECT_EQ(valueOf(*findParameter("surface.height_unit"), scene), ParameterValue("um")) << unit;
+  }
+}
+
 TEST(Parameters, MessagesSayWhatIsWrongAndWhatIsAllowed) {
   Scene scene;
   try {

@@ -345,6 +345,8 @@ TEST(DiagramTexts, TheSymbolOfAnErrorIsNotThatOfTheQuantity) {
   EXPECT_EQ(symbolOf("coefficient of friction \u03BC"), "\u03BC");
   EXPECT_EQ(symbolOf("relative error of \u03BC"), "");
   EXPECT_EQ(symbolOf("relativer Fehler von \u03BC"), "");
+  EXPECT_EQ(symbolOf("modulus G', G''"), "");
+  EXPECT_EQ(symbolOf("exponent d ln \u03BC / d ln x"), "");
 }
 
 }  // namespace

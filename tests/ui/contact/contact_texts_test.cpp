@@ -381,7 +381,7 @@ TEST(ContactTexts, NoColourBarWithoutAPressure) {
   std::string words = allTexts(frame);
   EXPECT_EQ(words.find("contact pressure"), std::string::npos);
   EXPECT_EQ(words.find("glow"), std::string::npos);
-  EXPECT_NE(words.find("dot: contact between two points"), std::string::npos) << words;
+  EXPECT_NE(words.find("dot: a contact too small to be drawn"), std::string::npos) << words;
   expectTidyTexts(frame, {}, "no pressure");
   frame.normalForce = frame.contactFraction = 0;
   EXPECT_EQ(allTexts(frame).find("dot:"), std::string::npos);
@@ -429,9 +429,9 @@ TEST(ContactTexts, NoColoursDoNotMeanNoContact) {
        {ContactOverlay::Pressure, ContactOverlay::Relaxation, ContactOverlay::Power}) {
     frame.normalForce = 1e-9;
     frame.contactFraction = 1e-6;
-    EXPECT_EQ(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+    EXPECT_EQ(reasonUncoloured(frame, overlay), "no colours: the contact is too small to be drawn");
     frame.normalForce = frame.contactFraction = 0;
-    EXPECT_NE(reasonUncoloured(frame, overlay), "no colours: contact lies between two points");
+    EXPECT_NE(reasonUncoloured(frame, overlay), "no colours: the contact is too small to be drawn");
   }
   EXPECT_EQ(reasonUncoloured(frame, ContactOverlay::Pressure), "no colours: nothing touches");
 }

@@ -28,8 +28,9 @@ TEST_F(Translated, EnglishIsLeftAlone) {
 TEST_F(Translated, ValuesStandInTheTranslatedTemplateAndNumbersGetAComma) {
   EXPECT_EQ(translated(message("mean of {} lines \u00B1 standard error", 200)),
             "Mittel über 200 Linien \u00B1 Standardfehler");
-  EXPECT_EQ(translated(message("the indentation that carries {} N is sought", 0.0034)),
-            "die Eindringung, die 0,0034 N trägt, wird gesucht");
+  EXPECT_EQ(translated(message("the indentation that carries {} is sought",
+                               PrintedNumber{printedQuantity(0.0034, "N")})),
+            "die Eindringung, die 3,4 mN trägt, wird gesucht");
 }
 
 TEST_F(Translated, NumbersArePrintedInOneStyle) {

@@ -11,7 +11,8 @@ TEST(EstimateText, HasTheDigitsThatTheUncertaintyLeaves) {
   EXPECT_EQ(estimateText({-0.4127, 0.003}), QStringLiteral("−0.413 ± 0.003"));
   EXPECT_EQ(estimateText({123.4, 31}), QStringLiteral("123 ± 31"));
   EXPECT_EQ(estimateText({0.5, kNotApplicable}), QStringLiteral("0.5"));
-  EXPECT_EQ(estimateText({2.5e-9, 1e-10}), QStringLiteral("2.5×10⁻⁹ ± 10⁻¹⁰"));
+  EXPECT_EQ(estimateText({2.5e-9, 1e-10}), QStringLiteral("(2.50 ± 0.10)×10⁻⁹"));
+  EXPECT_EQ(estimateText({0.000101, 2.69e-5}), QStringLiteral("(1.0 ± 0.3)×10⁻⁴"));
   EXPECT_EQ(estimateText({}), QStringLiteral("–"));
 }
 

@@ -145,7 +145,7 @@ QWidget* ExportDialog::makeBottom() {
   command_->setReadOnly(true);
   command_->setTabChangesFocus(true);
   command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  command_->setFixedHeight(3 * QFontMetrics(command_->font()).lineSpacing() + 14);
+  command_->setFixedHeight(4 * QFontMetrics(command_->font()).lineSpacing() + 14);
   auto* copy = new QPushButton(tr("&Copy"));
   copy->setObjectName("exportCopy");
   connect(copy, &QPushButton::clicked, this,
@@ -352,6 +352,7 @@ void ExportDialog::write() {
   QSettings().setValue(kFolder, target.absolutePath());
   file_->setText(target.absoluteFilePath());
   showCommand();
+  if (quiet_->isActive() || previews_->isRunning()) preview_->showWork({});
   previews_->cancel();
   quiet_->stop();
   showFailure({});

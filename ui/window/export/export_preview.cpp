@@ -31,7 +31,12 @@ class ExportPreview::Picture : public QWidget {
                        size);
     if (image.hasAlphaChannel()) paintChequers(painter, place);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(place, image);
+    // The painter takes four pixels of the image at a time, too few for less than half its size.
+    const QSize pixels = (size * devicePixelRatioF()).toSize();
+    const bool isSmaller = pixels.width() < image.width() && !pixels.isEmpty();
+    painter.drawImage(
+        place,
+        isSmaller ? image.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : image);
     painter.setPen(palette().color(QPalette::Mid));
     painter.drawRect(place);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -21,11 +22,14 @@ QString verdictText(const Claim& claim) {
 QString estimateText(const Estimate& estimate) {
   const double error = estimate.standardError;
   const double size = std::max(std::abs(estimate.value), error);
-  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0 || size >= 1e5 ||
-      size < 1e-3)
-    return std::isfinite(error) && error > 0
-               ? readingLabel(estimate.value) + QStringLiteral(" ± ") + readingLabel(error)
-               : readingLabel(estimate.value);
+  if (!std::isfinite(estimate.value) || !std::isfinite(error) || error <= 0)
+    return readingLabel(estimate.value);
+  if (size >= 1e5 || size < 1e-3) {  // one power of ten for both numbers
+    const int power = static_cast<int>(std::floor(std::log10(size)));
+    const double unit = std::pow(10, power);
+    return '(' + estimateText({estimate.value / unit, error / unit}) + QStringLiteral(")×") +
+           QString::fromStdString(powerOfTen(power));
+  }
   // An uncertainty that begins with 1 has two digits, any other one has one.
   const int place = static_cast<int>(std::floor(std::log10(error)));
   const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;

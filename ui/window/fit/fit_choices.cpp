@@ -29,6 +29,12 @@ QString quantity(double value, const Parameter& row) {
   return (inLanguage(text.number) + ' ' + text.unit).trimmed();
 }
 
+/// The same with as many digits as leave room for the name.
+QString shortQuantity(double value, const Parameter& row) {
+  constexpr int kDigits = 6;
+  return quantity(roundedToDigits(value, kDigits), row);
+}
+
 /// The numbers that can be varied: the tables give the velocities.
 std::vector<VariedParameter> fittable(const Scene& scene) {
   std::vector<VariedParameter> all = activeParameters(scene);
@@ -131,7 +137,8 @@ void FitChoices::fillKeys() {
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(Qt::Unchecked);
     name->setToolTip(label + ", " + fromUtf8(parameter.key()));
-    auto* now = new QTableWidgetItem(quantity(parameter.of(scene_), parameter.row()));
+    auto* now = new QTableWidgetItem(shortQuantity(parameter.of(scene_), parameter.row()));
+    now->setToolTip(quantity(parameter.of(scene_), parameter.row()));
     now->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     keys_->setItem(row, kName, name);
     keys_->setItem(row, kNow, now);
@@ -172,7 +179,9 @@ void FitChoices::take(QTableWidgetItem& cell) {
     refusals_.erase({cell.row(), column});
   else
     refusals_[{cell.row(), column}] = ParameterRow::labelOf(row) + ": " + refusal;
-  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(Qt::red));
+  const bool isDark = palette().color(QPalette::Window).lightness() < 128;
+  const QColor fault = isDark ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);
+  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(fault));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
   if (limit) cell.setText(quantity(*limit, row));

@@ -21,6 +21,7 @@
 #include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 
@@ -87,12 +88,16 @@ SurfaceImport& ImportCommands::showSurface(const Scene& scene, const QString& fi
 
 /// A title and a description that belong to a shipped scene do not fit another surface.
 void ImportCommands::takeSurface(Scene scene, const QString& file) {
-  if (scene.title.empty() || isTranslatedScene(scene.title)) {
+  const bool isShipped = std::ranges::any_of(libraryScenes(), [&](const LibraryScene& shipped) {
+    return shipped.scene.title == scene.title;
+  });
+  if (scene.title.empty() || isShipped) {
     scene.title = printable(QFileInfo(file).completeBaseName().toStdString());
     scene.description.clear();
     scene.chapter.clear();
   }
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open surface"));
+  emit taken();
 }
 
 void ImportCommands::openMaterial(const QString& file) {
@@ -120,6 +125,7 @@ void ImportCommands::takeMaterial(const QString& file) {
   }
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
+  emit taken();
 }
 
 bool ImportCommands::askFriction() {
@@ -148,6 +154,7 @@ bool ImportCommands::takeFriction(const QString& file) {
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene,
                        QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
+  emit taken();
   return true;
 }
 

@@ -51,6 +51,10 @@ class ImportCommands : public QObject {
   /// Looks in the background at what the file is, and opens it as that.
   void openDropped(const QString& file);
 
+ signals:
+  /// Emitted when a file has become a part of the scene, which the user then wants to see.
+  void taken();
+
  private:
   SurfaceImport& showSurface(const Scene& scene, const QString& file);
   void askSurface(const Scene& scene);

@@ -383,6 +383,9 @@ void MaterialImport::take(const Preview& preview) {
   showSheet();
   QStringList lines;
   for (const Message& line : materialSummary(*material_)) lines += sentence(translatedText(line));
+  // What warns comes first, where it is seen without scrolling.
+  if (material_->isMeasured() && !material_->curve.isThermorheologicallySimple)
+    lines.prepend(QStringLiteral("⚠ ") + lines.takeLast());
   summary_->setText(lines.join('\n'));
   if (material_->isMeasured())
     reference_->setPlaceholderText(translatedText(celsius(material_->referenceTemperature)));

@@ -119,7 +119,10 @@ class HandoutMaker {
     // What is drawn into an empty chart is the answer to the question below it.
     blocks_.back().withNext = isDrawnInto(step) ? Stays::Always : Stays::IfShort;
     addQuestion(*step.prediction);
-    if (options_.forTeacher) addAnswer(step);
+    if (options_.forTeacher)
+      addAnswer(step);
+    else
+      contact_ = untitled(step.revealedScene);  // seen on the screen; printed, it tells the answer
   }
 
   /// Whether the students draw their answer into an empty chart.
@@ -221,7 +224,11 @@ class HandoutMaker {
       for (const LessonChoice& choice : prediction.choices)
         html += "<p>☐ " + plainText(choice.text).toHtmlEscaped() + "</p>";
     } else {
-      html += "<p>" + utf(Words::tr("My answer")) + ": ____________________</p>";
+      html += "<p>" +
+              utf(prediction.kind == PredictionKind::Point
+                      ? Words::tr("My answer, as a point in the chart and as a number")
+                      : Words::tr("My answer")) +
+              ": ____________________</p>";
     }
     add(html);
   }
@@ -237,10 +244,13 @@ class HandoutMaker {
     if (prediction.kind == PredictionKind::Point && !prediction.x)
       said +=
           " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.place)));
-    if (answer.choice >= 0 && prediction.answer)
-      said += QStringLiteral(" (%1)").arg(QString::fromStdString(numberInWords(answer.number)));
+    const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>",
-        step.reveal.empty() ? Stays::No : Stays::Always);
+        step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);
+    // A sentence with the number that decides: "It becomes 1.97 times as large."
+    if (hasVerdict)
+      add(richText(prediction.right, prediction, answer, {}),
+          step.reveal.empty() ? Stays::No : Stays::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
     const std::size_t last = blocks_.size() - 1;
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);

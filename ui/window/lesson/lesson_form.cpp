@@ -33,6 +33,8 @@ QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int 
   text->setAccessibleName(label);
   text->setTabChangesFocus(true);
   text->setFixedHeight(lines * fontMetrics().lineSpacing() + 12);
+  // Else the rows would share the room below them.
+  text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   addRow(label, text);
   connect(text, &QPlainTextEdit::textChanged, this, &LessonForm::tell);
   return text;
@@ -75,6 +77,13 @@ QString LessonForm::textOf(const LessonText& text) const {
 void LessonForm::showIn(QLineEdit& line, const QString& text) {
   line.setText(text);
   line.setCursorPosition(0);
+}
+
+QString LessonForm::writtenIn(const QPlainTextEdit& box) {
+  return box.document()
+      ->toRawText()
+      .replace(QChar::ParagraphSeparator, '\n')
+      .replace(QChar::LineSeparator, '\n');
 }
 
 void LessonForm::write(LessonText& text, const QString& written) const {

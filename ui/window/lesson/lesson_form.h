@@ -54,6 +54,8 @@ class LessonForm : public QWidget {
   QString textOf(const LessonText& text) const;
   /// Shows a text from its beginning.
   static void showIn(QLineEdit& line, const QString& text);
+  /// Returns what a box contains, hard blanks included, which QPlainTextEdit makes usual ones.
+  static QString writtenIn(const QPlainTextEdit& box);
   void write(LessonText& text, const QString& written) const;
 
  signals:

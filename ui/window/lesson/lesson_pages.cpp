@@ -30,6 +30,8 @@ LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
   addRow(tr("Minutes"), minutes_);
   connect(minutes_, &QSpinBox::valueChanged, this, &LessonForm::tell);
   notes_ = addText(tr("Notes for teachers"), "editorNotes", 8);
+  notes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  notes_->setMaximumHeight(QWIDGETSIZE_MAX);  // the notes get what is left
 }
 
 void LessonHeadPage::showLesson(const Lesson& lesson) {
@@ -43,8 +45,8 @@ void LessonHeadPage::showLesson(const Lesson& lesson) {
 
 void LessonHeadPage::take(Lesson& lesson) const {
   write(lesson.title, title_->text());
-  write(lesson.goal, goal_->toPlainText());
-  write(lesson.notes, notes_->toPlainText());
+  write(lesson.goal, writtenIn(*goal_));
+  write(lesson.notes, writtenIn(*notes_));
   lesson.minutes = minutes_->value();
 }
 
@@ -106,7 +108,7 @@ void LessonStepPage::showStep(const LessonStep& step) {
 
 void LessonStepPage::take(LessonStep& step) const {
   write(step.title, title_->text());
-  write(step.text, text_->toPlainText());
+  write(step.text, writtenIn(*text_));
   step.set = set_->assignments();
   step.show.tab = tab_->currentData().toString().toStdString();
   step.show.quantity = quantity_->currentData().toString().toStdString();

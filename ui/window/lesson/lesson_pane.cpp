@@ -283,7 +283,9 @@ void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage
     }
     auto* line = new ChoiceLine(button, text);
     line->label().setObjectName(QStringLiteral("lessonChoiceText:%1").arg(number));
-    line->label().setEnabled(!page.answer || number == page.answer->choice);
+    // What was given stays as legible as what is right.
+    line->label().setEnabled(!page.answer || number == page.answer->choice ||
+                             (page.given && number == page.given->choice));
     choices_->addButton(button, number);
     column->addWidget(line);
     connect(button, &QRadioButton::toggled, this, &LessonPane::showButtons);

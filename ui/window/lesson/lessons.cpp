@@ -132,6 +132,7 @@ void Lessons::buildDock() {
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   keep_->setObjectName("lessonKeep");
   close_->setObjectName("lessonEnd");
+  keep_->setText(QStringLiteral("⤓"));
   close_->setText(QStringLiteral("✕"));
   line->addWidget(title_, 1);
   line->addWidget(keep_);
@@ -145,7 +146,6 @@ void Lessons::buildDock() {
   dock_->toggleViewAction()->setVisible(false);  // it comes and goes with a lesson
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
-    keep_->setText(tr("Results…"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
     keep_->setAccessibleName(tr("keep results"));
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));

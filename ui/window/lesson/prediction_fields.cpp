@@ -65,7 +65,10 @@ void PredictionFields::addChoices() {
   for (int column = 1; column < 4; ++column)
     choices_->setColumnWidth(column, 8 * choices_->fontMetrics().horizontalAdvance('0'));
   choices_->verticalHeader()->hide();
-  choices_->setFixedHeight(5 * (choices_->fontMetrics().lineSpacing() + 12));
+  const int row = choices_->fontMetrics().lineSpacing() + 10;
+  choices_->verticalHeader()->setDefaultSectionSize(row);
+  choices_->setFixedHeight(choices_->horizontalHeader()->sizeHint().height() + kMostChoices * row +
+                           2 * choices_->frameWidth());
   choices_->setTabKeyNavigation(false);
   page_.addRow(tr("Choices"), choices_);
   connect(choices_, &QTableWidget::itemChanged, &page_, &LessonForm::tell);
@@ -173,7 +176,7 @@ void PredictionFields::take(LessonStep& step) const {
     prediction.answer.reset();
   step.prediction = prediction;
   step.after = after_->assignments();
-  page_.write(step.reveal, reveal_->toPlainText());
+  page_.write(step.reveal, LessonForm::writtenIn(*reveal_));
 }
 
 }  // namespace asperity

@@ -5,7 +5,9 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/number_text.h"
 #include "ui/chart/chart_view.h"
@@ -161,17 +163,39 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
       (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
-  const double width = metrics.horizontalAdvance(text);
-  const bool isLeft = at.x() + 2 * kReach + width > rect().right() - 8;
-  const double baseline =
-      std::clamp(at.y() - kReach, top + metrics.ascent(), bottom - metrics.descent());
-  const QPointF corner(isLeft ? at.x() - 1.6 * kReach - width : at.x() + 1.6 * kReach, baseline);
+  const QRectF label = roomOf(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
+                              {rect().left() + 8.0, top, rect().width() - 16.0, bottom - top});
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
-  painter.fillRect(
-      QRectF(corner.x() - 3, corner.y() - metrics.ascent() - 1, width + 6, metrics.height() + 2),
-      ground);
-  painter.drawText(corner, text);
+  painter.fillRect(label, ground);
+  painter.drawText(label, Qt::AlignCenter, text);
+}
+
+/// Returns the place beside a point, within `frame`, where a label hides the fewest points of the
+/// curves: above at the right where others are no better.
+QRectF PredictionPoint::roomOf(QSizeF label, QPointF at, const QRectF& frame) const {
+  constexpr double kAside = 1.6 * kReach, kAbove = 0.4 * kReach;
+  QRectF best(
+      {std::clamp(at.x(), frame.left(), std::max(frame.left(), frame.right() - label.width())),
+       frame.top()},
+      label);  // where there is no room beside the point
+  int fewest = std::numeric_limits<int>::max();
+  for (const bool isBelow : {false, true})
+    for (const bool isLeft : {false, true}) {
+      const double x = isLeft ? at.x() - kAside - label.width() : at.x() + kAside;
+      const double y = isBelow ? at.y() + kAbove : at.y() - kAbove - label.height();
+      if (x < frame.left() || x + label.width() > frame.right()) continue;
+      const double highest = std::max(frame.top(), frame.bottom() - label.height());
+      const QRectF place({x, std::clamp(y, frame.top(), highest)}, label);
+      int hidden = 0;
+      for (const DiagramSeries& series : chart_.sheet().diagrams.front().series)
+        for (const DiagramPoint& point : series.points)
+          if (place.contains(pixelOf({point.x, point.y}))) ++hidden;
+      if (hidden >= fewest) continue;
+      fewest = hidden;
+      best = place;
+    }
+  return best;
 }
 
 void PredictionPoint::mousePressEvent(QMouseEvent* event) {

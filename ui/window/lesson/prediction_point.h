@@ -6,6 +6,7 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QRectF>
 #include <QWidget>
 #include <optional>
 
@@ -45,6 +46,7 @@ class PredictionPoint : public QWidget {
   bool hasAxes() const;
   QPointF pixelOf(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
+  QRectF roomOf(QSizeF label, QPointF at, const QRectF& frame) const;
   QPointF middle() const;
   void place(QPointF value);
   void sayPlace();

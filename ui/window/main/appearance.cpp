@@ -102,7 +102,8 @@ QString windowStyleSheet(const Theme& theme) {
     QMenu::separator { height: 1px; background: %3; margin: 5px 8px; }
     QToolBar { border: none; border-bottom: 1px solid %3; padding: 2px 8px 5px 8px; spacing: 4px; }
     QToolBar::separator { background: %3; width: 1px; margin: 5px 6px; }
-    QToolBar QToolButton { border: none; border-radius: 6px; padding: 5px 9px; color: %2; }
+    QToolBar QToolButton { border: none; border-radius: 6px; padding: 5px 8px; color: %2; }
+    QToolBar QToolButton:disabled { color: %6; }
     QToolBar QToolButton:hover { background: %4; }
     QToolBar QToolButton:pressed { background: %3; }
     QToolBar QToolButton:checked { background: %4; }
@@ -138,6 +139,7 @@ QString windowStyleSheet(const Theme& theme) {
     #fitButton:hover { background: %3; }
     #fitButton:focus { border: 1px solid %5; padding: 2px 9px; }
     #fitKeys QHeaderView::section, #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
+    #planList QHeaderView::section { padding: 4px 3px; }
     #regionPictures { background: %10; }
     #regionBar QLabel { color: %6; }
     #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: %6; }

@@ -9,6 +9,7 @@ namespace asperity {
 namespace {
 
 constexpr int kRoom = 5;        // pixels between the control and the outer edge of the frame
+constexpr int kSideRoom = 8;    // the same at its sides, where its text begins
 constexpr double kWidth = 2.5;  // of the line, pixels
 constexpr double kCorner = 7;   // radius, pixels
 
@@ -77,7 +78,7 @@ void Halo::follow() {
   const QRect part = isHere ? visiblePart() : QRect();
   setVisible(!part.isEmpty());
   if (part.isEmpty()) return;
-  setGeometry(part.adjusted(-kRoom, -kRoom, kRoom, kRoom) & window_.rect());
+  setGeometry(part.adjusted(-kSideRoom, -kRoom, kSideRoom, kRoom) & window_.rect());
   raise();
   update();
 }

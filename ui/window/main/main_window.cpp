@@ -244,6 +244,7 @@ void MainWindow::buildCommands() {
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
+  connect(imports_, &ImportCommands::taken, figures_, &FigurePages::closeFigures);
   comparisons_ = new ComparisonCommands(
       {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
   comparisons_->addTo(*commands_);

@@ -25,11 +25,17 @@ QString withoutMarks(QString text) {
   return text.replace(QStringLiteral("&&"), kAnd).remove(u'&');
 }
 
+/// Whether keyboards have the letter or digit, unlike that of a symbol such as "λᵣ".
+bool isTyped(QChar letter) {
+  constexpr char16_t kAfterLatin = 0x250;
+  return letter.isLetterOrNumber() && letter.unicode() < kAfterLatin;
+}
+
 /// Returns the positions of letters and digits, those at the beginning of a word first.
 std::vector<qsizetype> placesIn(const QString& text) {
   std::vector<qsizetype> first, others;
   for (qsizetype i = 0; i < text.size(); ++i)
-    if (text[i].isLetterOrNumber()) (i == 0 || text[i - 1].isSpace() ? first : others).push_back(i);
+    if (isTyped(text[i])) (i == 0 || text[i - 1].isSpace() ? first : others).push_back(i);
   first.insert(first.end(), others.begin(), others.end());
   return first;
 }

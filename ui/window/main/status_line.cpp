@@ -190,17 +190,17 @@ QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name) {
 void StatusLine::showTips() {
   notes_->setAccessibleName(tr("notes on how far the results hold"));
   regime_->setToolTip(
-      tr("Where the velocity lies on the friction curve: regions I to IV of the "
-         "paper, found on the complete curve"));
-  mu_->setToolTip(
+      wrappedTip(tr("Where the velocity lies on the friction curve: regions I to IV of the "
+                    "paper, found on the complete curve")));
+  mu_->setToolTip(wrappedTip(
       tr("Coefficient of friction of this line, of a motion at this moment; in brackets the mean "
-         "of all lines at this velocity with its standard error"));
-  force_->setToolTip(
-      tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)"));
-  velocity_->setToolTip(velocityTip());
-  settling_->setToolTip(
+         "of all lines at this velocity with its standard error")));
+  force_->setToolTip(wrappedTip(
+      tr("Eq. (14) of the paper: normal force / (shear modulus × rms height × length)")));
+  velocity_->setToolTip(wrappedTip(velocityTip()));
+  settling_->setToolTip(wrappedTip(
       tr("The picture is moving from the previous scene to the steady state that these numbers and "
-         "the chart describe. R shows that state at once."));
+         "the chart describe. R shows that state at once.")));
   simulations_->setToolTip(tr("Lines computed per second for the curve, each at one velocity"));
   rate_->setToolTip(tr("Pictures of the contact shown in the last second"));
   backend_->setToolTip(tr("What draws the contact"));
@@ -385,7 +385,7 @@ void StatusLine::showVelocity(const Frame& frame) {
   const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
   const Reason reason = whyNoVelocity(frame);
   velocity_->setToolTip(reason.sentence.isEmpty()
-                            ? velocityTip()
+                            ? wrappedTip(velocityTip())
                             : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
   if (reason.brief.isEmpty()) return velocity_->setText(plain);
   const QString whole = tr("%1 (%2)").arg(plain, reason.brief);

@@ -101,6 +101,7 @@ MapPanel::MapPanel(QWidget* parent)
     // The longest names may be shortened; the list shows them whole.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(11);
+    if (row->count() > 0) row->addSpacing(6);
     row->addWidget(label);
     row->addWidget(box, 1);
   }
@@ -108,6 +109,7 @@ MapPanel::MapPanel(QWidget* parent)
   row->setStretchFactor(quantity_, kLongerName);
   for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
   complaint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  complaint_->hide();  // its room belongs to the lists until there is something to say
   row->addWidget(complaint_, kShorterName);
   row->addWidget(save_);
   auto* column = new QVBoxLayout(this);
@@ -293,6 +295,7 @@ void MapPanel::moveTo(double x, double y) {
 void MapPanel::showComplaint(const QString& text) {
   complaint_->setText(text);
   complaint_->setToolTip(text);
+  complaint_->setVisible(!text.isEmpty());
 }
 
 /// The boxes may shorten their texts.
