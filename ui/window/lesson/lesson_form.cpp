@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
+#include <QTextDocument>
 
 #include "core/scene/parameters.h"
 #include "ui/panels/number_text.h"
