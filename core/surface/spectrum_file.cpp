@@ -109,8 +109,13 @@ class SpectrumReader {
     if (column == columns.end()) column = find(any);
     if (column == columns.end()) {
       if (const auto other = isOfArea ? find(lines) : find(areas); other != columns.end())
-        fail(message("its column {} is a spectrum of {}, which surface.spectrum_kind does not say",
-                     shortened(other->name), Message(isOfArea ? "a line" : "an area")));
+        fail(isOfArea
+                 ? message("its column {} is a spectrum of a line, which surface.spectrum_kind "
+                           "does not say",
+                           shortened(other->name))
+                 : message("its column {} is a spectrum of an area, which surface.spectrum_kind "
+                           "does not say",
+                           shortened(other->name)));
       for (std::size_t i : {waveColumn_ + 1, waveColumn_ - 1})
         if (column == columns.end() && i < columns.size() &&
             !abscissaOf(plainName(columns[i].name)))

@@ -3371,16 +3371,12 @@
         <translation>Zeile %1: '%2' ist keine Zahl</translation>
     </message>
     <message>
-        <source>its column %1 is a spectrum of %2, which surface.spectrum_kind does not say</source>
-        <translation>seine Spalte %1 ist ein Spektrum %2, was surface.spectrum_kind nicht sagt</translation>
+        <source>its column %1 is a spectrum of a line, which surface.spectrum_kind does not say</source>
+        <translation>seine Spalte %1 ist das Spektrum einer Linie, was surface.spectrum_kind nicht sagt</translation>
     </message>
     <message>
-        <source>a line</source>
-        <translation>einer Linie</translation>
-    </message>
-    <message>
-        <source>an area</source>
-        <translation>einer Fläche</translation>
+        <source>its column %1 is a spectrum of an area, which surface.spectrum_kind does not say</source>
+        <translation>seine Spalte %1 ist das Spektrum einer Fläche, was surface.spectrum_kind nicht sagt</translation>
     </message>
     <message>
         <source>has no rows of numbers</source>
@@ -6144,10 +6140,6 @@
     <message>
         <source>Contact fraction over velocity</source>
         <translation>Kontaktanteil über der Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>contact fraction</source>
-        <translation>Kontaktanteil</translation>
     </message>
     <message>
         <source>Everyday surfaces</source>

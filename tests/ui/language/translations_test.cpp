@@ -37,7 +37,8 @@ Messages messagesOf(const QString& path) {
     if (xml.name() != u"translation") continue;
     const bool isDone = !xml.attributes().hasAttribute("type");
     const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-    messages[{context, source}] = isDone ? text : QString();
+    const bool isNew = messages.insert({{context, source}, isDone ? text : QString()}).second;
+    EXPECT_TRUE(isNew) << "stands twice: " << source.toStdString();
   }
   EXPECT_FALSE(xml.hasError()) << path.toStdString() << xml.errorString().toStdString();
   return messages;
