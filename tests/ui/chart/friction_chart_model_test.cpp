@@ -294,6 +294,51 @@ TEST(FrictionChartModelTest, ShowsTheVelocitiesOfTheSweepAtOnce) {
   EXPECT_EQ(xRange(diagram), (AxisRange{-4, 4}));
 }
 
+/// The curve of a scene may be there before its first picture, while the marker is the old one.
+TEST(FrictionChartModelTest, AxesForgetTheMarkerOfTheSceneBefore) {
+  FrictionChartModel diagram;
+  Frame before = frame({}, 0.5);
+  before.sceneNumber = 1;
+  diagram.mark(before);
+  Scene next;
+  next.load.normalForce = 1e-3;
+  diagram.expect(next);
+  diagram.take(update(next, {point(1e-3, 1e-5), point(1, 2e-3)}));
+  EXPECT_GE(yRange(diagram).to, 0);
+  Frame now = frame(next, 1e-3);
+  now.sceneNumber = 2;
+  diagram.mark(now);
+  EXPECT_LT(yRange(diagram).to, -1);
+}
+
+/// A table: what is measured far from the curve is within the axes, and its ratio to what is
+/// computed, over decades, has a logarithmic axis.
+TEST(FrictionChartModelTest, MeasuredFrictionIsWithinTheAxes) {
+  Scene scene;
+  scene.comparison.data = {{"table.csv", {}}};
+  FrictionChartModel diagram;
+  diagram.take(update(scene, {point(1e-3, 1e-5), point(1, 2e-3)}));
+  MeasuredCurve measured;
+  measured.data.name = "table";
+  for (const double velocity : {1e-6, 1e5}) {
+    MeasuredPoint seen;
+    seen.velocity = velocity;
+    seen.mu = velocity < 1 ? 0.8 : 50;
+    measured.data.points.push_back(seen);
+    measured.places.push_back(velocity);
+    measured.computed.push_back(point(velocity, 1e-3));
+  }
+  CurveSet comparisons;
+  comparisons.measured = {measured};
+  diagram.showComparisons(scene, comparisons);
+  EXPECT_LE(xRange(diagram).from, -6);
+  EXPECT_GE(xRange(diagram).to, 5);
+  EXPECT_GE(yRange(diagram).to, std::log10(50));
+  const DiagramSheet sheet = diagram.sheet();
+  ASSERT_EQ(sheet.diagrams.size(), 2U);
+  EXPECT_EQ(sheet.diagrams[1].y.scale, AxisScale::Logarithmic);
+}
+
 TEST(FrictionChartModelTest, OneLineIsNoMean) {
   FrictionChartModel diagram;
   Scene sine;

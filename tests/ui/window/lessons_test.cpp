@@ -718,6 +718,13 @@ TEST(Handouts, StudentsGetQuestionsAndTeachersAnswers) {
   EXPECT_EQ(handoutHtml(lesson, options), teachers);
 }
 
+/// The next step begins with what the answer made of the scene: printed, it would be the answer.
+TEST(Handouts, NoPictureBelowAQuestionTellsItsAnswer) {
+  Json json = sampleLesson();
+  json["steps"][1].erase("set");
+  EXPECT_EQ(handoutHtml(lessonOf(json), {}).count("<img"), 2);  // contact and chart of the first
+}
+
 /// A choice needs no chart, and a curve that is to be guessed is not printed.
 TEST(Handouts, AnEmptyChartStandsWhereAPointIsDrawn) {
   Json json = sampleLesson();

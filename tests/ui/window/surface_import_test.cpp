@@ -30,6 +30,7 @@
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/import/import_commands.h"
+#include "ui/window/main/scene_library.h"
 
 namespace asperity {
 namespace {
@@ -103,6 +104,22 @@ TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
   EXPECT_NEAR(frame()->length, 2e-3, 1e-8);  // mirrored
   window_.document().history().undo();
   EXPECT_EQ(scene(), before);
+}
+
+/// What was imported is seen, also where a gallery was in front, and does not keep the title of a
+/// shipped scene.
+TEST_F(SurfaceImportTest, ClosesTheGalleryAndTakesTheNameOfTheFile) {
+  const LibraryScene& shipped = libraryScenes().front();
+  window_.document().open(shipped.scene);
+  ASSERT_TRUE(waitForFrame());
+  window_.figures().openFigures();
+  openPage(sineFile());
+  ASSERT_TRUE(waitForPage());
+  click("importAccept");
+  ASSERT_TRUE(waitFor([&] { return page_.isNull(); }));
+  EXPECT_TRUE(window_.figures().isShowingViews());
+  EXPECT_NE(scene().title, shipped.scene.title);
+  EXPECT_NE(scene().title.find("profile"), std::string::npos) << scene().title;
 }
 
 TEST_F(SurfaceImportTest, CancelLeavesEverything) {
