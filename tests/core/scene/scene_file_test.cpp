@@ -157,8 +157,8 @@ TEST(SceneFile, ErrorsNameFileKeyAndWhatIsAllowed) {
 /// What is no attempt at JSON is not quoted: its kind is said, and what is needed instead.
 TEST(SceneFile, FilesOfAnotherKindAreNamed) {
   const std::string needed =
-      "; a scene is JSON in UTF-8; a measured line is a CSV file, which a scene names as "
-      "surface.file";
+      "; a scene is JSON in UTF-8; a measured surface is a file that a scene names as "
+      "surface.file, with surface.kind measured";
   EXPECT_EQ(errorOf(""), "s.json: is an empty file" + needed);
   EXPECT_EQ(errorOf(" \n"), "s.json: is an empty file" + needed);
   EXPECT_EQ(errorOf("0,1e-6\n1,2e-6\n"), "s.json: is text that is not JSON" + needed);
