@@ -18,19 +18,20 @@
 namespace asperity {
 namespace {
 
-constexpr int kSmallest = 160, kLargest = 16384;  // of width and height in pixels
 constexpr double kPixelsPerInch = 96;
 
 /// Sets width and height from a size in pixels or on paper, at settings.scale.
 void readSize(const std::string& text, PictureSettings& settings) {
-  const auto fits = [](double pixels) { return pixels >= kSmallest && pixels <= kLargest; };
+  const auto fits = [](double pixels) {
+    return pixels >= kSmallestPicture && pixels <= kLargestPicture;
+  };
   const std::optional<PictureSize> size = pictureSizeFrom(text);
   const bool isWhole = size && (size->isOnPaper() || (size->width == std::floor(size->width) &&
                                                       size->height == std::floor(size->height)));
   if (!isWhole || (!size->isOnPaper() && !(fits(size->width) && fits(size->height))))
     throw InputError("", "--size",
                      message("{} is not WIDTHxHEIGHT with {} to {} pixels each", shortened(text),
-                             kSmallest, kLargest));
+                             kSmallestPicture, kLargestPicture));
   settings.isOnPaper = size->isOnPaper();
   const double density =
       size->isOnPaper() ? kPixelsPerInch * static_cast<double>(settings.scale) / size->perInch : 1;
@@ -40,7 +41,7 @@ void readSize(const std::string& text, PictureSettings& settings) {
     throw InputError("", "--size",
                      message("{} at {} dpi has {} x {} pixels; {} to {} each are allowed",
                              shortened(text), kPixelsPerInch * static_cast<double>(settings.scale),
-                             width, height, kSmallest, kLargest));
+                             width, height, kSmallestPicture, kLargestPicture));
   settings.width = static_cast<int>(width);
   settings.height = static_cast<int>(height);
 }

@@ -34,7 +34,7 @@ void ProgressBar::show(std::int64_t done, std::int64_t total, const std::string&
   if (isForProgram_) {
     if (done < total && now - drawn_ < kInterval) return;
     drawn_ = now;
-    std::fputs(fmt::format("progress {} {}\n", done, total).c_str(), stderr);
+    std::fputs(fmt::format("progress {} {} {}\n", done, total, what_).c_str(), stderr);
     return;
   }
   std::string count = filled(Words::tr("%1 of %2"), {std::to_string(done), std::to_string(total)});

@@ -1,6 +1,6 @@
 // Progress on stderr: a bar on a terminal; into a pipe a line every ten seconds, so that a log of
 // long work shows that it goes on; with the environment variable ASPERITY_PROGRESS, for a program
-// that shows its own bar, lines "progress DONE TOTAL". One thread at a time.
+// that shows its own bar, lines "progress DONE TOTAL WHAT". One thread at a time.
 #pragma once
 
 #include <chrono>

@@ -37,6 +37,8 @@ struct PictureSize {
   bool isOnPaper() const { return perInch > 0; }
 };
 
+inline constexpr int kSmallestPicture = 160, kLargestPicture = 16384;  // pixels, of both sides
+
 /// Reads "1200x800", "86mmx60mm", "86x60mm", "3.4inx2.4in"; units: px, mm, cm, in, pt (1/72 in).
 /// Empty where it is none of these.
 std::optional<PictureSize> pictureSizeFrom(std::string_view text);

@@ -222,11 +222,16 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
   return field;
 }
 
+/// A region at one value of the other parameter: the velocities between which it is.
+struct RegionCut {
+  double other = 0, from = 0, to = 0;
+};
+
 /// The regions of the friction curve at each value of the other parameter.
 struct Regions {
   /// One line for each border, in the order of regions; empty where no curve shows it.
   std::array<std::vector<DiagramPoint>, 3> borders;
-  std::array<std::vector<DiagramPoint>, 4> middles;
+  std::array<std::vector<RegionCut>, 4> cuts;
 };
 
 std::size_t numberOfRegion(std::string_view name) {
@@ -252,7 +257,7 @@ Regions regionsOf(const RisingMap& map, bool velocityIsX) {
     for (std::size_t r = 0; r < found.size(); ++r) {
       const std::size_t number = numberOfRegion(found[r].name);
       if (number > 3) continue;
-      regions.middles[number].push_back(point(std::sqrt(found[r].from * found[r].to), others[k]));
+      regions.cuts[number].push_back({others[k], found[r].from, found[r].to});
       if (r + 1 == found.size() || number > 2) continue;
       regions.borders[number].push_back(point(found[r].to, others[k]));
       isThere[number] = true;
@@ -276,6 +281,40 @@ DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
   return series;
 }
 
+/// Returns where the name of a region has most room: away from its borders, from the edges of the
+/// map and from the lines of the cross; among places with enough room the one nearest the middle.
+DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
+                         const Diagram& diagram, bool velocityIsX) {
+  constexpr std::array kParts{0.5, 0.4, 0.6, 0.3, 0.7};  // of the region's width
+  constexpr double kEnough = 0.07;                       // of the side of the map
+  const DiagramAxis& along = velocityIsX ? diagram.x : diagram.y;
+  const DiagramAxis& across = velocityIsX ? diagram.y : diagram.x;
+  const auto part = [](const DiagramAxis& axis, double value) {
+    const double from = placeOn(axis.scale, axis.from), to = placeOn(axis.scale, axis.to);
+    return (placeOn(axis.scale, value) - from) / (to - from);
+  };
+  const double crossAlong = part(along, numberOf(map.scene, velocityIsX ? map.x : map.y));
+  const double crossAcross = part(across, numberOf(map.scene, velocityIsX ? map.y : map.x));
+  DiagramPoint best;
+  double most = -1;
+  for (const RegionCut& cut : cuts) {
+    const double row = part(across, cut.other);
+    const double from = part(along, cut.from), to = part(along, cut.to);
+    for (const double share : kParts) {
+      const double place = from + share * (to - from);
+      double room = std::min({place - from, to - place, row, 1 - row});
+      if (std::isfinite(crossAlong)) room = std::min(room, std::abs(place - crossAlong));
+      if (std::isfinite(crossAcross)) room = std::min(room, std::abs(row - crossAcross));
+      const double worth = std::min(room, kEnough) - 1e-3 * std::abs(row - 0.5);
+      if (worth <= most) continue;
+      most = worth;
+      const double velocity = cut.from * std::pow(cut.to / cut.from, share);
+      best = velocityIsX ? DiagramPoint{velocity, cut.other} : DiagramPoint{cut.other, velocity};
+    }
+  }
+  return best;
+}
+
 /// Adds the borders of the regions, and their names in the middle. Returns what they are; empty
 /// where there are none.
 Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const RisingMap& map) {
@@ -294,9 +333,8 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     if (!isAny) return {};
     constexpr std::array<const char*, 4> names{"I", "II", "III", "IV"};
     for (std::size_t number = 0; number < 4; ++number) {
-      const std::vector<DiagramPoint>& middles = regions.middles[number];
-      if (middles.size() < 3) continue;
-      const DiagramPoint& at = middles[middles.size() / 2];
+      if (regions.cuts[number].size() < 3) continue;
+      const DiagramPoint at = placeOfName(regions.cuts[number], given, diagram, isX);
       diagram.labels.push_back({Message::name(names[number]), at.x, at.y});
     }
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "

@@ -1480,6 +1480,14 @@
         <source>Same p&amp;art of the line and moment as in the window</source>
         <translation>Ausschnitt und Zeitpunkt &amp;wie im Fenster</translation>
     </message>
+    <message>
+        <source>Width, height and resolution are numbers above 0.</source>
+        <translation>Breite, Höhe und Auflösung sind Zahlen über 0.</translation>
+    </message>
+    <message>
+        <source>The picture has a %1 of %2 pixels; %3 to %4 are allowed.</source>
+        <translation>Das Bild hat eine %1 von %2 Pixeln; erlaubt sind %3 bis %4.</translation>
+    </message>
 </context>
 <context>
     <name>asperity::ExportPreview</name>
@@ -4939,6 +4947,18 @@
     <message>
         <source>time lapse</source>
         <translation>Zeitraffer</translation>
+    </message>
+    <message>
+        <source>the spectrum of the line</source>
+        <translation>das Spektrum der Linie</translation>
+    </message>
+    <message>
+        <source>the statistics of the line</source>
+        <translation>die Statistik der Linie</translation>
+    </message>
+    <message>
+        <source>the moduli of the elastomer</source>
+        <translation>die Moduln des Elastomers</translation>
     </message>
 </context>
 </TS>

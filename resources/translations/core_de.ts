@@ -4591,6 +4591,10 @@
         <translation>&apos;%1&apos; ist keine Zahl von 0 bis 0,5</translation>
     </message>
     <message>
+        <source>&apos;%1&apos; has no unit; C, K or F stands behind it</source>
+        <translation>&apos;%1&apos; hat keine Einheit; dahinter steht C, K oder F</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is not a temperature such as 20C, 293.15K or 68F</source>
         <translation>&apos;%1&apos; ist keine Temperatur wie 20C, 293.15K oder 68F</translation>
     </message>

@@ -101,7 +101,8 @@ TEST_F(UsageTest, WhatDoesNotGoTogetherIsSaidOfTheOption) {
 TEST_F(UsageTest, WhatIsPrintedForPeopleHasNoNumbersOfMachines) {
   const std::string small = " --set surface.elements=64 --set load.normal_force=1e-7";
   for (const char* verb :
-       {"check s.json", "curve s.json -o a.csv --set accuracy.target_relative_error=1e-4",
+       {"check s.json",
+        "curve s.json -o a.csv --set accuracy.target_relative_error=1e-4 --set surface.kind=sine",
         "curve s.json -o a.csv --set accuracy.scheme=nodal", "render s.json -o a.png",
         "render step.json -o a.png", "accuracy s.json -o out", "explain s.json --analyze",
         "explain step.json", "surface s.json -o a.csv", "batch b.json -o pages"}) {

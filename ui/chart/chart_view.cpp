@@ -262,20 +262,25 @@ void ChartView::showAll() {
 }
 
 /// Returns the width of titles beside strips, which are too low for upright titles. A title has one
-/// line where that leaves most of the width to the strips, else one line for each word.
+/// line where that leaves most of the width to the strips, else two; else one for each word.
 double ChartView::besideWidth() const {
   if (sheet_.diagrams.size() < kStrips) return 0;
   const QFontMetricsF metrics(font());
-  double whole = 0, words = 0;
+  double whole = 0, halves = 0, words = 0;
   for (const Diagram& diagram : sheet_.diagrams) {
     const std::string unit = diagram.y.unit.empty() ? "" : " (m" + diagram.y.unit + ")";
     const QString title =
         QString::fromStdString(diagram.y.title.text + (unit.empty() ? " (10⁻⁸)" : unit));
-    whole = std::max(whole, metrics.horizontalAdvance(title));
-    for (const QString& word : title.split(' '))
-      words = std::max(words, metrics.horizontalAdvance(word));
+    const auto widthOf = [&](const QString& text) { return metrics.horizontalAdvance(text); };
+    whole = std::max(whole, widthOf(title));
+    double half = widthOf(title);
+    for (qsizetype at = title.indexOf(' '); at >= 0; at = title.indexOf(' ', at + 1))
+      half = std::min(half, std::max(widthOf(title.left(at)), widthOf(title.mid(at + 1))));
+    halves = std::max(halves, half);
+    for (const QString& word : title.split(' ')) words = std::max(words, widthOf(word));
   }
-  return std::ceil(whole < kMostBeside * width() ? whole : words) + 2;
+  const double most = kMostBeside * width();
+  return std::ceil(whole < most ? whole : halves < most ? halves : words) + 2;
 }
 
 /// Places the frames. The margins depend only on the largest possible texts, so that the frames do

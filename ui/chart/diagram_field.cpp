@@ -87,10 +87,22 @@ struct LineLabel {
   float radius = 0;        // of the circle that the text needs
 };
 
-/// Finds a place where a line is nearly straight and nothing else is written.
+/// Returns places at this distance along the lines.
+std::vector<Place> placesAlong(const std::vector<Polyline>& lines, float step) {
+  std::vector<Place> places;
+  for (const Polyline& line : lines) {
+    const float length = lengthOf(line);
+    for (float at = 0; at < length; at += step) places.push_back(placeAfter(line, at));
+  }
+  return places;
+}
+
+/// Finds a place where a line is nearly straight, nothing else is written and no border passes.
 std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& frame,
-                                 const std::vector<LineLabel>& others) {
-  constexpr std::array kPlaces{0.5F, 0.4F, 0.6F, 0.3F, 0.7F, 0.2F, 0.8F};
+                                 const std::vector<LineLabel>& others,
+                                 const std::vector<Place>& dashes) {
+  constexpr std::array kPlaces{0.5F, 0.45F, 0.55F, 0.4F,  0.6F, 0.35F, 0.65F,
+                               0.3F, 0.7F,  0.25F, 0.75F, 0.2F, 0.8F};
   constexpr float kStraight = 0.95F;  // chord over arc
   const float length = lengthOf(line);
   if (length < 2.5F * width) return {};
@@ -114,7 +126,9 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
     const bool isFree = std::ranges::none_of(others, [&](const LineLabel& other) {
       return distance(other.middle, label.middle) < other.radius + r;
     });
-    if (isInside && isFree) return label;
+    const bool isClear = std::ranges::none_of(
+        dashes, [&](const Place& dash) { return distance(dash, label.middle) < r; });
+    if (isInside && isFree && isClear) return label;
   }
   return {};
 }
@@ -178,7 +192,8 @@ void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxe
 }
 
 void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& axes,
-                 const DiagramSizes& sizes, const std::vector<Box>& taken) {
+                 const DiagramSizes& sizes, const std::vector<Box>& taken,
+                 const std::vector<Polyline>& borders) {
   DrawLayer layer;
   layer.clip = {axes.box.x, axes.box.y, axes.box.width, axes.box.height};
   std::vector<LineLabel> labels;
@@ -189,6 +204,7 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
     labels.push_back(label);
   }
   const float size = std::round(0.92F * sizes.tick);
+  const std::vector<Place> dashes = placesAlong(borders, 0.5F * size);
   for (const DiagramContour& contour : field.contours) {
     const Rgba colour = withAlpha(textOn(fieldColour(partOf(field, contour.value))), kContourAlpha);
     std::vector<Polyline> lines;
@@ -202,7 +218,9 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const Polyline& line = lines[k];
       // Each of the longer parts of a contour has its value.
-      const auto label = k < 3 ? labelOn(line, width, axes.box, labels) : std::nullopt;
+      std::optional<LineLabel> label;
+      if (k < 3) label = labelOn(line, width, axes.box, labels, dashes);
+      if (k < 3 && !label) label = labelOn(line, width, axes.box, labels, {});
       if (!label) {
         addLine(layer, line, kContour * sizes.unit, colour);
         continue;

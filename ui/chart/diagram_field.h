@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/chart/diagram_axes.h"
+#include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
 
@@ -14,9 +15,10 @@ float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes);
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes);
 /// Adds the contour lines. A line is interrupted for its value, which stands along it, away from
-/// these boxes.
+/// these boxes and, where it can, from these lines.
 void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& axes,
-                 const DiagramSizes& sizes, const std::vector<Box>& taken);
+                 const DiagramSizes& sizes, const std::vector<Box>& taken,
+                 const std::vector<Polyline>& borders);
 /// Adds the bar at the right of the frame.
 void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
                   const DiagramSizes& sizes, const Theme& theme);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -97,7 +98,10 @@ class Panel {
       addFieldColours(list, *diagram_.field, axes_);
       std::vector<Box> taken;
       for (const PlacedLabel& label : labels_) taken.push_back(label.box);
-      addContours(list, *diagram_.field, axes_, sizes_, taken);
+      std::vector<Polyline> borders;
+      for (const DiagramSeries& series : diagram_.series)
+        std::ranges::move(curveOf(series, axes_), std::back_inserter(borders));
+      addContours(list, *diagram_.field, axes_, sizes_, taken, borders);
       addColourBar(list, colours_, box, sizes_, theme_);
     } else {
       addDiagramGrid(list, axes_, sizes_, theme_);

@@ -55,14 +55,6 @@ std::vector<Polyline> runsOf(const std::vector<Place>& places, const Box& box) {
   return runs;
 }
 
-/// Returns the curve of a series inside the frame.
-std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes) {
-  std::vector<Polyline> parts;
-  for (const Polyline& run : runsOf(placesOf(series, axes), axes.box))
-    for (Polyline& part : clippedTo(axes.box, run)) parts.push_back(std::move(part));
-  return parts;
-}
-
 struct Bar {
   float x, low, high;  // pixels; low is the lower end, so the larger row
   bool lowShown, highShown;
@@ -150,6 +142,13 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
 }
 
 }  // namespace
+
+std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes) {
+  std::vector<Polyline> parts;
+  for (const Polyline& run : runsOf(placesOf(series, axes), axes.box))
+    for (Polyline& part : clippedTo(axes.box, run)) parts.push_back(std::move(part));
+  return parts;
+}
 
 std::vector<Place> thinned(const std::vector<Place>& places) {
   std::vector<Place> kept;

@@ -5,6 +5,7 @@
 
 #include "ui/chart/diagram_axes.h"
 #include "ui/draw/occupancy_grid.h"
+#include "ui/draw/stroke_pattern.h"
 
 namespace asperity {
 
@@ -21,6 +22,9 @@ struct SeriesStyle {
 /// Returns one style for each series; marks shrink where points are dense in a frame `pixels` wide.
 std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
                                   const Theme& theme, float pixels);
+
+/// Returns the curve of a series inside the frame, in parts without gaps.
+std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes);
 
 /// Returns the lowest and the highest point of each pixel column, in their order; both ends are
 /// kept. x ascends.

@@ -124,7 +124,7 @@ std::vector<Reading> readingsOf(const Frame& frame) {
     const bool isSlower = frame.timeScale < 1;
     const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
     readings.push_back({{{isSlower ? Words::tr("slow motion") : Words::tr("time lapse")}},
-                        shortNumber(factor, 2) + "\u00D7",
+                        shortNumber(factor) + "\u00D7",
                         8,
                         filled(Words::tr("One second on the screen shows %1 of the motion."),
                                {quantity(frame.timeScale, "s")}),

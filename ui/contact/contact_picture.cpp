@@ -79,7 +79,7 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
   const ContactLayout& layout = begun.layout;
   DrawList& list = begun.list;
   addBodies(list, frame, layout);
-  addAxes(list, layout, addLabels(list, frame, layout));
+  addAxes(list, layout, options.names ? addLabels(list, frame, layout) : Notes{});
   Box taken;
   if (options.magnifier) {
     addMagnifier(list, frame, *options.magnifier, layout);

@@ -48,6 +48,7 @@ struct ContactPictureOptions {
   Theme theme = lightTheme();
   ContactView view;
   bool title = true;  // scene title and readings above the axes
+  bool names = true;  // of the bodies, in the plot, with the arrows of the forces
   ContactOverlay overlay = ContactOverlay::Pressure;
   std::optional<double> probe;  // m: position of a crosshair with readings of that element
   std::optional<Magnifier> magnifier;

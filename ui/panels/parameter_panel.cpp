@@ -68,11 +68,16 @@ bool haveSameFile(const Scene& a, const Scene& b) {
 }  // namespace
 
 std::vector<ParameterGroup> parameterSections() {
-  QStringList names{"sliding", "load", "elastomer", "surface", "interface", "sweep", "accuracy"};
+  const QStringList names{"sliding",   "load",  "elastomer", "surface",
+                          "interface", "sweep", "accuracy",  "comparison"};
+  QStringList others;
   for (const Parameter& parameter : parameters())
-    if (!names.contains(sectionOf(parameter))) names += sectionOf(parameter);
+    if (const QString name = sectionOf(parameter); !names.contains(name) && !others.contains(name))
+      others += name;
+  // The texts of the scene, which change nothing that is computed, come last.
+  if (others.removeOne(QString())) others += QString();
   std::vector<ParameterGroup> groups;
-  for (const QString& name : names) {
+  for (const QString& name : names + others) {
     ParameterGroup group;
     group.title = [name] { return sectionTitle(name); };
     group.name = name.isEmpty() ? QStringLiteral("texts") : name;
@@ -242,7 +247,7 @@ void ParameterPanel::showTexts() {
 // ---- Which rows are seen
 
 PanelView ParameterPanel::defaultView() {
-  return {false, {"interface", "sweep", "accuracy", "texts", "comparison"}};
+  return {false, {"interface", "sweep", "accuracy", "comparison", "texts"}};
 }
 
 PanelView ParameterPanel::view() const {
@@ -300,7 +305,9 @@ void ParameterPanel::arrange() {
           isApplicable(row->parameter(), scene_) && accessOf(key) != RowAccess::Hidden;
       bool isWanted = isFiltered ? row->matches(words) : isWhole;
       if (isPossible && isWanted) ++here;
-      if (isPossible && isWanted && row->isChanged()) ++changed;
+      // A scene's title differs from the default in any case.
+      if (isPossible && isWanted && row->isChanged() && !sectionOf(row->parameter()).isEmpty())
+        ++changed;
       if (!isFiltered)
         isWanted = isWhole ? isOpen
                            : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
@@ -311,7 +318,8 @@ void ParameterPanel::arrange() {
     }
     if (section.header) {
       section.header->setVisible((isWhole || isFiltered) && here > 0);
-      section.header->showState(section.group.title(), changed);
+      section.header->showState(section.group.title(), changed,
+                                isFiltered || section.header->isOpen());
     }
   }
   QString nothing;

@@ -21,11 +21,12 @@ SectionHeader::SectionHeader(QWidget* parent) : QAbstractButton(parent) {
   setCursor(Qt::PointingHandCursor);
 }
 
-void SectionHeader::showState(const QString& title, int changed) {
+void SectionHeader::showState(const QString& title, int changed, bool isUnfolded) {
   setText(title);
-  remark_ = isOpen() || changed == 0 ? QString() : tr("%1 changed").arg(changed);
+  isUnfolded_ = isUnfolded;
+  remark_ = isUnfolded || changed == 0 ? QString() : tr("%1 changed").arg(changed);
   setAccessibleName(title);
-  setAccessibleDescription(isOpen()            ? tr("open section")
+  setAccessibleDescription(isUnfolded          ? tr("open section")
                            : remark_.isEmpty() ? tr("folded section")
                                                : tr("folded section, %1").arg(remark_));
   setToolTip(isOpen() ? tr("Fold this section") : tr("Open this section"));
@@ -57,9 +58,9 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   const QColor ink = colours.color(isHot ? QPalette::Highlight : QPalette::WindowText);
   QPainterPath chevron;
   const QPointF centre(5, line.center().y() + 0.5);
-  chevron.moveTo(centre + (isOpen() ? QPointF(-3.5, -2) : QPointF(-2, -3.5)));
-  chevron.lineTo(centre + (isOpen() ? QPointF(0, 2) : QPointF(2, 0)));
-  chevron.lineTo(centre + (isOpen() ? QPointF(3.5, -2) : QPointF(-2, 3.5)));
+  chevron.moveTo(centre + (isUnfolded_ ? QPointF(-3.5, -2) : QPointF(-2, -3.5)));
+  chevron.lineTo(centre + (isUnfolded_ ? QPointF(0, 2) : QPointF(2, 0)));
+  chevron.lineTo(centre + (isUnfolded_ ? QPointF(3.5, -2) : QPointF(-2, 3.5)));
   painter.setPen(QPen(ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(chevron);
 

@@ -15,8 +15,9 @@ class SectionHeader : public QAbstractButton {
   bool isOpen() const { return isChecked(); }
   void setOpen(bool open) { setChecked(open); }
 
-  /// `changed`: values of the section that are not the default.
-  void showState(const QString& title, int changed);
+  /// `changed`: values of the section that are not the default. `isUnfolded`: its rows are seen,
+  /// as also those of a folded section are while the panel is filtered.
+  void showState(const QString& title, int changed, bool isUnfolded);
 
   QSize sizeHint() const override;
 
@@ -26,6 +27,7 @@ class SectionHeader : public QAbstractButton {
 
  private:
   QString remark_;
+  bool isUnfolded_ = true;
 };
 
 }  // namespace asperity

@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kPatience = 60000;  // ms, far more than anything here takes
 
-Scene smallScene() {
+Scene sceneOfThePanel() {
   return sceneOfSize(64, 9, 4);
 }
 
@@ -34,7 +34,7 @@ class AccuracyPanelTest : public testing::Test {
   AccuracyPanelTest() {
     panel_.resize(900, 260);
     panel_.show();
-    panel_.showScene(smallScene());
+    panel_.showScene(sceneOfThePanel());
   }
   template <class Control>
   Control& control(const QString& name) {
@@ -60,7 +60,7 @@ TEST_F(AccuracyPanelTest, TimeAndErrorArePredicted) {
 }
 
 TEST_F(AccuracyPanelTest, AMotionIsPredictedByItsSteps) {
-  Scene scene = smallScene();
+  Scene scene = sceneOfThePanel();
   scene.sliding = {SlidingKind::Step, 0.1, 0.2};
   scene.sliding.duration = 0.01;
   panel_.showScene(scene);
@@ -74,7 +74,7 @@ TEST_F(AccuracyPanelTest, TheBoxSaysWithWhatTheCurveIsCompared) {
   EXPECT_FALSE(panel_.comparison());
   control<QCheckBox>("comparisonWanted").setChecked(true);
   CurveSetting usual;
-  usual.realizations = smallScene().ensemble.realizations;  // the same lines, unless told
+  usual.realizations = sceneOfThePanel().ensemble.realizations;  // the same lines, unless told
   EXPECT_EQ(panel_.comparison(), usual);
   control<QComboBox>("comparisonScheme").setCurrentIndex(static_cast<int>(Scheme::Nodal));
   EXPECT_EQ(panel_.comparison()->oversampling, 1);
@@ -85,7 +85,7 @@ TEST_F(AccuracyPanelTest, TheBoxSaysWithWhatTheCurveIsCompared) {
   control<QSpinBox>("comparisonLines").setValue(7);
   EXPECT_EQ(panel_.comparison()->realizations, 7);
   EXPECT_EQ(changed.count(), 4);
-  Scene another = smallScene();
+  Scene another = sceneOfThePanel();
   another.ensemble.realizations += 5;
   panel_.showScene(another);
   EXPECT_EQ(panel_.comparison()->realizations, 7);
@@ -105,7 +105,7 @@ TEST_F(AccuracyPanelTest, TheSliderSetsTheTargetAndTheButtonTakesItAway) {
 }
 
 TEST_F(AccuracyPanelTest, WhatCannotBePredictedIsExplained) {
-  Scene missing = smallScene();
+  Scene missing = sceneOfThePanel();
   missing.surface.kind = SurfaceKind::Profile;
   missing.surface.file = "nowhere.csv";
   panel_.showScene(missing);
@@ -123,7 +123,7 @@ TEST_F(AccuracyPanelTest, AComparisonCanBeCancelled) {
 }
 
 TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
-  Scene scene = smallScene();
+  Scene scene = sceneOfThePanel();
   scene.sweep.points = 41;
   scene.surface.elements = 128;
   panel_.showScene(scene);
@@ -148,7 +148,7 @@ TEST_F(AccuracyPanelTest, TheComparisonIsShownRegionByRegion) {
 TEST_F(AccuracyPanelTest, MeasuredNumbersGoWithTheirScene) {
   panel_.showMeasured(2, 0.015);
   EXPECT_EQ(text("accuracyMeasured"), "measured: 2 s, standard error 1.5\u00A0%");
-  panel_.showScene(smallScene());
+  panel_.showScene(sceneOfThePanel());
   EXPECT_EQ(text("accuracyMeasured"), "");
 }
 
@@ -157,7 +157,7 @@ TEST(Predictions, TheNewestSceneWins) {
   BackgroundWork work;
   for (int number = 1; number <= 20; ++number)
     work.request(
-        [](const BackgroundWork::Run& run) { return predictRun(smallScene(), 0, run.stop()); },
+        [](const BackgroundWork::Run& run) { return predictRun(sceneOfThePanel(), 0, run.stop()); },
         [&answered, number](const Prediction&) { answered.push_back(number); });
   ASSERT_TRUE(QTest::qWaitFor([&] { return !answered.empty(); }, kPatience));
   EXPECT_EQ(answered, std::vector{20});

@@ -229,9 +229,13 @@ TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
   choose("exportContent", "contact");
   const struct {
     const char *entry, *bad, *good, *said;
-  } cases[] = {{"exportWidth", "20", "800", "--size"},   {"exportWidth", "wide", "800", "--size"},
-               {"exportHeight", "", "600", "--size"},    {"exportHeight", "1e300", "600", "--size"},
-               {"exportDensity", "-3", "96", "--scale"}, {"exportDensity", "nan", "96", "--scale"}};
+  } cases[] = {{"exportWidth", "20", "800", "a width of 20 pixels; 160 to 16384"},
+               {"exportWidth", "wide", "800", "numbers above 0"},
+               {"exportHeight", "", "600", "numbers above 0"},
+               {"exportHeight", "1e300", "600", "160 to 16384"},
+               {"exportDensity", "-3", "96", "numbers above 0"},
+               {"exportDensity", "nan", "96", "numbers above 0"},
+               {"exportDensity", "1e6", "96", "--scale"}};
   for (const auto& [entry, bad, good, said] : cases) {
     in<QLineEdit>(entry).clear();
     enter(entry, bad);

@@ -52,9 +52,9 @@ TEST(GermanWindow, HasNothingLeftInEnglish) {
   EXPECT_TRUE(german.contains("Reibungskurve"));
 }
 
-class EachLanguage : public testing::TestWithParam<const char*> {};
+class WindowInEachLanguage : public testing::TestWithParam<const char*> {};
 
-TEST_P(EachLanguage, NothingIsCutOff) {
+TEST_P(WindowInEachLanguage, NothingIsCutOff) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   auto& tabs = *window->findChild<QTabWidget*>("tabs");
@@ -68,7 +68,7 @@ TEST_P(EachLanguage, NothingIsCutOff) {
 }
 
 /// Every tab is in sight, with a whole title, also that of a motion.
-TEST_P(EachLanguage, EveryTabIsInSightInASmallWindow) {
+TEST_P(WindowInEachLanguage, EveryTabIsInSightInASmallWindow) {
   WindowIn window(GetParam());
   Scene moving = smallScene();
   moving.sliding.kind = SlidingKind::Oscillation;
@@ -119,7 +119,7 @@ TEST(GermanWindow, NumbersBelowZeroHaveAComma) {
 }
 
 /// At the size of a lecturer's projector, where the texts are larger.
-TEST_P(EachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
+TEST_P(WindowInEachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QAction*>("go:accuracyPanel")->trigger();
@@ -132,14 +132,14 @@ TEST_P(EachLanguage, NothingOfTheAccuracyPanelIsCutOffInAPresentation) {
   EXPECT_EQ(cutOffIn(panel), "");
 }
 
-TEST_P(EachLanguage, NothingOfTheFiguresPageIsCutOff) {
+TEST_P(WindowInEachLanguage, NothingOfTheFiguresPageIsCutOff) {
   WindowIn window(GetParam());
   window->figures().openFigures();
   EXPECT_EQ(cutOffIn(*window), "");
 }
 
 /// With the parameters called back, and on the page of figures.
-TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
+TEST_P(WindowInEachLanguage, NothingIsCutOffInAPresentation) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   window->windowLayout().setPresenting(true);
@@ -166,11 +166,11 @@ TEST_P(EachLanguage, NothingIsCutOffInAPresentation) {
   EXPECT_GE(window->figures().gallery().picture().width(), 1280 / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Window, EachLanguage, testing::Values("en", "de"),
+INSTANTIATE_TEST_SUITE_P(Window, WindowInEachLanguage, testing::Values("en", "de"),
                          [](const auto& each) { return std::string(each.param); });
 
 /// With what the wheel and fingers do.
-TEST_P(EachLanguage, NothingOfTheSheetOfKeysIsCutOff) {
+TEST_P(WindowInEachLanguage, NothingOfTheSheetOfKeysIsCutOff) {
   WindowIn window(GetParam());
   window->findChild<QAction*>("shortcuts")->trigger();
   auto& sheet = *window->findChild<QDialog*>("shortcutSheet");

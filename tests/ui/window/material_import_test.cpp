@@ -97,6 +97,9 @@ TEST_F(MaterialImportTest, ChoicesMakeItAnew) {
   EXPECT_FALSE(page_->isReady());
   EXPECT_TRUE(page_->complaint().contains("warm"));
   EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
+  enter("dmaReference", "20.5");  // kelvins or degrees?
+  ASSERT_TRUE(waitForPage());
+  EXPECT_TRUE(page_->complaint().contains("has no unit")) << page_->complaint().toStdString();
   enter("dmaReference", "300 °C");  // outside of what was measured
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());

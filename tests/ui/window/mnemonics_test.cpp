@@ -35,9 +35,9 @@ TEST(Mnemonics, OldMarksGoAndWhatHasNoLetterLeftHasNone) {
   EXPECT_EQ(withMnemonics(withMnemonics({"One", "Only"})), withMnemonics({"One", "Only"}));
 }
 
-class EachLanguage : public testing::TestWithParam<const char*> {};
+class MenusInEachLanguage : public testing::TestWithParam<const char*> {};
 
-TEST_P(EachLanguage, EveryEntryOfEveryMenuHasALetterOfItsOwn) {
+TEST_P(MenusInEachLanguage, EveryEntryOfEveryMenuHasALetterOfItsOwn) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   window->findChild<QAction*>("pinCurve")->trigger();
@@ -61,7 +61,7 @@ TEST_P(EachLanguage, EveryEntryOfEveryMenuHasALetterOfItsOwn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mnemonics, EachLanguage, testing::Values("en", "de"),
+INSTANTIATE_TEST_SUITE_P(Mnemonics, MenusInEachLanguage, testing::Values("en", "de"),
                          [](const auto& each) { return std::string(each.param); });
 
 }  // namespace

@@ -305,7 +305,7 @@ TEST_F(StatusTest, WhatIsOfTheSceneBeforeSaysSo) {
   const auto marker = [this] { return *session().friction().marker(); };
   EXPECT_FALSE(marker().isFaded);
   Scene scene = session().scene();
-  scene.surface.elements = 8388608;
+  scene.surface.elements = 2097152;
   window_.document().edit(scene);
   ASSERT_TRUE(waitFor([&] { return veil.isVisible(); }));
   EXPECT_EQ(veil.size(), window_.canvas().size());

@@ -54,14 +54,14 @@ INSTANTIATE_TEST_SUITE_P(Window, EachSizeAndLanguage,
                                   std::to_string(std::get<0>(each.param).width());
                          });
 
-class EachLanguage : public testing::TestWithParam<const char*> {};
+class StatesInEachLanguage : public testing::TestWithParam<const char*> {};
 
 bool isTrimmed(const QString& text) {
   return text == text.trimmed();
 }
 
 /// Spaces at the ends are spoken, or show as an odd gap.
-TEST_P(EachLanguage, SpokenNamesHaveNoSpacesAtTheirEnds) {
+TEST_P(StatesInEachLanguage, SpokenNamesHaveNoSpacesAtTheirEnds) {
   WindowIn window(GetParam());
   ASSERT_TRUE(window.waitForCurve());
   int count = 0;
@@ -87,7 +87,7 @@ TEST_P(EachLanguage, SpokenNamesHaveNoSpacesAtTheirEnds) {
   EXPECT_GT(count, 200);
 }
 
-INSTANTIATE_TEST_SUITE_P(Window, EachLanguage, testing::Values("en", "de"),
+INSTANTIATE_TEST_SUITE_P(Window, StatesInEachLanguage, testing::Values("en", "de"),
                          [](const auto& each) { return std::string(each.param); });
 
 }  // namespace

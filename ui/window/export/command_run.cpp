@@ -63,10 +63,11 @@ void CommandRun::readErrors() {
   if (!process_) return;
   errors_ += process_->readAllStandardError();
   for (qsizetype end = 0; (end = errors_.indexOf('\n')) >= 0 && errors_.startsWith("progress ");) {
-    const QList<QByteArray> words = errors_.left(end).split(' ');
+    const QString line = QString::fromUtf8(errors_.left(end));
     errors_.remove(0, end + 1);
-    if (words.size() == 3 && words[2].toDouble() > 0)
-      emit progressed(words[1].toDouble() / words[2].toDouble());
+    const double done = line.section(' ', 1, 1).toDouble(),
+                 total = line.section(' ', 2, 2).toDouble();
+    if (total > 0) emit progressed(done / total, line.section(' ', 3));
   }
 }
 

@@ -30,8 +30,8 @@ class CommandRun : public QObject {
   void done(const QByteArray& output);
   /// Emitted when it has failed.
   void failed(const QString& reason);
-  /// Emitted with the finished part, 0 to 1.
-  void progressed(double part);
+  /// Emitted with the finished part, 0 to 1, of the "frames" or what else is counted.
+  void progressed(double part, const QString& of);
 
  private:
   void readErrors();

@@ -94,12 +94,9 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   connect(form_, &ExportForm::changed, this, &ExportDialog::wishChanged);
   connect(file_, &QLineEdit::textEdited, this, &ExportDialog::showCommand);
   connect(previews_, &CommandRun::done, this, &ExportDialog::takePreview);
-  connect(previews_, &CommandRun::failed, this, [this](const QString& reason) {
-    showFailure(reason);
-    preview_->showWork(tr("No preview."));
-    emit previewed(false);
-  });
-  connect(writing_, &CommandRun::progressed, this, [this](double part) {
+  connect(previews_, &CommandRun::failed, this, &ExportDialog::refuse);
+  connect(writing_, &CommandRun::progressed, this, [this](double part, const QString& of) {
+    progress_->setFormat(of + QStringLiteral(": %p %"));
     progress_->setRange(0, kSteps);
     progress_->setValue(static_cast<int>(kSteps * part));
   });
@@ -265,6 +262,7 @@ ExportWish ExportDialog::previewOfFigure(ExportWish wish, QStringList& notes) co
 
 /// Runs the command for fewer pixels and fewer lines. A film is shown by one picture.
 void ExportDialog::requestPreview() {
+  if (const QString complaint = form_->complaint(); !complaint.isEmpty()) return refuse(complaint);
   ExportWish wish = form_->wish();
   QString extension = form_->extension();
   QStringList notes;
@@ -306,6 +304,13 @@ void ExportDialog::requestPreview() {
   previews_->run(exportWords(subject_.origin, subject_.scene, wish, subject_.shown, previewFile_) +
                      QStringList{"--threads", "1"},
                  folder_.path());
+}
+
+/// Says why there is no preview, and so nothing to export.
+void ExportDialog::refuse(const QString& reason) {
+  showFailure(reason);
+  preview_->showWork(tr("No preview."));
+  emit previewed(false);
 }
 
 void ExportDialog::takePreview() {

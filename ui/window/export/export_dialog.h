@@ -72,6 +72,7 @@ class ExportDialog : public QDialog {
   ExportWish previewOfFigure(ExportWish wish, QStringList& notes) const;
   void requestPreview();
   void takePreview();
+  void refuse(const QString& reason);
   void showFailure(const QString& reason);
   void showRunning(bool isRunning);
 

@@ -9,9 +9,11 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "core/chart/figure_style.h"
 #include "core/paper/figure.h"
+#include "ui/draw/ticks.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
@@ -394,6 +396,21 @@ ExportWish ExportForm::wish() const {
 
 QString ExportForm::extension() const {
   return chosen(*format_);
+}
+
+QString ExportForm::complaint() const {
+  if (kind() == ExportKind::Table || isOfOwnSize()) return {};
+  const QSizeF size = pixels();
+  if (!(size.width() > 0 && size.height() > 0 && machineNumber(*density_).toDouble() > 0))
+    return tr("Width, height and resolution are numbers above 0.");
+  for (const auto& [name, side] :
+       {std::pair(tr("width"), size.width()), std::pair(tr("height"), size.height())})
+    if (side < kSmallestPicture - 0.5 || side >= kLargestPicture + 0.5)
+      return tr("The picture has a %1 of %2 pixels; %3 to %4 are allowed.")
+          .arg(name, QString::fromStdString(shortNumber(side)))
+          .arg(kSmallestPicture)
+          .arg(kLargestPicture);
+  return {};
 }
 
 QSizeF ExportForm::pixels() const {

@@ -32,6 +32,9 @@ class ExportForm : public QWidget {
   /// Returns the extension of the file: ".png"; empty: files in a folder.
   QString extension() const;
 
+  /// Returns what is wrong with the size of the picture; empty where nothing is.
+  QString complaint() const;
+
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
   /// command chooses them.
   QSizeF pixels() const;

@@ -130,6 +130,8 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   // The width stays when the number of cards changes.
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  connect(verticalScrollBar(), &QScrollBar::rangeChanged, verticalScrollBar(),
+          [bar = verticalScrollBar()](int from, int to) { bar->setEnabled(from < to); });
   setVerticalScrollMode(ScrollPerPixel);
   verticalScrollBar()->setSingleStep(40);
   setSelectionMode(SingleSelection);

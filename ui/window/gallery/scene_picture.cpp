@@ -59,19 +59,17 @@ ContactView closeUp(const Frame& frame) {
 }
 
 QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
-  // Height of the labels' plates at the upper and lower edge, which are cut off; pixels.
-  constexpr int kLabel = 34;
   const Frame frame = SteadyFrames(std::make_shared<const Scene>(scene), {},
                                    isClose ? 0.1 * scene.surface.length : 0)
                           .frameAt(0, 0, 0);
   ContactPictureOptions options;
   options.theme = theme;
-  options.title = false;
+  options.title = options.names = false;
   options.curve = 2.5F;
   options.view = isClose ? closeUp(frame) : fittedView(frame);
   // The axes around the plot take a part of the picture, which grows until the plot is as large as
   // the result.
-  const QSizeF wanted = QSizeF(kScenePicture) + QSizeF(0, 2 * kLabel);
+  const QSizeF wanted = kScenePicture;
   options.width = static_cast<int>(wanted.width());
   options.height = static_cast<int>(wanted.height());
   for (int i = 0; i < 3; ++i) {
@@ -82,8 +80,7 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
         static_cast<int>(std::lround(wanted.height() - static_cast<double>(plot.height)));
   }
   const Clip plot = contactPlotArea(frame, options);
-  return cutOut(composeContact(frame, options),
-                {plot.x, plot.y + kLabel, plot.width, plot.height - 2 * kLabel});
+  return cutOut(composeContact(frame, options), {plot.x, plot.y, plot.width, plot.height});
 }
 
 /// Draws the first diagram of a sheet, with thick curves.

@@ -11,6 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/panels/choice_box.h"
+
 namespace asperity {
 
 namespace {
@@ -44,6 +46,8 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   halves_->addLayout(views_, 1);
 
   complaint_->setObjectName("importComplaint");
+  complaint_->setProperty("role", "error");
+  complaint_->setStyleSheet(panelStyleSheet(palette()));
   complaint_->setWordWrap(true);
   complaint_->setTextFormat(Qt::PlainText);
   complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -87,6 +91,12 @@ QString ImportPage::sentence(QString text) {
 
 QString ImportPage::complaint() const {
   return complaint_->text();
+}
+
+DiagramSheet ImportPage::sheetSaying(const QString& complaint) {
+  DiagramSheet sheet;
+  sheet.title = Message::name(complaint.toStdString());
+  return sheet;
 }
 
 void ImportPage::restart() {

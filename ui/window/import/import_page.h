@@ -8,6 +8,7 @@
 #include <QDialog>
 #include <QString>
 
+#include "core/chart/diagram.h"
 #include "ui/draw/theme.h"
 #include "ui/window/tasks/background_work.h"
 
@@ -33,6 +34,9 @@ class ImportPage : public QDialog {
  protected:
   /// Returns a text of core as a sentence, with a capital letter and a full stop.
   static QString sentence(QString text);
+
+  /// Returns a sheet that says, in place of diagrams, why there are none.
+  static DiagramSheet sheetSaying(const QString& complaint);
 
   ImportPage(const QString& file, const QString& accept, QWidget* parent);
 

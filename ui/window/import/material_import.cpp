@@ -50,6 +50,11 @@ constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measure
 using Written = std::vector<std::pair<std::string, std::string>>;
 
 double kelvins(const QString& text, const char* option) {
+  bool isBare = false;
+  (void)withPoint(text.trimmed()).toDouble(&isBare);
+  if (isBare)  // the page shows degrees Celsius, the command takes kelvins
+    throw InputError("", option,
+                     message("'{}' has no unit; C, K or F stands behind it", text.toStdString()));
   const auto temperature = temperatureFrom(withPoint(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError(
@@ -362,7 +367,9 @@ void MaterialImport::take(const Preview& preview) {
   if (preview.fault) {
     const auto& [option, message] = *preview.fault;
     summary_->clear();
-    return finish(inWordsOfThePage(option, translatedText(message)));
+    const QString complaint = inWordsOfThePage(option, translatedText(message));
+    sheet_->show([complaint] { return sheetSaying(complaint); });
+    return finish(complaint);
   }
   const std::vector<NamedSheet> sheets = materialSheets(*material_);
   const QString before = sheets_->tabData(sheets_->currentIndex()).toString();

@@ -16,6 +16,7 @@
 #include "core/surface/line_source.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/parameter_row.h"
@@ -107,6 +108,7 @@ void SurfaceImport::buildViews(const Theme& theme) {
   column->setSpacing(4);
   notes_ = addText(*column, "surfaceNotes");
   notes_->setProperty("role", "warning");
+  notes_->setStyleSheet(panelStyleSheet(palette()));
   facts_ = addText(*column, "surfaceFacts");
   column->addStretch(1);
   auto* scroll = new QScrollArea;
@@ -184,9 +186,12 @@ void SurfaceImport::take(const Preview& preview) {
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
     for (QLabel* label : {facts_, values_, notes_}) label->clear();
-    for (DiagramView* view : {profile_, spectrum_}) view->show([] { return DiagramSheet{}; });
-    return finish(parameter ? ParameterRow::labelOf(*parameter) + ": " + text
-                            : QFileInfo(file()).fileName() + ": " + text);
+    const QString complaint =
+        (parameter ? ParameterRow::labelOf(*parameter) : QFileInfo(file()).fileName()) + ": " +
+        text;
+    profile_->show([complaint] { return sheetSaying(complaint); });
+    spectrum_->show([] { return DiagramSheet{}; });
+    return finish(complaint);
   }
   panel_->showLine(preview.line);
   showSummary(*summary_);

@@ -19,9 +19,11 @@
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/curve_words.h"
+#include "core/chart/material_sheets.h"
 #include "core/friction/curve_quantity.h"
 #include "core/friction/study.h"
 #include "core/lesson/lesson_answers.h"
+#include "core/run/line_diagrams.h"
 #include "core/run/simulation.h"
 #include "core/run/steady_frames.h"
 #include "core/scene/sweep.h"
@@ -130,6 +132,12 @@ class HandoutMaker {
     return step.prediction && step.prediction->kind == PredictionKind::Point;
   }
 
+  static Frame frameOf(const Scene& scene) {
+    const auto shared = std::make_shared<const Scene>(scene);
+    return scene.sliding.kind == SlidingKind::Steady ? SteadyFrames(shared).frameAt(0, 0, 0)
+                                                     : Simulation(shared, 1).frame();
+  }
+
   /// A contact is shown where it differs from the one before.
   void addContact(const Scene& given) {
     const Scene scene = untitled(given);
@@ -138,28 +146,44 @@ class HandoutMaker {
                         contact_->sliding == scene.sliding;
     if (isSame) return;
     contact_ = scene;
-    const auto shared = std::make_shared<const Scene>(scene);
-    const Frame frame = scene.sliding.kind == SlidingKind::Steady
-                            ? SteadyFrames(shared).frameAt(0, 0, 0)
-                            : Simulation(shared, 1).frame();
     ContactPictureOptions options;
     options.width = kContactWidth;
     options.height = kContactHeight;
     options.scale = kPictureScale;
     options.theme = printTheme();
-    addPicture(composeContact(frame, options),
+    addPicture(composeContact(frameOf(scene), options),
                utf(Words::tr("the contact of the rough line and the rubber")));
   }
 
-  /// A chart is shown where it differs from the one before; an empty one where it is drawn into.
+  /// What the step has in front is shown where it differs from the one before; an empty chart where
+  /// it is drawn into. Times and simulations of the tabs that are left out are not for paper.
   void addChart(const LessonStep& step, const Scene& scene, bool isHidden) {
-    if (step.show.tab != "curve") return;
-    const QString key = QString::number(isHidden) + QString::fromStdString(step.show.quantity);
-    const bool isNew = isHidden || !chart_ || !(sceneOf(*chart_) == sceneOf(scene)) ||
-                       key != chartKey_ || !step.show.beside.empty();
-    if (!isNew) return;
+    if (step.show.tab == "curve")
+      addCurve(step, scene, isHidden);
+    else if (step.show.tab == "spectrum" && isNewChart(step, scene))
+      addSheet(spectrumSheet(scene), utf(Words::tr("the spectrum of the line")));
+    else if (step.show.tab == "statistics" && isNewChart(step, scene))
+      addSheet(statisticsSheet(frameOf(scene)), utf(Words::tr("the statistics of the line")));
+    else if (step.show.tab == "material" && isNewChart(step, scene))
+      addSheet(excitationSheet(scene), utf(Words::tr("the moduli of the elastomer")));
+  }
+
+  /// Whether the chart differs from the one before, which it replaces.
+  bool isNewChart(const LessonStep& step, const Scene& scene) {
+    const auto shownOf = [&](const Scene& of) {
+      return step.show.tab == "curve" ? sceneOfCurve(of) : untitled(of);
+    };
+    const std::string key = step.show.tab + " " + step.show.quantity;
+    const bool isNew = !chart_ || key != chartKey_ || !(shownOf(*chart_) == shownOf(scene));
     chart_ = scene;
     chartKey_ = key;
+    return isNew;
+  }
+
+  void addCurve(const LessonStep& step, const Scene& scene, bool isHidden) {
+    const bool isNew = isNewChart(step, scene);
+    if (isHidden) chartKey_.clear();  // the whole curve is another chart
+    if (!isNew && !isHidden && step.show.beside.empty()) return;
     CurveSet set;
     set.present = {{}, untitled(scene), curveOf(scene)};
     set.y = *quantityNamed(step.show.quantity);
@@ -169,7 +193,6 @@ class HandoutMaker {
                             static_cast<int>(i), static_cast<int>(i) + 1});
     }
     DiagramSheet sheet = curveSheet(set);
-    sheet.title = sheet.subtitle = sheet.note = {};
     if (isHidden) {
       Diagram& diagram = sheet.diagrams.front();
       std::erase_if(diagram.series,
@@ -187,17 +210,19 @@ class HandoutMaker {
         }
       }
     }
+    addSheet(sheet, isHidden ? utf(Words::tr("an empty chart of friction, to draw into"))
+                             : utf(Words::tr("the friction curve")));
+  }
+
+  void addSheet(DiagramSheet sheet, const QString& name) {
+    sheet.title = sheet.subtitle = sheet.note = {};
     DiagramOptions options;
     options.width = kChartWidth;
     options.height = kChartHeight;
     options.scale = kPictureScale;
     options.theme = printTheme();
-    addPicture(composeDiagrams(sheet, options),
-               isHidden ? utf(Words::tr("an empty chart of friction, to draw into"))
-                        : utf(Words::tr("the friction curve")));
+    addPicture(composeDiagrams(sheet, options), name);
   }
-
-  static Scene sceneOf(const Scene& scene) { return sceneOfCurve(scene); }
 
   std::vector<CurvePoint> curveOf(const Scene& scene) const {
     CurveOptions options = curveOptions();
@@ -270,7 +295,7 @@ class HandoutMaker {
   std::vector<Block> blocks_;
   std::unique_ptr<PixelContext> context_;
   std::optional<Scene> contact_, chart_;  // shown last
-  QString chartKey_;
+  std::string chartKey_;
 };
 
 constexpr const char* kStyle =

@@ -140,6 +140,7 @@ QString windowStyleSheet(const Theme& theme) {
     #fitButton:focus { border: 1px solid %5; padding: 2px 9px; }
     #fitKeys QHeaderView::section, #planList QHeaderView::section { background: %1; color: %6; border: none; padding: 4px 6px; }
     #planList QHeaderView::section { padding: 4px 3px; }
+    #planList::item:disabled { color: %6; }
     #regionPictures { background: %10; }
     #regionBar QLabel { color: %6; }
     #regionBar QToolButton { border: none; border-radius: 5px; padding: 2px 9px; color: %6; }
@@ -153,6 +154,7 @@ QString windowStyleSheet(const Theme& theme) {
     QToolTip { background: %1; color: %2; border: 1px solid %3; padding: 3px; }
     QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
     QScrollBar::handle:vertical { background: %3; border-radius: 4px; min-height: 30px; }
+    QScrollBar::handle:vertical:disabled { background: transparent; }
     QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
   )")
