@@ -13,6 +13,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/scene/parameters.h"
 
 namespace asperity {
 namespace {
@@ -92,10 +93,14 @@ InputError unexpected(const CLI::App& app) {
             nearest.empty() ? message("unknown option of '{}'; '{} --help' lists all", call, call)
                             : message("unknown option of '{}'; did you mean {}?", call, nearest)};
   }
-  return {"", "",
-          words.empty()
-              ? message("unexpected argument for '{}'", call)
-              : message("unexpected argument '{}' for '{}'", shortened(words.front()), call)};
+  if (words.empty()) return {"", "", message("unexpected argument for '{}'", call)};
+  const std::string word = shortened(words.front());
+  const bool isKey = findParameter(word.substr(0, word.find('='))) != nullptr;
+  if (isKey && word.find('=') != std::string::npos && command.get_option_no_throw("--set"))
+    return {"", "",
+            message("unexpected argument '{}' for '{}'; --set stands before each KEY=VALUE", word,
+                    call)};
+  return {"", "", message("unexpected argument '{}' for '{}'", word, call)};
 }
 
 /// Translates CLI11's messages such as "--size: At Most 1 required but received 2".

@@ -79,8 +79,8 @@ void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* u
   }
   app.add_flag("--timing", common.timing, "Write the run time to standard error");
   app.add_option("--language", common.language,
-                 fmt::format("Language of pictures and messages: {} (default: {})", languageCodes(),
-                             usualLanguage));
+                 fmt::format("Language of pictures and summaries: {} (default: {})",
+                             languageCodes(), usualLanguage));
 }
 
 CLI::App* CommandTable::addCommand(const char* name, const char* sentence, CommonOptions& common,

@@ -11,7 +11,9 @@
 #include "app/output.h"
 #include "app/surface_progress.h"
 #include "core/base/atomic_file.h"
+#include "core/base/carried_text.h"
 #include "core/base/input_error.h"
+#include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/measured/measured_file.h"
 #include "core/run/line_diagrams.h"
@@ -72,11 +74,22 @@ std::string notesText(const NoteSet& notes) {
   return text;
 }
 
-/// The scene of a measured file with everything else as usual.
+/// Returns whether the table is a line that this command wrote.
+bool isWrittenLine(const std::filesystem::path& file) {
+  constexpr std::size_t kBeginning = std::size_t{1} << 20;  // bytes; the record is its first line
+  const std::string beginning = RegularFile(file).read(0, kBeginning);
+  if (!beginning.starts_with('#') || beginning.find("\nposition,height\n") == std::string::npos)
+    return false;
+  const auto record = nlohmann::json::parse(carriedText(beginning), nullptr, false);
+  return record.is_object() && record.contains("verb") && record["verb"] == "surface";
+}
+
+/// The scene of a measured file with everything else as usual. A line that this program wrote is
+/// taken as it stands: it is levelled, filtered and turned over already.
 Scene sceneOfFile(const CommonOptions& options) {
   const std::filesystem::path file(options.scene);
-  const nlohmann::json json = {
-      {"surface", {{"kind", "measured"}, {"file", file.filename().string()}}}};
+  const char* const kind = isWrittenLine(file) ? "profile" : "measured";
+  const nlohmann::json json = {{"surface", {{"kind", kind}, {"file", file.filename().string()}}}};
   return readScene(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
                    options.scene, file.parent_path(), options.assignments);
 }

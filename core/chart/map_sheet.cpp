@@ -296,7 +296,7 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
   const double crossAlong = part(along, numberOf(map.scene, velocityIsX ? map.x : map.y));
   const double crossAcross = part(across, numberOf(map.scene, velocityIsX ? map.y : map.x));
   DiagramPoint best;
-  double most = -1;
+  double most = -std::numeric_limits<double>::infinity();
   for (const RegionCut& cut : cuts) {
     const double row = part(across, cut.other);
     const double from = part(along, cut.from), to = part(along, cut.to);
@@ -308,7 +308,9 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
       const double worth = std::min(room, kEnough) - 1e-3 * std::abs(row - 0.5);
       if (worth <= most) continue;
       most = worth;
-      const double velocity = cut.from * std::pow(cut.to / cut.from, share);
+      const double velocity = valueAt(
+          along.scale, placeOn(along.scale, cut.from) +
+                           share * (placeOn(along.scale, cut.to) - placeOn(along.scale, cut.from)));
       best = velocityIsX ? DiagramPoint{velocity, cut.other} : DiagramPoint{cut.other, velocity};
     }
   }

@@ -73,7 +73,8 @@ Claim balanceClaim(const Contact& contact) {
   claim.expected = 0;
   claim.criterion = message("below {}", plain(1e-9));
   decideExactly(claim, contact.steady.residual, below(1e-9));
-  claim.note = "For separate elements F_N(d) jumps where an element enters; see Fig. 2's claims.";
+  claim.note =
+      "For separate elements F\u2099(d) jumps where an element enters; see Fig. 2's claims.";
   return claim;
 }
 
@@ -94,7 +95,8 @@ Claim unilateralClaim(const Contact& contact) {
   if (lowest < 0) claim.holds = Verdict::No;
   claim.note =
       "The paper's own condition for leaving the contact is f > 0, not u < z - d alone. With the "
-      "detachment condition d - z + eta v z' = 0 a factor G is missing: G (d - z) + eta v z' = 0.";
+      "detachment condition d - z + \u03B7 v z' = 0 a factor G is missing: G (d - z) + \u03B7 v z' "
+      "= 0.";
   return claim;
 }
 
@@ -115,7 +117,7 @@ void addContactFigure(Figure& figure, const FigureOptions& options) {
   figure.claims = {
       balanceClaim(contact), unilateralClaim(contact),
       shareClaim("height_from_long_waves", "h is dominated by the long wavelengths",
-                 "share of h^2 from the longest decade of wavelengths",
+                 "share of h\u00B2 from the longest decade of wavelengths",
                  sharesOf(modes, 0).longWaves),
       shareClaim("slope_from_short_waves", "The rms gradient is dominated by the short wavelengths",
                  "share of the squared gradient from the shortest decade of wavelengths",

@@ -113,7 +113,7 @@ Claim exponentClaim(const std::vector<Coefficients>& all) {
   Claim claim{"alpha_is_H_over_1_plus_H", "p. 3, Eq. (7), Fig. 5",
               "For 0.2 < H < 0.8 the exponent alpha = H/(1+H) fits the numerical data very well",
               "largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without "
-              "the ends; F_N / G h L from 0.001 to 0.1"};
+              "the ends; F\u2099 / G h L from 0.001 to 0.1"};
   const auto deviation = [](const Coefficients& one, const Estimate& alpha) {
     return Estimate{std::abs(alpha.value - forceExponent(one.hurst)), alpha.standardError};
   };
@@ -131,26 +131,26 @@ Claim exponentClaim(const std::vector<Coefficients>& all) {
   decideByAll(claim, narrow, below(0.02));
   const auto widest = std::ranges::max_element(wide, {}, &Estimate::value);
   claim.note = message(
-      "{}. It depends on the window: with F_N / G h L up to 1 the largest deviation is {:.3f}.",
+      "{}. It depends on the window: with F\u2099 / G h L up to 1 the largest deviation is {:.3f}.",
       listed(each), widest->value);
   return claim;
 }
 
 Claim prefactorClaim(const std::vector<Coefficients>& all) {
   Claim claim{"beta_of_equation_12", "p. 3, Eq. (12)",
-              "Eq. (11) can be rewritten as Eq. (12), in which beta does not appear",
-              "beta most distant from 1 at the eleven Hurst exponents"};
+              "Eq. (11) can be rewritten as Eq. (12), in which \u03B2 does not appear",
+              "\u03B2 most distant from 1 at the eleven Hurst exponents"};
   std::vector<Estimate> betas;
   for (const Coefficients& one : all) betas.push_back(one.beta);
   claim.expected = 1;
-  claim.criterion = "every beta within 0.1 of 1";
+  claim.criterion = "every \u03B2 within 0.1 of 1";
   decideByAll(claim, betas, within(1, 0.1));
   std::vector<Message> each;
   for (const Coefficients& one : all)
     each.push_back(message("{:g}: {:.2f}", one.hurst, one.beta.value));
   claim.note = message(
-      "Eq. (12) sets beta = 1 without saying so and is low by that factor in region I. "
-      "beta by H: {}.",
+      "Eq. (12) sets \u03B2 = 1 without saying so and is low by that factor in region I. "
+      "\u03B2 by H: {}.",
       listed(each));
   return claim;
 }

@@ -131,8 +131,8 @@ Claim fullContactClaim(std::span<const Study> studies) {
     all.toSpectral = std::max(all.toSpectral, one.toSpectral);
   }
   Claim claim{"equation_8_is_exact", "p. 3, Eq. (8)",
-              "In complete contact mu = 4 L eta grad^2 v / F_N, exactly confirmed",
-              "largest |mu / Eq. (8) - 1| in complete contact, with the slope of the line as "
+              "In complete contact \u03BC = 4 L \u03B7 grad\u00B2 v / F\u2099, exactly confirmed",
+              "largest |\u03BC / Eq. (8) - 1| in complete contact, with the slope of the line as "
               "resolved"};
   claim.expected = 0;
   claim.criterion = message("below {}, on at least one point", plain(1e-9));

@@ -33,7 +33,7 @@ Claim linearClaim(const std::vector<Study>& studies) {
   Claim claim{"region_1_is_linear_for_all_H", "p. 2, Fig. 3",
               "At small velocities the coefficient of friction increases linearly with velocity, "
               "for six Hurst exponents",
-              "largest |n - 1| of mu ~ v^n over the five lowest velocities"};
+              "largest |n - 1| of \u03BC \u221D v\u207F over the five lowest velocities"};
   claim.expected = 0;
   claim.criterion = "below 0.02";
   const std::size_t worst = decideByAll(claim, estimatesOf(studies, deviation), below(0.02));
@@ -65,7 +65,7 @@ Claim lawClaim(const std::vector<Study>& studies) {
   Claim claim{"equation_11", "p. 3, Eq. (11), Fig. 3",
               "Eq. (11) interpolates between regions I, II and III; its quality can be seen in "
               "Fig. 3",
-              "largest |mu / Eq. (11) - 1| up to the maximum, beta as measured"};
+              "largest |\u03BC / Eq. (11) - 1| up to the maximum, \u03B2 as measured"};
   claim.expected = 0;
   claim.criterion = "below 0.25";
   decideByAll(claim, estimatesOf(studies, lawDeviation), below(0.25));
@@ -77,7 +77,8 @@ Claim lawClaim(const std::vector<Study>& studies) {
   for (const Study& study : studies) partial = std::max(partial, partOfPartialContact(study));
   claim.note = message(
       "{}. With the rms slope of the whole line for that in contact. The term of partial contact, "
-      "with alpha and beta, lowers Eq. (11) by at most {:.2g} % at this force: the figure does not "
+      "with \u03B1 and \u03B2, lowers Eq. (11) by at most {:.2g} % at this force: the figure does "
+      "not "
       "test it.",
       listed(each), 100 * partial);
   return claim;
@@ -93,7 +94,7 @@ Claim outsideClaim(const std::vector<Study>& studies) {
   Claim claim{
       "region_4_out_of_scope", "p. 2, Figs. 3 and 4",
       "At high forces the decreasing region IV is outside the scope of practical velocities",
-      "smallest mu at the highest velocity over the maximum"};
+      "smallest \u03BC at the highest velocity over the maximum"};
   claim.expected = 1;
   claim.criterion = "above 0.9";
   const Study& worst = studies[decideByAll(claim, estimatesOf(studies, leftAtTheEnd), above(0.9))];

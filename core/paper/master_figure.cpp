@@ -105,7 +105,7 @@ Claim collapseClaim(const std::vector<Study>& studies) {
   Claim claim{"master_curve", "p. 4, Eqs. (16) and (17)",
               "Changing force, system size or relaxation time only shifts the curves in the double "
               "logarithmic presentation",
-              "rms spread of the shifted curves in decades of mu, up to the plateau"};
+              "rms spread of the shifted curves in decades of \u03BC, up to the plateau"};
   claim.expected = 0;
   claim.criterion = "below 0.05 decades (12 %)";
   decide(claim,
@@ -134,11 +134,12 @@ Claim dimensionClaim(const Scene& base, FigureWork& work) {
   double worst = 0;
   for (std::size_t i = 0; i < velocities.size(); ++i)
     worst = std::max(worst, std::abs(two.normalizedMu(0, i) / one.normalizedMu(0, i) - 1));
-  Claim claim{"dimensionless_variables", "p. 1, abstract; p. 4, conclusion",
-              "The coefficient of friction depends on two dimensionless combinations of force, "
-              "velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent",
-              "largest change of mu / grad where h, L, G and tau change but F_N / G h L and "
-              "tau v grad / h do not"};
+  Claim claim{
+      "dimensionless_variables", "p. 1, abstract; p. 4, conclusion",
+      "The coefficient of friction depends on two dimensionless combinations of force, "
+      "velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent",
+      "largest change of \u03BC / grad where h, L, G and \u03C4 change but F\u2099 / G h L and "
+      "\u03C4 v grad / h do not"};
   claim.expected = 0;
   claim.criterion = message("below {}", plain(1e-9));
   decideExactly(claim, worst, below(1e-9));
@@ -197,7 +198,7 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
   result.claim = {"temperature_shift", "p. 4, after Eq. (17)",
                   "Curves are shifted by changes of temperature, which influences the relaxation "
                   "time (the master curve procedure)",
-                  "largest |mu(v, T) / mu(v a_T, T_r) - 1|, 10 to 100 degrees Celsius"};
+                  "largest |\u03BC(v, T) / \u03BC(v a_T, T_r) - 1|, 10 to 100 degrees Celsius"};
   result.claim.expected = 0;
   result.claim.criterion = message("below {}", plain(1e-9));
   decideExactly(result.claim, worst, below(1e-9));

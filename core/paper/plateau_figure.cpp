@@ -70,10 +70,10 @@ Diagram diagramOf(const std::vector<Tops>& all) {
 Claim heightClaim(const std::vector<Tops>& all) {
   Claim claim{"plateau_is_sqrt_2", "p. 3, Eq. (9), Fig. 6",
               "For 0.2 < H < 0.8 and not too small forces the plateau is almost constant, about "
-              "sqrt(2) times the rms slope",
-              "plateau of mu / rms slope most distant from sqrt(2), F_N / G h L >= 1"};
+              "\u221A2 times the rms slope",
+              "plateau of \u03BC / rms slope most distant from \u221A2, F\u2099 / G h L >= 1"};
   claim.expected = std::numbers::sqrt2;
-  claim.criterion = "within 10 % of sqrt(2)";
+  claim.criterion = "within 10 % of \u221A2";
   std::vector<Estimate> plateaus;
   double lowest = 2, highest = 0;
   for (const Tops& one : all)
@@ -85,9 +85,9 @@ Claim heightClaim(const std::vector<Tops>& all) {
     }
   decideByAll(claim, plateaus, within(claim.expected, 0.1 * claim.expected));
   claim.note = message(
-      "From {:.3f} to {:.3f}. sqrt(2) assumes exponentially distributed slopes; random phases give "
+      "From {:.3f} to {:.3f}. \u221A2 assumes exponentially distributed slopes; random phases give "
       "Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the "
-      "contact is weighted by the slope. Eq. (10)'s second line lacks a factor sqrt(L_cont).",
+      "contact is weighted by the slope. Eq. (10)'s second line lacks a factor \u221AL_cont.",
       lowest, highest);
   return claim;
 }
@@ -105,7 +105,7 @@ Claim hurstClaim(const std::vector<Tops>& all) {
   Claim claim{
       "plateau_depends_weakly_on_H", "p. 3, Fig. 6",
       "On the plateau the coefficient of friction depends only weakly on the Hurst exponent",
-      "smallest over largest plateau of the six Hurst exponents, F_N / G h L near 10"};
+      "smallest over largest plateau of the six Hurst exponents, F\u2099 / G h L near 10"};
   claim.expected = 1;
   claim.criterion = "above 0.85";
   const auto ratio = [&](int out) {

@@ -58,11 +58,12 @@ Claim viscousClaim(const Study& study, const LoadShares& shares) {
 }
 
 Claim followClaim(const Study& study, const LoadShares& shares) {
-  Claim claim{"region_4_follows_slope", "p. 4, Eqs. (9) and (15)",
-              "The decrease at large velocities (region IV) is related to the dependence of the "
-              "rms slope on the size of the real contact",
-              "mu / slope in contact at the highest velocity over that at the maximum, mean over "
-              "the lines of each"};
+  Claim claim{
+      "region_4_follows_slope", "p. 4, Eqs. (9) and (15)",
+      "The decrease at large velocities (region IV) is related to the dependence of the "
+      "rms slope on the size of the real contact",
+      "\u03BC / slope in contact at the highest velocity over that at the maximum, mean over "
+      "the lines of each"};
   const auto ratio = [&](int out) {
     return shares.frictionOverSlope(0, kAtTheEnd, out) /
            shares.frictionOverSlope(0, kAtMaximum, out);
@@ -75,7 +76,7 @@ Claim followClaim(const Study& study, const LoadShares& shares) {
       "Friction itself falls to {:.2g} of its maximum. Over the slope in contact it goes from "
       "{:.3f} "
       "to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it is "
-      "2/sqrt(3) = {:.3f}.",
+      "2/\u221A3 = {:.3f}.",
       study.normalizedMu(0, last) / plateauOf(study, 0).normalizedMu,
       shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
       2 / std::numbers::sqrt3);
@@ -129,11 +130,12 @@ std::vector<Study> studiesOfLengths(const Study& study, FigureWork& work) {
 }
 
 Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& lengths) {
-  Claim claim{"region_4_begins_at_few_summits", "p. 4, after Eq. (15)",
-              "The plateau decreases where the contact becomes extremely small, at extremely high "
-              "sliding velocities or extremely low normal forces",
-              "F_N / (4 eta v) over h where region IV begins, geometric mean over four forces and "
-              "three lengths"};
+  Claim claim{
+      "region_4_begins_at_few_summits", "p. 4, after Eq. (15)",
+      "The plateau decreases where the contact becomes extremely small, at extremely high "
+      "sliding velocities or extremely low normal forces",
+      "F\u2099 / (4 \u03B7 v) over h where region IV begins, geometric mean over four forces and "
+      "three lengths"};
   const auto mean = [&](int out) {
     double sum = 0;
     for (const std::vector<Study>* studies : {&forces, &lengths})
@@ -147,8 +149,8 @@ Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& le
   decide(claim, jackknife(forces.front().groups(), mean), {0.03, 0.3});
   std::vector<Message> each;
   for (const Study& study : forces)
-    each.push_back(message("F_N / G h L = {:.2g}: {:.3f}", dimensionlessForce(study.lawInput(0, 0)),
-                           heightAtBorder(study)));
+    each.push_back(message("F\u2099 / G h L = {:.2g}: {:.3f}",
+                           dimensionlessForce(study.lawInput(0, 0)), heightAtBorder(study)));
   for (const Study& study : lengths)
     each.push_back(
         message("L = {:.2g} m: {:.3f}", study.scene().surface.length, heightAtBorder(study)));
@@ -159,7 +161,8 @@ Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& le
 Claim lengthClaim(const std::vector<Study>& studies) {
   Claim claim{"region_4_moves_with_length", "p. 1, abstract; p. 4, Eq. (17)",
               "The law of friction depends on the size of the system, which shifts the curves",
-              "exponent n of v ~ L^n where region IV begins, at given F_N / L, h and roll-off"};
+              "exponent n of v \u221D L\u207F where region IV begins, at given F\u2099 / L, h and "
+              "roll-off"};
   const auto exponent = [&](int out) {
     std::vector<double> lengths, velocities;
     for (const Study& study : studies) {
@@ -169,7 +172,7 @@ Claim lengthClaim(const std::vector<Study>& studies) {
     return fitPower(lengths, velocities).slope;
   };
   claim.expected = 1;
-  claim.criterion = "0.5 to 1.5; 1 by F_N / (4 eta v) = 0.1 h";
+  claim.criterion = "0.5 to 1.5; 1 by F\u2099 / (4 \u03B7 v) = 0.1 h";
   decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.5));
   std::vector<Message> each;
   for (const Study& study : studies)

@@ -26,9 +26,9 @@ double slopeExponent(const std::vector<Study>& studies, const Read& read) {
 
 Claim lowVelocityClaim(const std::vector<Study>& studies) {
   Claim claim{"region_1_slope_squared", "p. 2, before Eq. (5)",
-              "Simulations with different rms gradients, varied by the spacing, show mu very "
+              "Simulations with different rms gradients, varied by the spacing, show \u03BC very "
               "accurately proportional to the squared gradient",
-              "exponent n of mu ~ grad^n at the lowest velocity, twenty spacings"};
+              "exponent n of \u03BC \u221D grad\u207F at the lowest velocity, twenty spacings"};
   claim.expected = 2;
   claim.criterion = "within 0.1 of 2";
   const auto exponent = [&](int out) {
@@ -42,7 +42,7 @@ Claim maximumClaim(const std::vector<Study>& studies) {
   Claim claim{"maximum_proportional_to_slope", "p. 2, before Fig. 2",
               "The maximum of the coefficient of friction in the medium range of velocities is "
               "proportional to the rms gradient",
-              "exponent n of the maximum ~ grad^n, twenty spacings"};
+              "exponent n of the maximum \u221D grad\u207F, twenty spacings"};
   claim.expected = 1;
   claim.criterion = "within 0.1 of 1";
   const auto exponent = [&](int out) {

@@ -125,7 +125,7 @@ Claim linearClaim(const Study& study) {
       2, indexBelow(study.velocities(), regionBorders(study, 0).endOfLinear / 10));
   Claim claim{"region_1_is_linear", "p. 2, Fig. 2",
               "At first the coefficient of friction increases linearly with velocity (region I)",
-              "exponent n of mu ~ v^n"};
+              "exponent n of \u03BC \u221D v\u207F"};
   claim.expected = 1;
   claim.criterion = "within 0.02 of 1, at velocities below a tenth of region I's end";
   decide(
@@ -166,7 +166,7 @@ Claim widthClaim(const Study& study) {
 Claim factorClaim(const Study& study) {
   Claim claim{"region_2_factor", "p. 2, Fig. 2",
               "The coefficient of friction increases in region II by a factor of two",
-              "mu at the end of region II over mu at its start, borders as for its width"};
+              "\u03BC at the end of region II over \u03BC at its start, borders as for its width"};
   claim.expected = 2;
   claim.criterion = "1.5 to 2.5";
   decide(claim, jackknife(study.groups(), [&](int out) { return factorOf(study, out); }),
@@ -180,10 +180,10 @@ Claim factorClaim(const Study& study) {
 
 Claim plateauClaim(const Study& study) {
   Claim claim{"plateau_height", "p. 3, Eq. (9)",
-              "On the plateau (region III) mu is about sqrt(2) times the rms slope",
-              "largest mu / rms slope of the line"};
+              "On the plateau (region III) \u03BC is about \u221A2 times the rms slope",
+              "largest \u03BC / rms slope of the line"};
   claim.expected = std::sqrt(2.0);
-  claim.criterion = "within 10 % of sqrt(2)";
+  claim.criterion = "within 10 % of \u221A2";
   decide(claim,
          jackknife(study.groups(), [&](int out) { return plateauOf(study, 0, out).normalizedMu; }),
          within(claim.expected, 0.1 * claim.expected));
@@ -222,9 +222,10 @@ Claim constantLevelClaim(const Curves& curves) {
   const std::size_t last = study.velocities().size() - 1;
   const double from = study.velocities()[last] / 10;
   const std::size_t first = indexBelow(study.velocities(), from);
-  Claim claim{"region_4_constant_level", "p. 2, Fig. 2; abstract",
-              "Friction finally drops to another constant level (region IV)",
-              "exponent n of mu ~ v^n over the last decade, by the paper's literal rule"};
+  Claim claim{
+      "region_4_constant_level", "p. 2, Fig. 2; abstract",
+      "Friction finally drops to another constant level (region IV)",
+      "exponent n of \u03BC \u221D v\u207F over the last decade, by the paper's literal rule"};
   claim.expected = 0;
   claim.criterion = "|n| below 0.1; on a resolved line, too, for a plain yes";
   const Bounds level = within(0, kLevel);
@@ -239,7 +240,7 @@ Claim constantLevelClaim(const Curves& curves) {
     claim.holds = both(claim.holds, onLine);
   }
   claim.note = message(
-      "n is {:.2f} on the resolved line, which falls on as v^(-1/2). The level is one node's own "
+      "n is {:.2f} on the resolved line, which falls on as 1/\u221Av. The level is one node's own "
       "slope: the line moves one spacing per step, so the last contact is a single node, and more "
       "power goes in than is dissipated. {}",
       resolved.value, fineStepsNote(curves));
@@ -261,7 +262,8 @@ Claim convergenceClaim(const Curves& curves) {
     claim.scheme = "linear or cubic (a resolved line)";
   }
   claim.note = message(
-      "At {:.2g} m/s. F_N(d) of separate elements jumps where one enters under viscous pressure; "
+      "At {:.2g} m/s. F\u2099(d) of separate elements jumps where one enters under viscous "
+      "pressure; "
       "on a resolved line it is continuous and every balance is met to {:.0e}.",
       worst->velocity, std::max(curves.resolved.largestResidual(), 1e-15));
   return claim;

@@ -47,24 +47,25 @@ Claim zone1Claim(Claim claim, const Study& study, double expected, const Read& r
 }
 
 Claim zone1FrictionClaim(const Study& study) {
-  return zone1Claim({"zone_1_power", "p. 3, Eqs. (5) and (7)",
-                     "In zone 1 the coefficient of friction is a power of the force, "
-                     "mu ~ F_N^(-H/(1+H))",
-                     "exponent of mu over F_N at the lowest velocity, F_N / G h L up to 0.1"},
-                    study, -forceExponent(study.scene().surface.hurst),
-                    [&](std::size_t j, int out) { return study.mu(j, 0, out); });
+  return zone1Claim(
+      {"zone_1_power", "p. 3, Eqs. (5) and (7)",
+       "In zone 1 the coefficient of friction is a power of the force, "
+       "\u03BC \u221D F\u2099^(-H/(1+H))",
+       "exponent of \u03BC over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
+      study, -forceExponent(study.scene().surface.hurst),
+      [&](std::size_t j, int out) { return study.mu(j, 0, out); });
 }
 
 Claim contactLengthClaim(const Study& study) {
-  Claim claim =
-      zone1Claim({"contact_length_power", "p. 3, before Eq. (7)",
-                  "At small forces the contact length is a power of the force, "
-                  "L_cont ~ F_N^(1/(1+H))",
-                  "exponent of L_cont over F_N at the lowest velocity, F_N / G h L up to 0.1"},
-                 study, 1 / (1 + study.scene().surface.hurst),
-                 [&](std::size_t j, int out) { return study.contactFraction(j, 0, out); });
+  Claim claim = zone1Claim(
+      {"contact_length_power", "p. 3, before Eq. (7)",
+       "At small forces the contact length is a power of the force, "
+       "L_cont \u221D F\u2099^(1/(1+H))",
+       "exponent of L_cont over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
+      study, 1 / (1 + study.scene().surface.hurst),
+      [&](std::size_t j, int out) { return study.contactFraction(j, 0, out); });
   claim.note =
-      "The slope in contact rises with the force, too, so that mu and L_cont need not have the "
+      "The slope in contact rises with the force, too, so that \u03BC and L_cont need not have the "
       "same exponent up to 1.";
   return claim;
 }
@@ -73,8 +74,8 @@ Claim contactLengthClaim(const Study& study) {
 /// contact.
 Claim contactLawClaim(const Study& study) {
   Claim claim{"equation_6", "p. 3, Eq. (6)",
-              "At low velocities mu = 4 L_cont eta grad_cont^2 v / F_N",
-              "largest |mu / Eq. (6) - 1| at the lowest velocity, all forces"};
+              "At low velocities \u03BC = 4 L_cont \u03B7 grad_cont\u00B2 v / F\u2099",
+              "largest |\u03BC / Eq. (6) - 1| at the lowest velocity, all forces"};
   const auto deviation = [&](std::size_t j, int out) {
     const double predicted = contactFriction(
         study.lawInput(j, 0), study.contactFraction(j, 0, out) * study.scene().surface.length,
@@ -175,22 +176,23 @@ Claim oneSidedClaim(const Study& study, FigureWork& work) {
     velocities.push_back(jackknife(shares.groups(), [&](int out) {
       return velocityOfTrailing(shares, j, kPart, out) / unit;
     }));
-  Claim claim{"contacts_one_sided_at_1", "p. 3, after Eq. (14)",
-              "Dimensionless velocity of about 1 gives the order of magnitude of the velocity at "
-              "which the elastomer is detached on the trailing side of any asperity and all the "
-              "contacts become one-sided",
-              "dimensionless velocity at which trailing sides carry a tenth of the load, F_N / G h "
-              "L = 0.01, 0.1 and 1: the most distant"};
+  Claim claim{
+      "contacts_one_sided_at_1", "p. 3, after Eq. (14)",
+      "Dimensionless velocity of about 1 gives the order of magnitude of the velocity at "
+      "which the elastomer is detached on the trailing side of any asperity and all the "
+      "contacts become one-sided",
+      "dimensionless velocity at which trailing sides carry a tenth of the load, F\u2099 / G h "
+      "L = 0.01, 0.1 and 1: the most distant"};
   claim.expected = 1;
   claim.criterion = "between 0.1 and 10";
   decideByAll(claim, {velocities.data(), kPartial}, {0.1, 10});
   std::vector<Message> each;
   for (std::size_t j = 0; j < kForces.size(); ++j)
-    each.push_back(message("F_N / G h L = {:g}: {:.2g}", kForces[j], velocities[j].value));
+    each.push_back(message("F\u2099 / G h L = {:g}: {:.2g}", kForces[j], velocities[j].value));
   claim.note = message(
       "{}. In complete contact it grows as the force. The detachment condition of the paper lacks "
       "a "
-      "factor G: G (d - z) + eta v z' = 0.",
+      "factor G: G (d - z) + \u03B7 v z' = 0.",
       listed(each));
   return claim;
 }
@@ -232,11 +234,12 @@ double distanceOfShifted(const Study& study, int out) {
 }
 
 Claim shiftClaim(const Study& study) {
-  Claim claim{"curves_shift", "p. 2, Fig. 4",
-              "The form of the dependence is approximately the same for different forces, only "
-              "shifted along the axis of log v",
-              "largest distance of two curves (decades of mu), shifted together in region I, up to "
-              "the plateau"};
+  Claim claim{
+      "curves_shift", "p. 2, Fig. 4",
+      "The form of the dependence is approximately the same for different forces, only "
+      "shifted along the axis of log v",
+      "largest distance of two curves (decades of \u03BC), shifted together in region I, up to "
+      "the plateau"};
   claim.expected = 0;
   claim.criterion = "below 0.1 (26 %)";
   decide(claim, jackknife(study.groups(), [&](int out) { return distanceOfShifted(study, out); }),
@@ -261,9 +264,10 @@ Claim ratioClaim(const Study& study, FigureWork& work) {
   for (std::size_t j = 0; j < forces.size(); ++j)
     for (std::size_t i = 0; i < velocities.size(); ++i)
       worst = std::max(worst, std::abs(three.mu(j, i) / one.mu(j, i) - 1));
-  Claim claim{"force_over_modulus", "p. 2, before Eq. (5)",
-              "The coefficient of friction depends on force and shear modulus only over F_N / G",
-              "largest change of mu where both are tripled"};
+  Claim claim{
+      "force_over_modulus", "p. 2, before Eq. (5)",
+      "The coefficient of friction depends on force and shear modulus only over F\u2099 / G",
+      "largest change of \u03BC where both are tripled"};
   claim.expected = 0;
   claim.criterion = message("below {}", plain(1e-9));
   decideExactly(claim, worst, below(1e-9));
@@ -283,7 +287,7 @@ Claim slopeSquaredClaim(const Study& study, FigureWork& work) {
       "slope_squared", "p. 2, before Eq. (5)",
       "At low velocities the coefficient of friction is very accurately proportional to the "
       "squared rms gradient, varied by the spacing",
-      "exponent n of mu ~ grad^n at F_N / G h L = 0.1"};
+      "exponent n of \u03BC \u221D grad\u207F at F\u2099 / G h L = 0.1"};
   claim.expected = 2;
   claim.criterion = "within 0.1 of 2";
   const auto exponent = [&](int out) {
@@ -314,8 +318,8 @@ double forceOfContact(const Study& study, double part, int out) {
 Claim completeContactClaim(const Study& study) {
   Claim claim{
       "complete_contact_near_1", "p. 3, after Eq. (14)",
-      "F_N / G h L of about 1 gives the order of magnitude of the force of complete contact",
-      "F_N / G h L at which 90 % of the line are in contact, at the lowest velocity"};
+      "F\u2099 / G h L of about 1 gives the order of magnitude of the force of complete contact",
+      "F\u2099 / G h L at which 90 % of the line are in contact, at the lowest velocity"};
   claim.expected = 1;
   claim.criterion = "between 0.1 and 10";
   decide(claim, jackknife(study.groups(), [&](int out) { return forceOfContact(study, 0.9, out); }),

@@ -3133,6 +3133,10 @@
         <source>No browser opens the guide; it is the file %1.</source>
         <translation>Kein Browser öffnet das Handbuch; es ist die Datei %1.</translation>
     </message>
+    <message>
+        <source>%1, row %2</source>
+        <translation>%1, Zeile %2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::MotionView</name>
@@ -3373,16 +3377,20 @@
         <translation>%1 liegt außerhalb von %2</translation>
     </message>
     <message>
-        <source>Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones. Dragging with Shift is ten times finer.</source>
-        <translation>Pfeiltasten machen Schritte, mit Umschalt die kleinsten; Bild auf und Bild ab große. Ziehen mit Umschalt ist zehnmal feiner.</translation>
-    </message>
-    <message>
         <source>Read about it in the guide</source>
         <translation>Im Handbuch nachlesen</translation>
     </message>
     <message>
         <source>Back to the default, which is empty</source>
         <translation>Zurück zur Vorgabe, die leer ist</translation>
+    </message>
+    <message>
+        <source>Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones.</source>
+        <translation>Pfeiltasten machen Schritte, mit Umschalt die kleinsten; Bild auf und Bild ab große.</translation>
+    </message>
+    <message>
+        <source>Dragging with Shift is ten times finer.</source>
+        <translation>Ziehen mit Umschalt ist zehnmal feiner.</translation>
     </message>
 </context>
 <context>

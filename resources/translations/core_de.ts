@@ -695,20 +695,20 @@
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>%1. In complete contact it grows as the force. The detachment condition of the paper lacks a factor G: G (d - z) + eta v z&apos; = 0.</source>
-        <translation>%1. Im vollen Kontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + eta v z&apos; = 0.</translation>
+        <source>%1. In complete contact it grows as the force. The detachment condition of the paper lacks a factor G: G (d - z) + η v z&apos; = 0.</source>
+        <translation>%1. Im vollen Kontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + η v z&apos; = 0.</translation>
     </message>
     <message>
-        <source>%1. It depends on the window: with F_N / G h L up to 1 the largest deviation is %2.</source>
-        <translation>%1. Es hängt vom Fenster ab: Mit F_N / G h L bis 1 ist die größte Abweichung %2.</translation>
+        <source>%1. It depends on the window: with Fₙ / G h L up to 1 the largest deviation is %2.</source>
+        <translation>%1. Es hängt vom Fenster ab: Mit Fₙ / G h L bis 1 ist die größte Abweichung %2.</translation>
     </message>
     <message>
         <source>%1. Region IV belongs to the finite period: an endless line should keep its plateau.</source>
         <translation>%1. Bereich IV gehört zur endlichen Periode: Eine endlose Linie sollte ihr Plateau behalten.</translation>
     </message>
     <message>
-        <source>%1. With the rms slope of the whole line for that in contact. The term of partial contact, with alpha and beta, lowers Eq. (11) by at most %2 % at this force: the figure does not test it.</source>
-        <translation>%1. Mit der RMS-Steigung der ganzen Linie anstelle der im Kontakt. Das Glied des Teilkontakts mit alpha und beta senkt Gl. (11) bei dieser Kraft um höchstens %2 %: Das Bild prüft es nicht.</translation>
+        <source>%1. With the rms slope of the whole line for that in contact. The term of partial contact, with α and β, lowers Eq. (11) by at most %2 % at this force: the figure does not test it.</source>
+        <translation>%1. Mit der RMS-Steigung der ganzen Linie anstelle der im Kontakt. Das Glied des Teilkontakts mit α und β senkt Gl. (11) bei dieser Kraft um höchstens %2 %: Das Bild prüft es nicht.</translation>
     </message>
     <message>
         <source>%1: its length %2 m is outside %3</source>
@@ -747,8 +747,8 @@
         <translation>Bei %1 m/s, am kleinsten für H = %2.</translation>
     </message>
     <message>
-        <source>At %1 m/s. F_N(d) of separate elements jumps where one enters under viscous pressure; on a resolved line it is continuous and every balance is met to %2.</source>
-        <translation>Bei %1 m/s. F_N(d) getrennter Elemente springt, wo eines unter viskosem Druck eintritt; auf einer aufgelösten Linie ist F_N(d) stetig und jedes Gleichgewicht auf %2 erfüllt.</translation>
+        <source>At %1 m/s. Fₙ(d) of separate elements jumps where one enters under viscous pressure; on a resolved line it is continuous and every balance is met to %2.</source>
+        <translation>Bei %1 m/s. Fₙ(d) getrennter Elemente springt, wo eines unter viskosem Druck eintritt; auf einer aufgelösten Linie ist Fₙ(d) stetig und jedes Gleichgewicht auf %2 erfüllt.</translation>
     </message>
     <message>
         <source>At %1 m/s. Mind the fall already at this small force.</source>
@@ -763,8 +763,8 @@
         <translation>Kreise: Streuung der Mittel über Gruppen von so vielen Linien. Linien: eins durch die Wurzel.</translation>
     </message>
     <message>
-        <source>Eq. (12) sets beta = 1 without saying so and is low by that factor in region I. beta by H: %1.</source>
-        <translation>Gl. (12) setzt beta = 1, ohne es zu sagen, und ist im Bereich I um diesen Faktor zu klein. β nach H: %1.</translation>
+        <source>Eq. (12) sets β = 1 without saying so and is low by that factor in region I. β by H: %1.</source>
+        <translation>Gl. (12) setzt β = 1, ohne es zu sagen, und ist im Bereich I um diesen Faktor zu klein. β nach H: %1.</translation>
     </message>
     <message>
         <source>Eq. (15)&apos;s exponents must read +2(1 - H). With them, and q_cont = 2 pi / L_cont for the whole contact taken as one piece, it gives the expected value; the real contact is in many pieces, which are shorter.</source>
@@ -783,12 +783,12 @@
         <translation>Feine Schritte derselben N Elemente geben n = %1 zwischen %2 und %3 m/s</translation>
     </message>
     <message>
-        <source>Friction itself falls to %1 of its maximum. Over the slope in contact it goes from %2 to %3. On a smooth summit, where the slope in contact is evenly distributed, it is 2/sqrt(3) = %4.</source>
-        <translation>Die Reibung selbst fällt auf %1 ihres Maximums. Bezogen auf die Steigung im Kontakt geht sie von %2 auf %3. Auf einem glatten Gipfel, wo die Steigung im Kontakt gleichverteilt ist, ist sie 2/sqrt(3) = %4.</translation>
+        <source>Friction itself falls to %1 of its maximum. Over the slope in contact it goes from %2 to %3. On a smooth summit, where the slope in contact is evenly distributed, it is 2/√3 = %4.</source>
+        <translation>Die Reibung selbst fällt auf %1 ihres Maximums. Bezogen auf die Steigung im Kontakt geht sie von %2 auf %3. Auf einem glatten Gipfel, wo die Steigung im Kontakt gleichverteilt ist, ist sie 2/√3 = %4.</translation>
     </message>
     <message>
-        <source>From %1 to %2. sqrt(2) assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope. Eq. (10)&apos;s second line lacks a factor sqrt(L_cont).</source>
-        <translation>Von %1 bis %2. sqrt(2) setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist. Der zweiten Zeile von Gl. (10) fehlt ein Faktor sqrt(L_cont).</translation>
+        <source>From %1 to %2. √2 assumes exponentially distributed slopes; random phases give Gaussian ones, for which Eq. (10) is 1.253 times the slope in contact, and 1.596 where the contact is weighted by the slope. Eq. (10)&apos;s second line lacks a factor √L_cont.</source>
+        <translation>Von %1 bis %2. √2 setzt exponentiell verteilte Steigungen voraus; Zufallsphasen ergeben normalverteilte, für die Gl. (10) das 1,253-Fache der Steigung im Kontakt ist und das 1,596-Fache, wo der Kontakt mit der Steigung gewichtet ist. Der zweiten Zeile von Gl. (10) fehlt ein Faktor √L_cont.</translation>
     </message>
     <message>
         <source>From 90 % of the line to 90 % of the maximum it is %1. Region II cannot both begin on the line of slope 1 and grow by two only within a decade.</source>
@@ -831,8 +831,8 @@
         <translation>Die Arbeit sagt nicht, wo sie die Grenzen abliest. Von 90 % der Geraden bis 90 % des Maximums sind es %1 Dekaden.</translation>
     </message>
     <message>
-        <source>The paper&apos;s own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone. With the detachment condition d - z + eta v z&apos; = 0 a factor G is missing: G (d - z) + eta v z&apos; = 0.</source>
-        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein. In der Ablösebedingung d - z + eta v z&apos; = 0 fehlt ein Faktor G: G (d - z) + eta v z&apos; = 0.</translation>
+        <source>The paper&apos;s own condition for leaving the contact is f &gt; 0, not u &lt; z - d alone. With the detachment condition d - z + η v z&apos; = 0 a factor G is missing: G (d - z) + η v z&apos; = 0.</source>
+        <translation>Die Bedingung der Arbeit selbst für das Verlassen des Kontakts ist f &gt; 0, nicht u &lt; z - d allein. In der Ablösebedingung d - z + η v z&apos; = 0 fehlt ein Faktor G: G (d - z) + η v z&apos; = 0.</translation>
     </message>
     <message>
         <source>The third curve from the left is that of Fig. 2. In zone 1 curves shift as Fₙ to the power H/(1 + H), in zone 2 as Fₙ.</source>
@@ -999,8 +999,8 @@
         <translation>ist stationär, und nichts ändert sich mit der Zeit; asperity motion ist für start, step, oscillation und reversal</translation>
     </message>
     <message>
-        <source>n is %1 on the resolved line, which falls on as v^(-1/2). The level is one node&apos;s own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated. %2</source>
-        <translation>n ist %1 auf der aufgelösten Linie, die wie v^(-1/2) weiter fällt. Das Niveau ist die Steigung eines einzelnen Knotens: Die Linie rückt je Schritt um einen Abstand weiter, daher ist der letzte Kontakt ein einziger Knoten, und es geht mehr Leistung hinein, als dissipiert wird. %2</translation>
+        <source>n is %1 on the resolved line, which falls on as 1/√v. The level is one node&apos;s own slope: the line moves one spacing per step, so the last contact is a single node, and more power goes in than is dissipated. %2</source>
+        <translation>n ist %1 auf der aufgelösten Linie, die wie 1/√v weiter fällt. Das Niveau ist die Steigung eines einzelnen Knotens: Die Linie rückt je Schritt um einen Abstand weiter, daher ist der letzte Kontakt ein einziger Knoten, und es geht mehr Leistung hinein, als dissipiert wird. %2</translation>
     </message>
     <message>
         <source>needs %1</source>
@@ -1759,16 +1759,16 @@
         <translation>Bei großen Kräften liegt der fallende Bereich IV jenseits praktischer Geschwindigkeiten</translation>
     </message>
     <message>
-        <source>At low velocities mu = 4 L_cont eta grad_cont^2 v / F_N</source>
-        <translation>Bei kleinen Geschwindigkeiten ist mu = 4 L_cont eta grad_cont^2 v / F_N</translation>
+        <source>At low velocities μ = 4 L_cont η grad_cont² v / Fₙ</source>
+        <translation>Bei kleinen Geschwindigkeiten ist μ = 4 L_cont η grad_cont² v / Fₙ</translation>
     </message>
     <message>
         <source>At low velocities the coefficient of friction is very accurately proportional to the squared rms gradient, varied by the spacing</source>
         <translation>Bei kleinen Geschwindigkeiten ist die Reibungszahl sehr genau proportional zum Quadrat der RMS-Steigung, die über den Abstand variiert wird</translation>
     </message>
     <message>
-        <source>At small forces the contact length is a power of the force, L_cont ~ F_N^(1/(1+H))</source>
-        <translation>Bei kleinen Kräften ist die Kontaktlänge eine Potenz der Kraft, L_cont ~ F_N^(1/(1+H))</translation>
+        <source>At small forces the contact length is a power of the force, L_cont ∝ Fₙ^(1/(1+H))</source>
+        <translation>Bei kleinen Kräften ist die Kontaktlänge eine Potenz der Kraft, L_cont ∝ Fₙ^(1/(1+H))</translation>
     </message>
     <message>
         <source>At small velocities the coefficient of friction increases linearly with velocity, for six Hurst exponents</source>
@@ -1811,28 +1811,28 @@
         <translation>Gl. (11)</translation>
     </message>
     <message>
-        <source>Eq. (11) can be rewritten as Eq. (12), in which beta does not appear</source>
-        <translation>Gl. (11) lässt sich als Gl. (12) schreiben, in der beta nicht vorkommt</translation>
+        <source>Eq. (11) can be rewritten as Eq. (12), in which β does not appear</source>
+        <translation>Gl. (11) lässt sich als Gl. (12) schreiben, in der β nicht vorkommt</translation>
     </message>
     <message>
         <source>Eq. (11) interpolates between regions I, II and III; its quality can be seen in Fig. 3</source>
         <translation>Gl. (11) interpoliert zwischen den Bereichen I, II und III; ihre Güte zeigt Abb. 3</translation>
     </message>
     <message>
-        <source>F_N / G h L of about 1 gives the order of magnitude of the force of complete contact</source>
-        <translation>F_N / G h L von etwa 1 gibt die Größenordnung der Kraft für Vollkontakt an</translation>
+        <source>Fₙ / G h L of about 1 gives the order of magnitude of the force of complete contact</source>
+        <translation>Fₙ / G h L von etwa 1 gibt die Größenordnung der Kraft für Vollkontakt an</translation>
     </message>
     <message>
-        <source>For 0.2 &lt; H &lt; 0.8 and not too small forces the plateau is almost constant, about sqrt(2) times the rms slope</source>
-        <translation>Für 0,2 &lt; H &lt; 0,8 und nicht zu kleine Kräfte ist das Plateau fast konstant, etwa sqrt(2) mal die RMS-Steigung</translation>
+        <source>For 0.2 &lt; H &lt; 0.8 and not too small forces the plateau is almost constant, about √2 times the rms slope</source>
+        <translation>Für 0,2 &lt; H &lt; 0,8 und nicht zu kleine Kräfte ist das Plateau fast konstant, etwa √2 mal die RMS-Steigung</translation>
     </message>
     <message>
         <source>For 0.2 &lt; H &lt; 0.8 the exponent alpha = H/(1+H) fits the numerical data very well</source>
         <translation>Für 0,2 &lt; H &lt; 0,8 passt der Exponent alpha = H/(1+H) sehr gut zu den numerischen Daten</translation>
     </message>
     <message>
-        <source>For separate elements F_N(d) jumps where an element enters; see Fig. 2's claims.</source>
-        <translation>Bei getrennten Elementen springt F_N(d), wo ein Element eintritt; siehe die Aussagen zu Abb. 2.</translation>
+        <source>For separate elements Fₙ(d) jumps where an element enters; see Fig. 2's claims.</source>
+        <translation>Bei getrennten Elementen springt Fₙ(d), wo ein Element eintritt; siehe die Aussagen zu Abb. 2.</translation>
     </message>
     <message>
         <source>Friction finally drops to another constant level (region IV)</source>
@@ -1847,20 +1847,20 @@
         <translation>Hurst-Exponent H</translation>
     </message>
     <message>
-        <source>In complete contact mu = 4 L eta grad^2 v / F_N, exactly confirmed</source>
-        <translation>Im Vollkontakt ist mu = 4 L eta grad^2 v / F_N, exakt bestätigt</translation>
+        <source>In complete contact μ = 4 L η grad² v / Fₙ, exactly confirmed</source>
+        <translation>Im Vollkontakt ist μ = 4 L η grad² v / Fₙ, exakt bestätigt</translation>
     </message>
     <message>
-        <source>In zone 1 the coefficient of friction is a power of the force, mu ~ F_N^(-H/(1+H))</source>
-        <translation>In Zone 1 ist die Reibungszahl eine Potenz der Kraft, mu ~ F_N^(-H/(1+H))</translation>
+        <source>In zone 1 the coefficient of friction is a power of the force, μ ∝ Fₙ^(-H/(1+H))</source>
+        <translation>In Zone 1 ist die Reibungszahl eine Potenz der Kraft, μ ∝ Fₙ^(-H/(1+H))</translation>
     </message>
     <message>
         <source>Largest at H = %1.</source>
         <translation>Am größten bei H = %1.</translation>
     </message>
     <message>
-        <source>On the plateau (region III) mu is about sqrt(2) times the rms slope</source>
-        <translation>Auf dem Plateau (Bereich III) ist mu etwa sqrt(2) mal die RMS-Steigung</translation>
+        <source>On the plateau (region III) μ is about √2 times the rms slope</source>
+        <translation>Auf dem Plateau (Bereich III) ist μ etwa √2 mal die RMS-Steigung</translation>
     </message>
     <message>
         <source>On the plateau the coefficient of friction depends only weakly on the Hurst exponent</source>
@@ -1919,16 +1919,16 @@
         <translation>Die Abnahme bei großen Geschwindigkeiten (Bereich IV) hängt mit der Abhängigkeit der quadratisch gemittelten Steigung von der Größe des wahren Kontakts zusammen</translation>
     </message>
     <message>
-        <source>mu / slope in contact at the highest velocity over that at the maximum, mean over the lines of each</source>
-        <translation>mu / Steigung im Kontakt bei der höchsten Geschwindigkeit, bezogen auf den Wert im Maximum; jeweils über die Linien gemittelt</translation>
+        <source>μ / slope in contact at the highest velocity over that at the maximum, mean over the lines of each</source>
+        <translation>μ / Steigung im Kontakt bei der höchsten Geschwindigkeit, bezogen auf den Wert im Maximum; jeweils über die Linien gemittelt</translation>
     </message>
     <message>
         <source>The plateau decreases where the contact becomes extremely small, at extremely high sliding velocities or extremely low normal forces</source>
         <translation>Das Plateau nimmt ab, wo der Kontakt äußerst klein wird: bei äußerst hohen Geschwindigkeiten oder äußerst kleinen Normalkräften</translation>
     </message>
     <message>
-        <source>F_N / (4 eta v) over h where region IV begins, geometric mean over four forces and three lengths</source>
-        <translation>F_N / (4 eta v), bezogen auf h, wo Bereich IV beginnt; geometrisches Mittel über vier Kräfte und drei Längen</translation>
+        <source>Fₙ / (4 η v) over h where region IV begins, geometric mean over four forces and three lengths</source>
+        <translation>Fₙ / (4 η v), bezogen auf h, wo Bereich IV beginnt; geometrisches Mittel über vier Kräfte und drei Längen</translation>
     </message>
     <message>
         <source>0.03 to 0.3: the height that the contacts of one period climb together is about a tenth of h</source>
@@ -1939,12 +1939,12 @@
         <translation>Das Reibungsgesetz hängt von der Größe des Systems ab, die die Kurven verschiebt</translation>
     </message>
     <message>
-        <source>exponent n of v ~ L^n where region IV begins, at given F_N / L, h and roll-off</source>
-        <translation>Exponent n von v ~ L^n, wo Bereich IV beginnt, bei gleichem F_N / L, h und gleicher Abflachung</translation>
+        <source>exponent n of v ∝ Lⁿ where region IV begins, at given Fₙ / L, h and roll-off</source>
+        <translation>Exponent n von v ∝ Lⁿ, wo Bereich IV beginnt, bei gleichem Fₙ / L, h und gleicher Abflachung</translation>
     </message>
     <message>
-        <source>0.5 to 1.5; 1 by F_N / (4 eta v) = 0.1 h</source>
-        <translation>0,5 bis 1,5; 1 nach F_N / (4 eta v) = 0,1 h</translation>
+        <source>0.5 to 1.5; 1 by Fₙ / (4 η v) = 0.1 h</source>
+        <translation>0,5 bis 1,5; 1 nach Fₙ / (4 η v) = 0,1 h</translation>
     </message>
     <message>
         <source>Fine steps of the same N elements are not resolved by %1 per spacing.</source>
@@ -1955,8 +1955,8 @@
         <translation>Fₙ/GhL = %1.</translation>
     </message>
     <message>
-        <source>largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without the ends; F_N / G h L from 0.001 to 0.1</source>
-        <translation>größtes |alpha - H/(1+H)| an den fünf Hurst-Exponenten zwischen 0,2 und 0,8, ohne die Enden; F_N / G h L von 0,001 bis 0,1</translation>
+        <source>largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without the ends; Fₙ / G h L from 0.001 to 0.1</source>
+        <translation>größtes |alpha - H/(1+H)| an den fünf Hurst-Exponenten zwischen 0,2 und 0,8, ohne die Enden; Fₙ / G h L von 0,001 bis 0,1</translation>
     </message>
     <message>
         <source>The points share their random lines and are correlated: neighbours in α by %1 on average.</source>
@@ -1967,16 +1967,16 @@
         <translation>Die Punkte haben die Zufallslinien gemeinsam und sind korreliert.</translation>
     </message>
     <message>
-        <source>beta most distant from 1 at the eleven Hurst exponents</source>
-        <translation>das am weitesten von 1 entfernte beta an den elf Hurst-Exponenten</translation>
+        <source>β most distant from 1 at the eleven Hurst exponents</source>
+        <translation>das am weitesten von 1 entfernte β an den elf Hurst-Exponenten</translation>
     </message>
     <message>
-        <source>exponent of mu over F_N at the lowest velocity, F_N / G h L up to 0.1</source>
-        <translation>Exponent von mu über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 0,1</translation>
+        <source>exponent of μ over Fₙ at the lowest velocity, Fₙ / G h L up to 0.1</source>
+        <translation>Exponent von μ über Fₙ bei der kleinsten Geschwindigkeit, Fₙ / G h L bis 0,1</translation>
     </message>
     <message>
-        <source>exponent of L_cont over F_N at the lowest velocity, F_N / G h L up to 0.1</source>
-        <translation>Exponent von L_cont über F_N bei der kleinsten Geschwindigkeit, F_N / G h L bis 0,1</translation>
+        <source>exponent of L_cont over Fₙ at the lowest velocity, Fₙ / G h L up to 0.1</source>
+        <translation>Exponent von L_cont über Fₙ bei der kleinsten Geschwindigkeit, Fₙ / G h L bis 0,1</translation>
     </message>
     <message>
         <source>For a surface that is rougher on the summits than on the slopes the rms slope would decrease with indentation</source>
@@ -1995,16 +1995,16 @@
         <translation>Eine dimensionslose Geschwindigkeit von etwa 1 gibt die Größenordnung der Geschwindigkeit, bei der sich das Elastomer an der ablaufenden Seite jeder Unebenheit ablöst und alle Kontakte einseitig werden</translation>
     </message>
     <message>
-        <source>dimensionless velocity at which trailing sides carry a tenth of the load, F_N / G h L = 0.01, 0.1 and 1: the most distant</source>
-        <translation>dimensionslose Geschwindigkeit, bei der ablaufende Seiten ein Zehntel der Last tragen, F_N / G h L = 0,01, 0,1 und 1: die entfernteste</translation>
+        <source>dimensionless velocity at which trailing sides carry a tenth of the load, Fₙ / G h L = 0.01, 0.1 and 1: the most distant</source>
+        <translation>dimensionslose Geschwindigkeit, bei der ablaufende Seiten ein Zehntel der Last tragen, Fₙ / G h L = 0,01, 0,1 und 1: die entfernteste</translation>
     </message>
     <message>
-        <source>F_N / G h L at which 90 % of the line are in contact, at the lowest velocity</source>
-        <translation>F_N / G h L, bei dem 90 % der Linie im Kontakt sind, bei der kleinsten Geschwindigkeit</translation>
+        <source>Fₙ / G h L at which 90 % of the line are in contact, at the lowest velocity</source>
+        <translation>Fₙ / G h L, bei dem 90 % der Linie im Kontakt sind, bei der kleinsten Geschwindigkeit</translation>
     </message>
     <message>
-        <source>smallest over largest plateau of the six Hurst exponents, F_N / G h L near 10</source>
-        <translation>kleinstes durch größtes Plateau der sechs Hurst-Exponenten, F_N / G h L nahe 10</translation>
+        <source>smallest over largest plateau of the six Hurst exponents, Fₙ / G h L near 10</source>
+        <translation>kleinstes durch größtes Plateau der sechs Hurst-Exponenten, Fₙ / G h L nahe 10</translation>
     </message>
     <message>
         <source>Smallest at H = %1, largest at H = %2.</source>
@@ -2015,16 +2015,16 @@
         <translation>Bereich II umfasst eine Dekade der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Simulations with different rms gradients, varied by the spacing, show mu very accurately proportional to the squared gradient</source>
-        <translation>Simulationen mit verschiedenen RMS-Steigungen, über den Abstand variiert, zeigen mu sehr genau proportional zum Quadrat der Steigung</translation>
+        <source>Simulations with different rms gradients, varied by the spacing, show μ very accurately proportional to the squared gradient</source>
+        <translation>Simulationen mit verschiedenen RMS-Steigungen, über den Abstand variiert, zeigen μ sehr genau proportional zum Quadrat der Steigung</translation>
     </message>
     <message>
         <source>The algorithm is not iterative and there are no convergence problems</source>
         <translation>Der Algorithmus ist nicht iterativ, und es gibt keine Konvergenzprobleme</translation>
     </message>
     <message>
-        <source>The coefficient of friction depends on force and shear modulus only over F_N / G</source>
-        <translation>Die Reibungszahl hängt von Kraft und Schubmodul nur über F_N / G ab</translation>
+        <source>The coefficient of friction depends on force and shear modulus only over Fₙ / G</source>
+        <translation>Die Reibungszahl hängt von Kraft und Schubmodul nur über Fₙ / G ab</translation>
     </message>
     <message>
         <source>The coefficient of friction depends on two dimensionless combinations of force, velocity, modulus, viscosity, roughness, slope, size and the Hurst exponent</source>
@@ -2071,8 +2071,8 @@
         <translation>Die RMS-Steigung im Kontakt wächst schwach mit der Eindringung</translation>
     </message>
     <message>
-        <source>The slope in contact rises with the force, too, so that mu and L_cont need not have the same exponent up to 1.</source>
-        <translation>Auch die Steigung im Kontakt wächst mit der Kraft, daher müssen mu und L_cont nicht bis 1 denselben Exponenten haben.</translation>
+        <source>The slope in contact rises with the force, too, so that μ and L_cont need not have the same exponent up to 1.</source>
+        <translation>Auch die Steigung im Kontakt wächst mit der Kraft, daher müssen μ und L_cont nicht bis 1 denselben Exponenten haben.</translation>
     </message>
     <message>
         <source>The spacing sets the shortest wave of the line and with it the rms slope: it acts as a parameter of the model.</source>
@@ -2135,32 +2135,32 @@
         <translation>Dekaden von 80 % der Geraden durch Bereich I bis 95 % des Maximums</translation>
     </message>
     <message>
-        <source>every beta within 0.1 of 1</source>
-        <translation>jedes beta höchstens 0,1 von 1 entfernt</translation>
+        <source>every β within 0.1 of 1</source>
+        <translation>jedes β höchstens 0,1 von 1 entfernt</translation>
     </message>
     <message>
         <source>exponent</source>
         <translation>Exponent</translation>
     </message>
     <message>
-        <source>exponent n of mu ~ grad^n at F_N / G h L = 0.1</source>
-        <translation>Exponent n von mu ~ grad^n bei F_N / G h L = 0,1</translation>
+        <source>exponent n of μ ∝ gradⁿ at Fₙ / G h L = 0.1</source>
+        <translation>Exponent n von μ ∝ gradⁿ bei Fₙ / G h L = 0,1</translation>
     </message>
     <message>
-        <source>exponent n of mu ~ grad^n at the lowest velocity, twenty spacings</source>
-        <translation>Exponent n von mu ~ grad^n bei der kleinsten Geschwindigkeit, zwanzig Abstände</translation>
+        <source>exponent n of μ ∝ gradⁿ at the lowest velocity, twenty spacings</source>
+        <translation>Exponent n von μ ∝ gradⁿ bei der kleinsten Geschwindigkeit, zwanzig Abstände</translation>
     </message>
     <message>
-        <source>exponent n of mu ~ v^n</source>
-        <translation>Exponent n von mu ~ v^n</translation>
+        <source>exponent n of μ ∝ vⁿ</source>
+        <translation>Exponent n von μ ∝ vⁿ</translation>
     </message>
     <message>
-        <source>exponent n of mu ~ v^n over the last decade, by the paper's literal rule</source>
-        <translation>Exponent n von mu ~ v^n über die letzte Dekade, nach der wörtlichen Regel der Arbeit</translation>
+        <source>exponent n of μ ∝ vⁿ over the last decade, by the paper's literal rule</source>
+        <translation>Exponent n von μ ∝ vⁿ über die letzte Dekade, nach der wörtlichen Regel der Arbeit</translation>
     </message>
     <message>
-        <source>exponent n of the maximum ~ grad^n, twenty spacings</source>
-        <translation>Exponent n des Maximums ~ grad^n, zwanzig Abstände</translation>
+        <source>exponent n of the maximum ∝ gradⁿ, twenty spacings</source>
+        <translation>Exponent n des Maximums ∝ gradⁿ, zwanzig Abstände</translation>
     </message>
     <message>
         <source>mean of %1 lines</source>
@@ -2183,20 +2183,20 @@
         <translation>h wird von den langen Wellenlängen bestimmt</translation>
     </message>
     <message>
-        <source>largest change of mu / grad where h, L, G and tau change but F_N / G h L and tau v grad / h do not</source>
-        <translation>größte Änderung von mu / grad, wenn sich h, L, G und tau ändern, aber F_N / G h L und tau v grad / h nicht</translation>
+        <source>largest change of μ / grad where h, L, G and τ change but Fₙ / G h L and τ v grad / h do not</source>
+        <translation>größte Änderung von μ / grad, wenn sich h, L, G und τ ändern, aber Fₙ / G h L und τ v grad / h nicht</translation>
     </message>
     <message>
-        <source>largest change of mu where both are tripled</source>
-        <translation>größte Änderung von mu, wenn beide verdreifacht werden</translation>
+        <source>largest change of μ where both are tripled</source>
+        <translation>größte Änderung von μ, wenn beide verdreifacht werden</translation>
     </message>
     <message>
-        <source>largest distance of two curves (decades of mu), shifted together in region I, up to the plateau</source>
-        <translation>größter Abstand zweier Kurven (Dekaden von mu), im Bereich I aufeinandergeschoben, bis zum Plateau</translation>
+        <source>largest distance of two curves (decades of μ), shifted together in region I, up to the plateau</source>
+        <translation>größter Abstand zweier Kurven (Dekaden von μ), im Bereich I aufeinandergeschoben, bis zum Plateau</translation>
     </message>
     <message>
-        <source>largest mu / rms slope of the line</source>
-        <translation>größtes mu / RMS-Steigung der Linie</translation>
+        <source>largest μ / rms slope of the line</source>
+        <translation>größtes μ / RMS-Steigung der Linie</translation>
     </message>
     <message>
         <source>largest part of the steps in which no indentation meets the normal force</source>
@@ -2207,24 +2207,24 @@
         <translation>größte Durchdringung durch größte Tiefe</translation>
     </message>
     <message>
-        <source>largest |mu / Eq. (11) - 1| up to the maximum, beta as measured</source>
-        <translation>größtes |mu / Gl. (11) - 1| bis zum Maximum, beta wie gemessen</translation>
+        <source>largest |μ / Eq. (11) - 1| up to the maximum, β as measured</source>
+        <translation>größtes |μ / Gl. (11) - 1| bis zum Maximum, β wie gemessen</translation>
     </message>
     <message>
-        <source>largest |mu / Eq. (6) - 1| at the lowest velocity, all forces</source>
-        <translation>größtes |mu / Gl. (6) - 1| bei der kleinsten Geschwindigkeit, alle Kräfte</translation>
+        <source>largest |μ / Eq. (6) - 1| at the lowest velocity, all forces</source>
+        <translation>größtes |μ / Gl. (6) - 1| bei der kleinsten Geschwindigkeit, alle Kräfte</translation>
     </message>
     <message>
-        <source>largest |mu / Eq. (8) - 1| in complete contact, with the slope of the line as resolved</source>
-        <translation>größtes |mu / Gl. (8) - 1| im Vollkontakt, mit der Steigung der aufgelösten Linie</translation>
+        <source>largest |μ / Eq. (8) - 1| in complete contact, with the slope of the line as resolved</source>
+        <translation>größtes |μ / Gl. (8) - 1| im Vollkontakt, mit der Steigung der aufgelösten Linie</translation>
     </message>
     <message>
-        <source>largest |mu(v, T) / mu(v a_T, T_r) - 1|, 10 to 100 degrees Celsius</source>
-        <translation>größtes |mu(v, T) / mu(v a_T, T_r) - 1|, 10 bis 100 Grad Celsius</translation>
+        <source>largest |μ(v, T) / μ(v a_T, T_r) - 1|, 10 to 100 degrees Celsius</source>
+        <translation>größtes |μ(v, T) / μ(v a_T, T_r) - 1|, 10 bis 100 Grad Celsius</translation>
     </message>
     <message>
-        <source>largest |n - 1| of mu ~ v^n over the five lowest velocities</source>
-        <translation>größtes |n - 1| von mu ~ v^n über die fünf kleinsten Geschwindigkeiten</translation>
+        <source>largest |n - 1| of μ ∝ vⁿ over the five lowest velocities</source>
+        <translation>größtes |n - 1| von μ ∝ vⁿ über die fünf kleinsten Geschwindigkeiten</translation>
     </message>
     <message>
         <source>linear or cubic (a resolved line)</source>
@@ -2247,8 +2247,8 @@
         <translation>mehr als die Hälfte</translation>
     </message>
     <message>
-        <source>mu at the end of region II over mu at its start, borders as for its width</source>
-        <translation>mu am Ende von Bereich II durch mu an seinem Anfang, Grenzen wie für seine Breite</translation>
+        <source>μ at the end of region II over μ at its start, borders as for its width</source>
+        <translation>μ am Ende von Bereich II durch μ an seinem Anfang, Grenzen wie für seine Breite</translation>
     </message>
     <message>
         <source>normal force Fₙ</source>
@@ -2267,8 +2267,8 @@
         <translation>Plateau bei der kleinsten Kraft durch größtes Plateau, Mittel über H</translation>
     </message>
     <message>
-        <source>plateau of mu / rms slope most distant from sqrt(2), F_N / G h L &gt;= 1</source>
-        <translation>Plateau von mu / RMS-Steigung mit dem größten Abstand von sqrt(2), F_N / G h L &gt;= 1</translation>
+        <source>plateau of μ / rms slope most distant from √2, Fₙ / G h L &gt;= 1</source>
+        <translation>Plateau von μ / RMS-Steigung mit dem größten Abstand von √2, Fₙ / G h L &gt;= 1</translation>
     </message>
     <message>
         <source>plateau of μ/∇z</source>
@@ -2291,12 +2291,12 @@
         <translation>RMS-Steigung im Kontakt bei der kleinsten Kraft durch die bei der größten</translation>
     </message>
     <message>
-        <source>rms spread of the shifted curves in decades of mu, up to the plateau</source>
-        <translation>RMS-Streuung der verschobenen Kurven in Dekaden von mu, bis zum Plateau</translation>
+        <source>rms spread of the shifted curves in decades of μ, up to the plateau</source>
+        <translation>RMS-Streuung der verschobenen Kurven in Dekaden von μ, bis zum Plateau</translation>
     </message>
     <message>
-        <source>share of h^2 from the longest decade of wavelengths</source>
-        <translation>Anteil der längsten Dekade der Wellenlängen an h^2</translation>
+        <source>share of h² from the longest decade of wavelengths</source>
+        <translation>Anteil der längsten Dekade der Wellenlängen an h²</translation>
     </message>
     <message>
         <source>share of the squared gradient from the shortest decade of wavelengths</source>
@@ -2311,8 +2311,8 @@
         <translation>Gleitgeschwindigkeit v</translation>
     </message>
     <message>
-        <source>smallest mu at the highest velocity over the maximum</source>
-        <translation>kleinstes mu bei der höchsten Geschwindigkeit durch das Maximum</translation>
+        <source>smallest μ at the highest velocity over the maximum</source>
+        <translation>kleinstes μ bei der höchsten Geschwindigkeit durch das Maximum</translation>
     </message>
     <message>
         <source>smallest over largest plateau, over five decades of force</source>
@@ -2355,8 +2355,8 @@
         <translation>höchstens 0,1 von 2 entfernt</translation>
     </message>
     <message>
-        <source>within 10 % of sqrt(2)</source>
-        <translation>höchstens 10 % von sqrt(2) entfernt</translation>
+        <source>within 10 % of √2</source>
+        <translation>höchstens 10 % von √2 entfernt</translation>
     </message>
     <message>
         <source>zone 1: partial contact</source>

@@ -82,6 +82,15 @@ TEST_F(SurfaceCommandTest, WritesTheLineThatSlides) {
   }
 }
 
+/// Read again it is neither levelled nor mirrored nor turned over once more.
+TEST_F(SurfaceCommandTest, TakesALineThatItWroteAsItStands) {
+  ASSERT_EQ(program.run("surface p.csv -o l.csv").status, 0);
+  const Said said = program.run("surface l.csv -o again.csv");
+  EXPECT_EQ(said.status, 0) << said.err;
+  EXPECT_THAT(said.out, testing::Not(HasSubstr("turned over")));
+  EXPECT_EQ(withoutComment(read("again.csv")), withoutComment(read("l.csv")));
+}
+
 TEST_F(SurfaceCommandTest, WorksWithEveryVerb) {
   for (const std::string arguments :
        {"check m.json", "explain m.json", "render m.json -o c.png --size 640x360",

@@ -62,6 +62,8 @@ TEST_F(UsageTest, AWordTooManyOrNoneIsTold) {
   expectRefused("explain s.json step.json", 2,
                 "unexpected argument 'step.json' for 'asperity explain'");
   expectRefused("curve s.json -o a.csv b.csv", 2, "unexpected argument 'b.csv'");
+  expectRefused("curve s.json --set load.normal_force=0.1 surface.hurst=0.5", 2,
+                "--set stands before each KEY=VALUE");
   expectRefused("check ''", 2, "SCENE: is empty");
   expectRefused("figure -o out", 2, "NAME is required");
   expectRefused("--json s.json", 2, "--json: unknown option of 'asperity'");

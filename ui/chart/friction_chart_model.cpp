@@ -148,6 +148,7 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
   if (expected_ && !haveSameCurve(*update.scene, *expected_)) return false;
   const bool newCurve = !curve_ || !haveSameCurve(*curve_->scene, *update.scene);
   curve_ = std::make_shared<const CurveUpdate>(update);
+  awaitsMarker_ |= newCurve;
   fitRanges(newCurve);
   return true;
 }
@@ -162,10 +163,11 @@ bool FrictionChartModel::mark(const Frame& frame) {
     const Motion motion(frame.scene->sliding);
     fastest_ = motion.fastest(0, motion.duration());
   }
-  // The curve may come before the first picture of its scene: then the marker of the scene before
-  // has widened the axes.
-  const bool isNewScene = std::exchange(markedScene_, frame.sceneNumber) != frame.sceneNumber;
-  fitRanges(isNewScene && curve_);
+  // A curve may come before the first picture of its scene: then the marker of the scene before has
+  // widened the axes.
+  const bool isItsMarker = awaitsMarker_ && haveSameCurve(*curve_->scene, *frame.scene);
+  if (isItsMarker) awaitsMarker_ = false;
+  fitRanges(isItsMarker);
   return before == std::pair{velocities_, coefficients_};
 }
 

@@ -138,9 +138,9 @@ class FrictionChartModel {
   std::string sweptKey_{kVelocityKey};   // of the ranges below
   std::string markedKey_{kVelocityKey};  // of the marker
   std::optional<DiagramMarker> marker_, dimensionlessMarker_;
-  double markerFactor_ = 1;        // for the frame's line, from m/s to the dimensionless axis
-  double fastest_ = 0;             // m/s, of the marked motion
-  std::uint64_t markedScene_ = 0;  // number of the marker's scene
+  double markerFactor_ = 1;    // for the frame's line, from m/s to the dimensionless axis
+  double fastest_ = 0;         // m/s, of the marked motion
+  bool awaitsMarker_ = false;  // a new curve is there, and its scene's first picture may not be
   bool isMarkFaded_ = false;
   std::optional<AxisRange> concealed_;   // ends of the vertical axis
   AxisRange velocities_, coefficients_;  // decades, or values of a linear axis

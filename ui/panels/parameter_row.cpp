@@ -532,10 +532,12 @@ QString ParameterRow::description() const {
                 .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
                         "in %1; any unit may be typed with it.")
                          .arg(fromUtf8(parameter_.unit)));
-  if (slider_)
-    text += QStringLiteral("<p><small>%1</small></p>")
-                .arg(tr("Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown "
-                        "large ones. Dragging with Shift is ten times finer."));
+  if (slider_) {
+    QString keys =
+        tr("Arrow keys make steps, with Shift the smallest ones; PageUp and PageDown large ones.");
+    if (!slider_->isHidden()) keys += ' ' + tr("Dragging with Shift is ten times finer.");
+    text += QStringLiteral("<p><small>%1</small></p>").arg(keys);
+  }
   return text;
 }
 

@@ -217,7 +217,13 @@ TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
   window->document().edit(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   EXPECT_EQ(window->messages().text(),
-            "elastomer.equilibrium_modulus: ist 0 und alles andere auch: Das Elastomer ist leer");
+            "Gleichgewichtsmodul: ist 0 und alles andere auch: Das Elastomer ist leer");
+  Scene soft = smallScene();
+  soft.elastomer = prony(1e6, {{1e6, 1e-3}, {1e-300, 1}});
+  window->document().edit(soft);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window->messages().text().startsWith("Arme, Zeile 2: "); }, kWindowPatience))
+      << window->messages().text().toStdString();
   EXPECT_FALSE(openIn(*window, "/no/such/scene.json"));
   EXPECT_EQ(window->messages().text(),
             "/no/such/scene.json: lässt sich nicht öffnen: die Datei gibt es nicht");

@@ -526,7 +526,7 @@ TEST_F(LessonsTest, TheEditorSaysWhatIsWrongAndWhere) {
   QTest::keyClicks(&force, "30");  // in the unit that was shown
   EXPECT_EQ(editor.complaint(), QString());
   EXPECT_EQ(editor.lesson().steps[1].scene.load.normalForce, 0.03);
-  auto& question = *editor.findChild<QLineEdit*>("editorQuestion");
+  auto& question = *editor.findChild<QPlainTextEdit*>("editorQuestion");
   question.selectAll();
   QTest::keyClick(&question, Qt::Key_Delete);
   EXPECT_TRUE(editor.complaint().startsWith("Step 2, question: "))
@@ -723,6 +723,16 @@ TEST(Handouts, NoPictureBelowAQuestionTellsItsAnswer) {
   Json json = sampleLesson();
   json["steps"][1].erase("set");
   EXPECT_EQ(handoutHtml(lessonOf(json), {}).count("<img"), 2);  // contact and chart of the first
+}
+
+TEST(Handouts, ACurveThatWasAskedForIsNotPrintedBelowTheNextStep) {
+  Json json = sampleLesson();
+  json["steps"][0]["show"]["curve"] = "hidden";
+  json["steps"][1].erase("set");
+  EXPECT_FALSE(handoutHtml(lessonOf(json), {}).contains("alt=\"the friction curve"));
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  EXPECT_TRUE(handoutHtml(lessonOf(json), teacher).contains("alt=\"the friction curve"));
 }
 
 /// A choice needs no chart, and a curve that is to be guessed is not printed.

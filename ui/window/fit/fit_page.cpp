@@ -34,6 +34,7 @@ namespace asperity {
 namespace {
 
 constexpr QSize kUsual(1180, 760);  // pixels
+constexpr double kOfScreen = 0.7;   // of a large one
 constexpr int kAround = 40;         // pixels of the screen that stay free
 constexpr int kChoicesWidth = 330;  // pixels
 
@@ -118,7 +119,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   all->addLayout(halves, 1);
   all->addLayout(foot());
   const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsual.boundedTo(room - QSize(kAround, 2 * kAround)));
+  resize(kUsual.expandedTo(kOfScreen * room).boundedTo(room - QSize(kAround, 2 * kAround)));
   connect(choices_, &FitChoices::changed, this, [this] {
     if (!isFitting_) finish(choices_->refusal());
   });

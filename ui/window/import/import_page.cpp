@@ -18,6 +18,7 @@ namespace asperity {
 namespace {
 
 constexpr QSize kUsual(1120, 720);  // pixels
+constexpr double kOfScreen = 0.7;   // of a large one
 constexpr int kAround = 40;         // pixels of the screen that stay free
 
 }  // namespace
@@ -79,7 +80,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   all->addLayout(halves_, 1);
   all->addLayout(foot);
   const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsual.boundedTo(room - QSize(kAround, 2 * kAround)));
+  resize(kUsual.expandedTo(kOfScreen * room).boundedTo(room - QSize(kAround, 2 * kAround)));
   connect(this, &QDialog::finished, this, &ImportPage::endSoon);
 }
 

@@ -121,10 +121,12 @@ class HandoutMaker {
     // What is drawn into an empty chart is the answer to the question below it.
     blocks_.back().withNext = isDrawnInto(step) ? Stays::Always : Stays::IfShort;
     addQuestion(*step.prediction);
-    if (options_.forTeacher)
-      addAnswer(step);
-    else
-      contact_ = untitled(step.revealedScene);  // seen on the screen; printed, it tells the answer
+    if (options_.forTeacher) return addAnswer(step);
+    // Seen on the screen; printed, it would tell the answer.
+    toldContact_ = untitled(step.revealedScene);
+    if (!step.show.hidesCurve) return;
+    toldCurve_ = sceneOfCurve(step.revealedScene);
+    toldQuantity_ = step.show.quantity;
   }
 
   /// Whether the students draw their answer into an empty chart.
@@ -141,10 +143,11 @@ class HandoutMaker {
   /// A contact is shown where it differs from the one before.
   void addContact(const Scene& given) {
     const Scene scene = untitled(given);
-    const bool isSame = contact_ && contact_->surface == scene.surface &&
-                        contact_->elastomer == scene.elastomer && contact_->load == scene.load &&
-                        contact_->sliding == scene.sliding;
-    if (isSame) return;
+    const auto isOf = [&scene](const std::optional<Scene>& other) {
+      return other && other->surface == scene.surface && other->elastomer == scene.elastomer &&
+             other->load == scene.load && other->sliding == scene.sliding;
+    };
+    if (isOf(contact_) || isOf(toldContact_)) return;
     contact_ = scene;
     ContactPictureOptions options;
     options.width = kContactWidth;
@@ -184,6 +187,9 @@ class HandoutMaker {
     const bool isNew = isNewChart(step, scene);
     if (isHidden) chartKey_.clear();  // the whole curve is another chart
     if (!isNew && !isHidden && step.show.beside.empty()) return;
+    const bool isAnswer =
+        toldCurve_ && *toldCurve_ == sceneOfCurve(scene) && toldQuantity_ == step.show.quantity;
+    if (isAnswer && !isHidden) return;
     CurveSet set;
     set.present = {{}, untitled(scene), curveOf(scene)};
     set.y = *quantityNamed(step.show.quantity);
@@ -294,8 +300,9 @@ class HandoutMaker {
   const HandoutOptions& options_;
   std::vector<Block> blocks_;
   std::unique_ptr<PixelContext> context_;
-  std::optional<Scene> contact_, chart_;  // shown last
-  std::string chartKey_;
+  std::optional<Scene> contact_, chart_;          // shown last
+  std::optional<Scene> toldContact_, toldCurve_;  // the answers to the last questions
+  std::string chartKey_, toldQuantity_;
 };
 
 constexpr const char* kStyle =

@@ -32,7 +32,7 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
   kind_ = page.addChoice(tr("Prediction"), "editorKind");
   kind_->addItems({tr("none"), tr("a choice"), tr("a number"), tr("a point on the chart")});
   connect(kind_, &QComboBox::activated, this, &PredictionFields::showRows);
-  question_ = page.addLine(tr("Question"), "editorQuestion");
+  question_ = page.addText(tr("Question"), "editorQuestion", 2);
   addChoices();
   value_ = new LessonValueFields(page);
   x_ = page.addLine(tr("Place on the axis"), "editorX");
@@ -79,7 +79,7 @@ void PredictionFields::addChoices() {
 void PredictionFields::show(const LessonStep& step) {
   const LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   kind_->setCurrentIndex(step.prediction ? 1 + static_cast<int>(prediction.kind) : kNone);
-  LessonForm::showIn(*question_, page_.textOf(prediction.question));
+  question_->setPlainText(page_.textOf(prediction.question));
   LessonForm::showIn(*right_, page_.textOf(prediction.right));
   LessonForm::showIn(*wrong_, page_.textOf(prediction.wrong));
   tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
@@ -156,7 +156,7 @@ void PredictionFields::take(LessonStep& step) const {
   }
   LessonPrediction prediction = step.prediction.value_or(LessonPrediction{});
   prediction.kind = static_cast<PredictionKind>(kind - 1);
-  page_.write(prediction.question, question_->text());
+  page_.write(prediction.question, LessonForm::writtenIn(*question_));
   page_.write(prediction.right, right_->text());
   page_.write(prediction.wrong, wrong_->text());
   // What was not edited stays as it is, to the last digit.

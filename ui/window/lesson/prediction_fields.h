@@ -37,7 +37,8 @@ class PredictionFields : public QObject {
 
   LessonForm& page_;
   QComboBox* kind_;
-  QLineEdit *question_, *x_, *tolerance_, *right_, *wrong_;
+  QPlainTextEdit* question_;
+  QLineEdit *x_, *tolerance_, *right_, *wrong_;
   AssignmentList* after_;
   QTableWidget* choices_ = nullptr;
   LessonValueFields* value_;

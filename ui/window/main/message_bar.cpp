@@ -8,6 +8,7 @@
 
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/parameter_row.h"
 
 namespace asperity {
 
@@ -66,8 +67,12 @@ void MessageBar::complain(const QString& key, const Message& english) {
 
 void MessageBar::showComplaint() {
   const auto& [key, english] = *complaint_;
-  const QString text = translatedText(english);
-  showFailure(Failure::Scene, key.isEmpty() ? text : key + ": " + text);
+  const QString text = withLabels(translatedText(english));
+  const Parameter* parameter = findParameter(key.section('[', 0, 0).toStdString());
+  QString subject = parameter ? ParameterRow::labelOf(*parameter) : key;
+  if (const QString row = key.section('[', 1).section(']', 0, 0); parameter && !row.isEmpty())
+    subject = tr("%1, row %2").arg(subject).arg(row.toInt() + 1);
+  showFailure(Failure::Scene, subject.isEmpty() ? text : subject + ": " + text);
   emit complained(key, text);
 }
 

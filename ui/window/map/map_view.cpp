@@ -140,18 +140,18 @@ void MapView::paintEvent(QPaintEvent* event) {
 
 void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
   if (reading_.isEmpty()) return;
-  constexpr qreal kAround = 4;  // pixels
-  const QFontMetricsF metrics(font());
-  const QSizeF size(metrics.horizontalAdvance(reading_) + 2 * kAround, metrics.height() + kAround);
-  // It is read beside the map, too, where the map is narrow.
-  QRectF box(frame.topLeft() + QPointF(kAround, kAround), size);
-  box.moveRight(std::max(frame.right() - kAround, size.width()));
+  constexpr qreal kAround = 4;                               // pixels
+  constexpr int kFlags = Qt::AlignRight | Qt::TextWordWrap;  // a narrow map has it in two lines
+  const QRectF room = frame.adjusted(2 * kAround, 0, -2 * kAround, 0);
+  const QSizeF size = QFontMetricsF(font()).boundingRect(room, kFlags, reading_).size();
+  QRectF box(frame.topLeft() + QPointF(0, kAround), size + QSizeF(2 * kAround, kAround));
+  box.moveRight(frame.right() - kAround);
   painter.setClipping(false);
   QColor ground = colourOf(theme().background);
   ground.setAlphaF(0.85F);
   painter.fillRect(box, ground);
   painter.setPen(colourOf(theme().text));
-  painter.drawText(box, Qt::AlignCenter, reading_);
+  painter.drawText(box.adjusted(kAround, 0.5 * kAround, -kAround, 0), kFlags, reading_);
 }
 
 }  // namespace asperity
