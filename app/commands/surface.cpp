@@ -183,7 +183,7 @@ int runSurface(const SurfaceCommand& command) {
   const auto run = [&] {
     // A line from a file is written with its elements alone: read as a profile it is the same line.
     const SurfaceKind kind = scene.surface.kind;
-    const bool isExact = kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
+    const bool isExact = isFile || kind == SurfaceKind::Measured || kind == SurfaceKind::Spectrum;
     findLinesWithProgress(scene, command.common.quiet);
     const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
     const Line line = source.make(0);

@@ -143,7 +143,7 @@ TEST(Claims, OfThePaperLeaveOutTheEndsOfItsRange) {
 TEST(Claims, OnAlphaNameTheirWindowAndWhatAnotherGives) {
   const Figure figure = makeFigure(FigureName::Exponents, optionsOf(12, {"surface.elements=600"}));
   EXPECT_THAT(claimOf(figure, "alpha_is_H_over_1_plus_H").note.english(),
-              HasSubstr("It depends on the window: with F_N / G h L up to 1"));
+              HasSubstr("It depends on the window: with F\u2099 / G h L up to 1"));
   EXPECT_THAT(figure.sheet.note.english(),
               HasSubstr("share their random lines and are correlated: "));
   EXPECT_EQ(figure.sheet.diagrams[0].series.size(), 3U) << "theory and two windows";
