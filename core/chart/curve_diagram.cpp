@@ -236,7 +236,7 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
 /// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
 /// of a half-space, which is another model, has a colour.
 void addTheories(Diagram& diagram, const CurveSet& set) {
-  constexpr int kColourOfHalfSpace = kPinColours - 2;
+  constexpr int kColourOfHalfSpace = kPinColours - 3;  // on white the next one is nearly black
   const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.theories.size(); ++k) {
     const TheoryCurve& theory = set.theories[k];

@@ -41,7 +41,7 @@ constexpr std::array kTable{
     HoverExplanation{"elastomer.shift.activation_energy", "ln a_T = E_a/R (1/T − 1/T_r)", "",
                      "temperature"},
     HoverExplanation{"load.normal_force", "F_N = 4 ∫ [G (d − z) + η v z'] dx, Eq. (3)", "", "eq-3"},
-    HoverExplanation{"load.depth", "u = z − d in contact", "", "foundation"},
+    HoverExplanation{"load.depth", "u = z − d (p > 0)", "", "foundation"},
     HoverExplanation{"load.nominal_pressure", "F_N = p₀ L w", "", "pressure"},
     HoverExplanation{"load.width", "F_N = p₀ L w", "", "pressure"},
     HoverExplanation{"sliding.velocity", "f = 4 Δx {G [d − z] + η v z'}, Eq. (2)", "", "steady"},
@@ -173,10 +173,10 @@ constexpr std::array kTable{
         "Heights are drawn this many times larger than lengths; true slopes are as many "
         "times flatter.",
         "rough-line"},
-    HoverExplanation{"position along the line", "0 ≤ x < L",
+    HoverExplanation{"position along the line", "z(x + L) = z(x)",
                      "The place in the direction of sliding. The line repeats after its period.",
                      "rough-line"},
-    HoverExplanation{"height above the surface", "u = z − d in contact",
+    HoverExplanation{"height above the surface", "u = z − d (p > 0)",
                      "0 is the surface of the elastomer where nothing has pressed on it.",
                      "foundation"},
 

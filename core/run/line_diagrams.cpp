@@ -369,7 +369,8 @@ DiagramSheet statisticsSheet(const Frame& frame) {
                    ? Message("No element is in contact.")
                    : message(
                          "{:.0f} % of the contact is on slopes that climb (100 %: one-sided, "
-                         "50 %: both sides alike); rms slope in contact {:.2f} of the line's.",
+                         "50 %: both sides alike); rms slope in contact {:.2f} times that of the "
+                         "line.",
                          100 * slopes.climbing, slopes.rmsContact);
   return sheet;
 }

@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>no target: scheme and realizations as set</source>
-        <translation>kein Ziel: nach Verfahren und Realisierungen</translation>
+        <translation>kein Ziel: Verfahren und Linien wie gewählt</translation>
     </message>
     <message>
         <source>measured: %1, error %2</source>

@@ -611,7 +611,7 @@
         <translation>ein WebM-Film</translation>
     </message>
     <message>
-        <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 of the line&apos;s.</source>
+        <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 times that of the line.</source>
         <translation>%1 % des Kontakts liegt auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt das %2-Fache der Linie.</translation>
     </message>
     <message>

@@ -250,8 +250,11 @@ std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictu
   const float width = static_cast<float>(options.width) - 2 * side;
   std::vector<Reading> readings = readingsOf(frame);
   const auto tooMuch = [&](const auto& rows) {
+    // One reading alone below a full row would take the picture's height, and come and go with the
+    // digits of the others.
+    const bool hasStraggler = rows.size() == 2 && rows[0].size() > 4 && rows[1].size() == 1;
     return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > most ||
-           widthOf(rows[0][0], s) > width;
+           widthOf(rows[0][0], s) > width || hasStraggler;
   };
   while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
   std::vector<PlacedReading> placed;

@@ -34,7 +34,7 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
   const std::size_t i = std::min(static_cast<std::size_t>(wrapped), n - 1);
   ProbeReading reading;
   reading.point = i;
-  reading.position = static_cast<double>(i) * frame.spacing;
+  reading.position = nearest * frame.spacing;  // as on the axis, in any period
   reading.line = frame.lineHeight[i];
   reading.surface = frame.surfaceHeight[i];
   reading.pressure = frame.pressure[i];

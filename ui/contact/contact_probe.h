@@ -12,7 +12,7 @@ namespace asperity {
 
 struct ProbeReading {
   std::size_t point = 0;  // of the frame
-  double position = 0;    // m, of the point, in the first period
+  double position = 0;    // m, of the point, in the period of x
   double line = 0;        // m, z - d
   double surface = 0;     // m, u
   double gap = 0;         // m, 0 in contact

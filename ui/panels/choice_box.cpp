@@ -110,7 +110,7 @@ QString panelStyleSheet(const QPalette& palette) {
     QScrollArea, #parameterRows { background: %1; }
     QLabel[role="heading"] { font-weight: bold; color: %2; }
     QLabel[role="unit"] { color: %3; }
-    QLabel[role="error"] { color: %4; }
+    QLabel[role="error"] { color: %4; padding-bottom: 3px; }
     QLabel[role="note"] { color: %7; }
     QLabel[role="warning"] { color: %8; padding-bottom: 3px; }
     #panelBar { background: %1; border-bottom: 1px solid %6; }

@@ -61,6 +61,7 @@ InfluencePage::InfluencePage(QWidget* parent)
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
   row->addWidget(choice_);
+  row->addSpacing(6);
   row->addWidget(hint_, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

@@ -117,7 +117,7 @@ void keepMnemonics(QMenu& menu) {
 namespace {
 
 constexpr int kAround = 40;             // pixels around the groups, including a scroll bar
-constexpr double kLeastLetters = 0.75;  // smallest factor of the usual size
+constexpr double kLeastLetters = 0.72;  // smallest factor of the usual size
 constexpr double kSmaller = 0.97;       // factor of one step
 
 QString plain(QString text) {
