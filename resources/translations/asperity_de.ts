@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>(extrapolated)</source>
-        <translation>(hochgerechnet)</translation>
+        <translation>(extrapoliert)</translation>
     </message>
     <message>
         <source>best for its time</source>
@@ -872,7 +872,7 @@
     </message>
     <message>
         <source>&amp;Renew</source>
-        <translation>&amp;Erneuern</translation>
+        <translation>&amp;Aktualisieren</translation>
     </message>
     <message>
         <source>The state at this moment (%1)</source>
@@ -1861,7 +1861,7 @@
     </message>
     <message>
         <source>Pap&amp;er</source>
-        <translation>Wie im Ar&amp;tikel</translation>
+        <translation>Wie in der Arbei&amp;t</translation>
     </message>
     <message>
         <source>%1 realizations, as in the paper</source>
@@ -2862,7 +2862,7 @@
     <name>asperity::MapPanel</name>
     <message>
         <source>Show:</source>
-        <translation>Zeige:</translation>
+        <translation>Anzeige:</translation>
     </message>
     <message>
         <source>Save…</source>
@@ -2960,7 +2960,7 @@
     </message>
     <message>
         <source>vertical shifts, too</source>
-        <translation>auch senkrecht schieben</translation>
+        <translation>auch senkrecht verschieben</translation>
     </message>
     <message>
         <source>Prony series</source>
@@ -3558,11 +3558,11 @@
     <name>asperity::SceneCardText</name>
     <message>
         <source>Only the highest summits touch, and the rubber comes back late behind each of them.</source>
-        <translation>Nur die höchsten Gipfel berühren, und hinter jedem kommt das Gummi verspätet zurück.</translation>
+        <translation>Nur die höchsten Gipfel haben Kontakt, und hinter jedem kommt das Gummi verspätet zurück.</translation>
     </message>
     <message>
         <source>Friction grows with the velocity, bends into a plateau and falls again.</source>
-        <translation>Die Reibung wächst mit der Geschwindigkeit, biegt in ein Plateau und fällt wieder.</translation>
+        <translation>Die Reibung wächst mit der Geschwindigkeit, biegt in ein Plateau ein und fällt wieder.</translation>
     </message>
     <message>
         <source>The rubber presses on the front of the summit and is not back yet behind it.</source>
@@ -3574,7 +3574,7 @@
     </message>
     <message>
         <source>Slow: both sides of each summit touch, and friction doubles with the velocity.</source>
-        <translation>Langsam: Beide Seiten jedes Gipfels berühren, und die Reibung verdoppelt sich mit der Geschwindigkeit.</translation>
+        <translation>Langsam: Jeder Gipfel hat auf beiden Seiten Kontakt, und die Reibung verdoppelt sich mit der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Contact begins to leave the rear sides of the summits, and the straight line bends.</source>
@@ -3582,11 +3582,11 @@
     </message>
     <message>
         <source>Only front sides touch: friction hardly depends on velocity, modulus or force.</source>
-        <translation>Nur Vorderseiten berühren: Die Reibung hängt kaum von Geschwindigkeit, Modul oder Kraft ab.</translation>
+        <translation>Nur die Vorderseiten haben Kontakt: Die Reibung hängt kaum von Geschwindigkeit, Modul oder Kraft ab.</translation>
     </message>
     <message>
         <source>A few tips carry everything, and friction falls although sliding is faster.</source>
-        <translation>Wenige Kuppen tragen alles, und die Reibung fällt, obwohl schneller geglitten wird.</translation>
+        <translation>Wenige Kuppen tragen alles, und die Reibung fällt, obwohl die Linie schneller gleitet.</translation>
     </message>
     <message>
         <source>Contact moves to the front of the summit when you raise the velocity.</source>
@@ -3626,7 +3626,7 @@
     </message>
     <message>
         <source>One arm makes one broad peak: fast rubber is as elastic as slow rubber, only stiffer.</source>
-        <translation>Ein Arm macht einen breiten Gipfel: Schnelles Gummi ist so elastisch wie langsames, nur steifer.</translation>
+        <translation>Ein Arm ergibt ein breites Maximum: Bei schnellem Gleiten ist das Gummi so elastisch wie bei langsamem, nur steifer.</translation>
     </message>
     <message>
         <source>Cold rubber has its friction at lower velocities; the shape of the curve stays.</source>
@@ -3634,7 +3634,7 @@
     </message>
     <message>
         <source>Move the temperature: the whole curve slides along the velocity.</source>
-        <translation>Die Temperatur bewegen: Die ganze Kurve gleitet entlang der Geschwindigkeit.</translation>
+        <translation>Die Temperatur ändern: Die ganze Kurve wandert entlang der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Warm rubber needs a higher velocity for the same friction.</source>
@@ -3650,7 +3650,7 @@
     </message>
     <message>
         <source>At the same velocity, friction on the way up differs from friction on the way down.</source>
-        <translation>Bei derselben Geschwindigkeit ist die Reibung hinauf eine andere als hinab.</translation>
+        <translation>Bei derselben Geschwindigkeit ist die Reibung beim Beschleunigen eine andere als beim Abbremsen.</translation>
     </message>
     <message>
         <source>The line turns back into its own dents: friction is first too small, then settles.</source>
@@ -3666,7 +3666,7 @@
     </message>
     <message>
         <source>The line stops at half time, but the force needs a relaxation time to vanish.</source>
-        <translation>Die Linie hält zur halben Zeit an, aber die Kraft braucht eine Relaxationszeit, um zu verschwinden.</translation>
+        <translation>Die Linie hält nach der halben Zeit an, aber die Kraft braucht eine Relaxationszeit, um zu verschwinden.</translation>
     </message>
     <message>
         <source>At twice the velocity friction first jumps and then relaxes.</source>
@@ -4027,7 +4027,7 @@
     </message>
     <message>
         <source>Move curve or marker</source>
-        <translation>Kurve oder Marke ziehen</translation>
+        <translation>Kurve oder Markierung ziehen</translation>
     </message>
     <message>
         <source>Drag</source>
@@ -4051,7 +4051,7 @@
     </message>
     <message>
         <source>Fit axes</source>
-        <translation>Achsen anpassen</translation>
+        <translation>Achsen einpassen</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -4290,7 +4290,7 @@
     </message>
     <message>
         <source>A rough line rests on rubber: only its highest summits touch.</source>
-        <translation>Eine raue Linie ruht auf Gummi: Nur ihre höchsten Gipfel berühren ihn.</translation>
+        <translation>Eine raue Linie ruht auf Gummi: Nur ihre höchsten Gipfel berühren es.</translation>
     </message>
     <message>
         <source>Drag the normal force up: contacts grow in number and length.</source>
@@ -4314,7 +4314,7 @@
     </message>
     <message>
         <source>Faster, friction stops growing: it is now set by the slope of the line, not by the rubber.</source>
-        <translation>Schneller wächst die Reibung nicht mehr: Sie wird nun von der Steigung der Linie bestimmt, nicht vom Gummi.</translation>
+        <translation>Bei höherer Geschwindigkeit wächst die Reibung nicht mehr: Sie wird nun von der Steigung der Linie bestimmt, nicht vom Gummi.</translation>
     </message>
     <message>
         <source>Change the shear modulus or the force: the plateau stays.</source>
@@ -4338,7 +4338,7 @@
     </message>
     <message>
         <source>Faster still, only the tips of the highest summits touch, and they are smooth: friction falls again.</source>
-        <translation>Noch schneller berühren nur die Kuppen der höchsten Gipfel, und die sind glatt: Die Reibung fällt wieder.</translation>
+        <translation>Noch schneller: Nur die Kuppen der höchsten Gipfel haben Kontakt, und sie sind glatt. Die Reibung fällt wieder.</translation>
     </message>
     <message>
         <source>Raise the elements: finer tips move the fall to higher velocities.</source>

@@ -140,11 +140,11 @@
     </message>
     <message>
         <source>%1 is %2; wanted is %3, such as %4</source>
-        <translation>%1 ist %2; gefragt ist %3, etwa %4</translation>
+        <translation>%1 ist %2; erwartet wird %3, etwa %4</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a known unit; wanted is %2, such as %3</source>
-        <translation>„%1“ ist hier keine bekannte Einheit; gefragt ist %2, etwa %3</translation>
+        <translation>„%1“ ist hier keine bekannte Einheit; erwartet wird %2, etwa %3</translation>
     </message>
     <message>
         <source>an energy of a mole</source>
@@ -276,7 +276,7 @@
     </message>
     <message>
         <source>has both a normal force and a nominal pressure; one of them says the load</source>
-        <translation>hat Normalkraft und Nennpressung; eine von beiden gibt die Last an</translation>
+        <translation>hat Normalkraft und nominellen Druck; nur eines von beiden gibt die Last an</translation>
     </message>
     <message>
         <source>row %1: %2</source>
@@ -364,15 +364,15 @@
     </message>
     <message>
         <source>half-space, with long-range elasticity</source>
-        <translation>Halbraum, mit weitreichender Elastizität</translation>
+        <translation>Halbraum, mit langreichweitiger Elastizität</translation>
     </message>
     <message>
         <source>shear velocity</source>
-        <translation>Scher-Geschwindigkeit</translation>
+        <translation>Schubgeschwindigkeit</translation>
     </message>
     <message>
         <source>shear width</source>
-        <translation>Scher-Breite</translation>
+        <translation>Schubbreite</translation>
     </message>
     <message>
         <source>measured friction</source>
@@ -384,11 +384,11 @@
     </message>
     <message>
         <source>Velocity (times the temperature shift) at which the local shear is largest; 0: it does not depend on the velocity.</source>
-        <translation>Geschwindigkeit (mal Temperaturverschiebung), bei der die lokale Scherung am größten ist; 0: sie hängt nicht von der Geschwindigkeit ab.</translation>
+        <translation>Geschwindigkeit (mal Temperaturverschiebung), bei der der lokale Schub am größten ist; 0: Er hängt nicht von der Geschwindigkeit ab.</translation>
     </message>
     <message>
         <source>How fast the local shear falls beside that velocity: it is exp(-c) of its largest value a decade away.</source>
-        <translation>Wie schnell die lokale Scherung neben dieser Geschwindigkeit abfällt: eine Dekade daneben ist sie exp(-c) ihres größten Wertes.</translation>
+        <translation>Wie schnell der lokale Schub neben dieser Geschwindigkeit abfällt: Eine Dekade daneben ist er exp(-c) mal sein größter Wert.</translation>
     </message>
     <message>
         <source>Tables of measured friction that are shown beside the curve: velocity and mu, with or without errors, force, temperature.</source>
@@ -408,11 +408,11 @@
     </message>
     <message>
         <source>Losses of all waves of the line in complete contact, for any linear rheology; below complete contact it is too large.</source>
-        <translation>Verluste aller Wellen der Linie bei vollständigem Kontakt, für jede lineare Rheologie; darunter ist sie zu groß.</translation>
+        <translation>Verluste aller Wellen der Linie bei Vollkontakt, für jede lineare Rheologie; darunter ist sie zu groß.</translation>
     </message>
     <message>
         <source>Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal pressure: another model, whose elements feel each other.</source>
-        <translation>Persson (2001) für die isotrope Fläche, der diese Linie entspricht, bei ihrer Nennpressung: ein anderes Modell, dessen Elemente einander spüren.</translation>
+        <translation>Persson (2001) für die isotrope Fläche, der diese Linie entspricht, bei ihrem nominellen Druck: ein anderes Modell, dessen Elemente einander spüren.</translation>
     </message>
     <message>
         <source>the name has no ending; allowed is %1</source>
@@ -456,7 +456,7 @@
     </message>
     <message>
         <source>is a link to &apos;%1&apos;, which is not there</source>
-        <translation>ist ein Verweis auf &apos;%1&apos;, was nicht da ist</translation>
+        <translation>ist ein Verweis auf &apos;%1&apos;, das es nicht gibt</translation>
     </message>
     <message>
         <source>is not valid JSON: %1</source>
@@ -696,7 +696,7 @@
     </message>
     <message>
         <source>%1. In complete contact it grows as the force. The detachment condition of the paper lacks a factor G: G (d - z) + η v z&apos; = 0.</source>
-        <translation>%1. Im vollen Kontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + η v z&apos; = 0.</translation>
+        <translation>%1. Im Vollkontakt wächst sie wie die Kraft. Der Ablösebedingung der Arbeit fehlt ein Faktor G: G (d - z) + η v z&apos; = 0.</translation>
     </message>
     <message>
         <source>%1. It depends on the window: with Fₙ / G h L up to 1 the largest deviation is %2.</source>
@@ -756,7 +756,7 @@
     </message>
     <message>
         <source>C(q) ~ q^(−2H−1) is two-sided, h² = 2 ∫ C dq; cut off at π over the element spacing. Points are means over equal stretches of log q.</source>
-        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π durch Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
+        <translation>C(q) ~ q^(−2H−1) ist zweiseitig, h² = 2 ∫ C dq; abgeschnitten bei π/Elementabstand. Punkte sind Mittel über gleiche Strecken von log q.</translation>
     </message>
     <message>
         <source>Circles: spread of the means over groups of so many lines. Lines: one over the square root.</source>
@@ -984,7 +984,7 @@
     </message>
     <message>
         <source>is 0, and so is everything else: the elastomer is empty</source>
-        <translation>ist 0 und alles andere auch: Das Elastomer ist leer</translation>
+        <translation>ist 0, und es gibt weder Arme noch einen Dämpfer: Das Elastomer hätte keine Kraft</translation>
     </message>
     <message>
         <source>is not a list in JSON; allowed is %1</source>
@@ -1224,7 +1224,7 @@
     </message>
     <message>
         <source>Short waves stronger on the summits, which touch first (above 0), or in the valleys (below 0); 0: everywhere alike.</source>
-        <translation>Kurze Wellen stärker auf den Gipfeln, die zuerst berühren (über 0), oder in den Tälern (unter 0); 0: überall gleich.</translation>
+        <translation>Kurze Wellen stärker auf den Gipfeln, die zuerst Kontakt haben (über 0), oder in den Tälern (unter 0); 0: überall gleich.</translation>
     </message>
     <message>
         <source>Sine waves in one period of the line.</source>
@@ -2728,7 +2728,7 @@
     </message>
     <message>
         <source>whether an element touches is asked at each node</source>
-        <translation>ob ein Element berührt, wird an jedem Knoten gefragt</translation>
+        <translation>ob ein Element Kontakt hat, wird an jedem Knoten geprüft</translation>
     </message>
     <message>
         <source>edges of contact are found inside the segments wherever contact is not complete</source>
@@ -3016,11 +3016,11 @@
     </message>
     <message>
         <source>position unit</source>
-        <translation>Einheit der Position</translation>
+        <translation>Einheit des Ortes</translation>
     </message>
     <message>
         <source>Unit of positions along the surface; auto: as the file states.</source>
-        <translation>Einheit der Positionen entlang der Oberfläche; auto: wie die Datei angibt.</translation>
+        <translation>Einheit der Orte entlang der Oberfläche; auto: wie die Datei angibt.</translation>
     </message>
     <message>
         <source>height unit</source>
@@ -3032,11 +3032,11 @@
     </message>
     <message>
         <source>position column</source>
-        <translation>Spalte der Position</translation>
+        <translation>Spalte des Ortes</translation>
     </message>
     <message>
         <source>Column of positions, counted from 1; 0: the program finds it.</source>
-        <translation>Spalte der Positionen, ab 1 gezählt; 0: Das Programm findet sie.</translation>
+        <translation>Spalte der Orte, ab 1 gezählt; 0: Das Programm findet sie.</translation>
     </message>
     <message>
         <source>height column</source>
@@ -3088,7 +3088,7 @@
     </message>
     <message>
         <source>Which side of the measured surface touches the rubber: its summits (the line is the heights turned over, because the lowest points of a line touch first) or its valleys (the heights as they stand).</source>
-        <translation>Welche Seite der gemessenen Oberfläche das Gummi berührt: ihre Gipfel (die Linie sind die umgedrehten Höhen, weil die tiefsten Punkte einer Linie zuerst berühren) oder ihre Täler (die Höhen, wie sie sind).</translation>
+        <translation>Welche Seite der gemessenen Oberfläche das Gummi berührt: ihre Gipfel (die Linie sind die umgedrehten Höhen, weil die tiefsten Punkte einer Linie zuerst Kontakt haben) oder ihre Täler (die Höhen, wie sie sind).</translation>
     </message>
     <message>
         <source>kind of spectrum</source>
@@ -3160,11 +3160,11 @@
     </message>
     <message>
         <source>its summits touch</source>
-        <translation>ihre Gipfel berühren</translation>
+        <translation>ihre Gipfel haben Kontakt</translation>
     </message>
     <message>
         <source>its valleys touch</source>
-        <translation>ihre Täler berühren</translation>
+        <translation>ihre Täler haben Kontakt</translation>
     </message>
     <message>
         <source>waves of the file's spectrum with random phases are summed</source>
@@ -3268,11 +3268,11 @@
     </message>
     <message>
         <source>the line is turned over, because the summits touch</source>
-        <translation>die Linie ist umgedreht, weil die Gipfel berühren</translation>
+        <translation>die Linie ist umgedreht, weil die Gipfel Kontakt haben</translation>
     </message>
     <message>
         <source>the line is not turned over: the valleys touch</source>
-        <translation>die Linie ist nicht umgedreht: die Täler berühren</translation>
+        <translation>die Linie ist nicht umgedreht: Die Täler haben Kontakt</translation>
     </message>
     <message>
         <source>%1 is not a unit of %2; allowed is %3, with mm, um or nm as well</source>
@@ -3464,7 +3464,7 @@
     </message>
     <message>
         <source>is needed (%1): the file states no unit of positions, and in metres it would be %2 m long</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Positionen, und in Metern wäre sie %2 m lang</translation>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre sie %2 m lang</translation>
     </message>
     <message>
         <source>is needed (in m): the file does not say how far its points are apart</source>
@@ -3484,7 +3484,7 @@
     </message>
     <message>
         <source>is needed (%1): the file states no unit of positions, and in metres the rms slope would be %2</source>
-        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Positionen, und in Metern wäre die mittlere Steigung %2</translation>
+        <translation>wird gebraucht (%1): die Datei nennt keine Einheit der Orte, und in Metern wäre die mittlere Steigung %2</translation>
     </message>
     <message>
         <source>has %1 points along x; at least %2 are needed</source>
@@ -3528,23 +3528,23 @@
     </message>
     <message>
         <source>Positions are %1, heights %2.</source>
-        <translation>Positionen sind %1, Höhen %2.</translation>
+        <translation>Orte sind %1, Höhen %2.</translation>
     </message>
     <message>
         <source>Positions are %1 and %2, heights %3.</source>
-        <translation>Positionen sind %1 und %2, Höhen %3.</translation>
+        <translation>Orte sind %1 und %2, Höhen %3.</translation>
     </message>
     <message>
         <source>Positions are in %1, as the file states.</source>
-        <translation>Die Positionen sind in %1, wie die Datei sagt.</translation>
+        <translation>Die Orte sind in %1, wie die Datei sagt.</translation>
     </message>
     <message>
         <source>Positions are in %1, as the scene says.</source>
-        <translation>Die Positionen sind in %1, wie die Szene sagt.</translation>
+        <translation>Die Orte sind in %1, wie die Szene sagt.</translation>
     </message>
     <message>
         <source>The file states no unit of positions: they are taken as metres.</source>
-        <translation>Die Datei nennt keine Einheit der Positionen: sie gelten als Meter.</translation>
+        <translation>Die Datei nennt keine Einheit der Orte: sie gelten als Meter.</translation>
     </message>
     <message>
         <source>Heights are in %1, as the file states.</source>
@@ -3560,7 +3560,7 @@
     </message>
     <message>
         <source>The file does not say how far its points are apart: one unit of positions.</source>
-        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Positionen.</translation>
+        <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
     </message>
     <message>
         <source>%1 points have no height.</source>
@@ -3632,7 +3632,7 @@
     </message>
     <message>
         <source>is the column of the positions, too; they need one each</source>
-        <translation>ist auch die Spalte der Positionen; beide brauchen eine eigene</translation>
+        <translation>ist auch die Spalte der Orte; beide brauchen eine eigene</translation>
     </message>
     <message>
         <source>The first row and the first column are positions.</source>
@@ -3672,7 +3672,7 @@
     </message>
     <message>
         <source>The unit &apos;%1&apos; of the positions is not known: they are taken as metres.</source>
-        <translation>Die Einheit „%1“ der Positionen ist nicht bekannt: Sie gelten als Meter.</translation>
+        <translation>Die Einheit „%1“ der Orte ist nicht bekannt: Sie gelten als Meter.</translation>
     </message>
     <message>
         <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
@@ -3728,7 +3728,7 @@
     </message>
     <message>
         <source>the positions leap from %1 to %2, %3 times the usual step; each stretch needs a file of its own</source>
-        <translation>die Positionen springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
+        <translation>die Orte springen von %1 nach %2, um das %3-Fache des üblichen Schritts; jeder Abschnitt braucht eine eigene Datei</translation>
     </message>
     <message>
         <source>line %1: there is a point at this position already</source>
@@ -3752,15 +3752,15 @@
     </message>
     <message>
         <source>%1 places have no row in the file and are taken as gaps.</source>
-        <translation>%1 Positionen haben keine Zeile in der Datei und gelten als Lücken.</translation>
+        <translation>%1 Orte haben keine Zeile in der Datei und gelten als Lücken.</translation>
     </message>
     <message>
         <source>Positions are not uniform (steps differ by up to %1 %): heights are interpolated linearly onto %2 uniform places.</source>
-        <translation>Die Positionen sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Positionen umgerechnet.</translation>
+        <translation>Die Orte sind nicht gleichabständig (die Schritte weichen um bis zu %1 % ab): die Höhen werden linear auf %2 gleichabständige Orte umgerechnet.</translation>
     </message>
     <message>
         <source>Positions fall from row to row: the profile is turned round.</source>
-        <translation>Die Positionen fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
+        <translation>Die Orte fallen von Zeile zu Zeile: das Profil wird umgedreht.</translation>
     </message>
     <message>
         <source>line %1: the position goes back; positions must rise or fall all along</source>
@@ -4300,7 +4300,7 @@
     </message>
     <message>
         <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact. The share is per decade of frequency, q² C1 G'', over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei vollständigem Kontakt. Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei Vollkontakt. Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>the line excites no loss at this velocity</source>
@@ -4640,7 +4640,7 @@
     </message>
     <message>
         <source>friction, deformation and local</source>
-        <translation>Reibung durch Verformung und örtliche</translation>
+        <translation>Reibung durch Verformung und lokale Reibung</translation>
     </message>
     <message>
         <source>mean of the ratios of forces</source>
@@ -4656,7 +4656,7 @@
     </message>
     <message>
         <source>nominal pressure p₀</source>
-        <translation>Nenndruck p₀</translation>
+        <translation>nomineller Druck p₀</translation>
     </message>
     <message>
         <source>mean pressure in contact</source>
@@ -4736,11 +4736,11 @@
     </message>
     <message>
         <source>short-wave cut-off λ</source>
-        <translation>kurzwellige Grenze λ</translation>
+        <translation>kurze Grenzwellenlänge λ</translation>
     </message>
     <message>
         <source>Friction against the short-wave cut-off</source>
-        <translation>Reibung über der kurzwelligen Grenze</translation>
+        <translation>Reibung über der kurzen Grenzwellenlänge</translation>
     </message>
     <message>
         <source>Friction of the same lines without their waves shorter than λ, and the share of it that the waves of one decade of wavelengths make.</source>
@@ -5830,6 +5830,10 @@
         <source>%1 is outside %2 to %3; --modulus-unit says what the file means</source>
         <translation>%1 liegt außerhalb von %2 bis %3; --modulus-unit sagt, was die Datei meint</translation>
     </message>
+    <message>
+        <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 of the line&apos;s.</source>
+        <translation>%1 % des Kontakts liegen auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt: %2-mal die der Linie.</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -5983,11 +5987,11 @@
     </message>
     <message>
         <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Refine the elements: with the nodal scheme the level stays, with a resolved line friction goes on falling.</source>
-        <translation>Nur die höchsten Gipfel berühren noch, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
+        <translation>Nur die höchsten Gipfel haben noch Kontakt, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
     </message>
     <message>
         <source>Oscillation through rest</source>
-        <translation>Schwingung durch die Ruhe</translation>
+        <translation>Schwingung durch den Stillstand</translation>
     </message>
     <message>
         <source>Pressed in for ever and then pulled at once: contact is full width at first, so friction begins above its steady value. It settles within a relaxation time or the way of one contact, whichever is shorter, while the line is lifted.</source>
@@ -6067,7 +6071,7 @@
     </message>
     <message>
         <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>
-        <translation>Die Reihe, ein Beispiel ohne veröffentlichte Quelle, gilt bei 343 K; mit der Verschiebung eines anderen gefüllten Gummis (Hentschke und Plagge 2021) ist jeder Arm bei 298 K etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur verschieben: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
+        <translation>Die Reihe, ein Beispiel ohne veröffentlichte Quelle, gilt bei 343 K; mit der Verschiebung eines anderen gefüllten Gummis (Hentschke und Plagge 2021) ist jeder Arm bei 298 K etwa 140-mal so langsam, und die Reibung bei Schrittgeschwindigkeit ist die eines steiferen Gummis. Die Temperatur ändern: Die Kurve wandert unverändert längs der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>The short waves lie in the valleys and the summits are smooth, so the slope in contact rises with the load. Friction at light load is far below that of the line with rough summits, at nearly the same spectrum.</source>
@@ -6075,7 +6079,7 @@
     </message>
     <message>
         <source>The short waves stand on the summits, which touch first, so the slope in contact is high at a light load and falls as the load grows. The spectrum alone does not tell this line from one with rough valleys.</source>
-        <translation>Die kurzen Wellen stehen auf den Gipfeln, die zuerst berühren, daher ist die Steigung im Kontakt bei kleiner Last groß und fällt mit wachsender Last. Das Spektrum allein unterscheidet diese Linie nicht von einer mit rauen Tälern.</translation>
+        <translation>Die kurzen Wellen stehen auf den Gipfeln, die zuerst Kontakt haben, daher ist die Steigung im Kontakt bei kleiner Last groß und fällt mit wachsender Last. Das Spektrum allein unterscheidet diese Linie nicht von einer mit rauen Tälern.</translation>
     </message>
     <message>
         <source>The surface has long come back where the next summit meets it, and every contact is nearly even fore and aft. Double the velocity: friction doubles with it.</source>
@@ -6139,7 +6143,7 @@
     </message>
     <message>
         <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
-        <translation>Dieselbe Rauheit, derselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
+        <translation>Dieselbe Rauheit, dasselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
     <message>
         <source>Contact fraction over velocity</source>
@@ -6167,7 +6171,7 @@
     </message>
     <message>
         <source>Limits and checks</source>
-        <translation>Grenzfälle und Proben</translation>
+        <translation>Grenzfälle und Gegenproben</translation>
     </message>
     <message>
         <source>Regions of Eq. (11)</source>
@@ -6239,7 +6243,7 @@
     </message>
     <message>
         <source>Rms slope of the line where it touches the elastomer.</source>
-        <translation>Rms-Steigung der Linie, wo sie das Elastomer berührt.</translation>
+        <translation>RMS-Steigung der Linie, wo sie das Elastomer berührt.</translation>
     </message>
     <message>
         <source>How deep the lowest point of the line lies below the undeformed surface.</source>
@@ -6295,7 +6299,7 @@
     </message>
     <message>
         <source>Friction in slow sliding and complete contact.</source>
-        <translation>Reibung bei langsamem Gleiten und vollständigem Kontakt.</translation>
+        <translation>Reibung bei langsamem Gleiten und Vollkontakt.</translation>
     </message>
     <message>
         <source>Friction on the plateau: only rising slopes carry load.</source>
@@ -6307,7 +6311,7 @@
     </message>
     <message>
         <source>The law of the paper: it joins slow sliding, complete contact and the plateau; region IV is not in it.</source>
-        <translation>Das Gesetz der Veröffentlichung: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht.</translation>
+        <translation>Das Gesetz der Arbeit: Es verbindet langsames Gleiten, Vollkontakt und Plateau; Bereich IV enthält es nicht.</translation>
     </message>
     <message>
         <source>The law without dimensions.</source>

@@ -11,9 +11,11 @@ namespace asperity {
 
 namespace {
 
-/// Returns a formula with the number of its equation in the present language: "Gl. (2)".
+/// Returns a formula with its words and the number of its equation in the present language:
+/// "in Kontakt", "Gl. (2)".
 QString formulaInLanguage(std::string_view formula) {
   QString text = QString::fromUtf8(formula.data(), static_cast<qsizetype>(formula.size()));
+  text.replace(QLatin1String("in contact"), QString::fromStdString(Words::tr("in contact")));
   static const QRegularExpression equation(QStringLiteral("Eq\\. \\((\\d+)\\)"));
   return text.replace(equation,
                       QString::fromStdString(Words::tr("Eq. (%1)")).arg(QStringLiteral("\\1")));

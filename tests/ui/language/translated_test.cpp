@@ -134,6 +134,7 @@ TEST(Language, AnUnknownOneIsEnglish) {
 TEST_F(Translated, FormulasNameTheirEquation) {
   EXPECT_EQ(formulaHtml("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Gl. (2)"));
   EXPECT_EQ(formulaText("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Gl. (2)"));
+  EXPECT_EQ(formulaHtml("u = z − d in contact"), QStringLiteral("u = z − d in Kontakt"));
   useLanguage("en");
   EXPECT_EQ(formulaHtml("f = 4 Δx p, Eq. (2)"), QStringLiteral("f = 4 Δx p, Eq. (2)"));
 }

@@ -217,7 +217,8 @@ TEST(GermanWindow, AComplaintAboutTheSceneIsGerman) {
   window->document().edit(empty);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window->messages().isVisible(); }, kWindowPatience));
   EXPECT_EQ(window->messages().text(),
-            "Gleichgewichtsmodul: ist 0 und alles andere auch: Das Elastomer ist leer");
+            "Gleichgewichtsmodul: ist 0, und es gibt weder Arme noch einen Dämpfer: Das Elastomer "
+            "hätte keine Kraft");
   Scene soft = smallScene();
   soft.elastomer = prony(1e6, {{1e6, 1e-3}, {1e-300, 1}});
   window->document().edit(soft);
@@ -259,7 +260,7 @@ TEST(GermanWindow, ARefusalIsGerman) {
   QTest::keyClicks(entry, "0.5 kg");
   QTest::keyClick(entry, Qt::Key_Return);
   EXPECT_EQ(window->findChild<QLabel*>("error:load.normal_force")->text(),
-            "0,5 kg ist eine Masse; gefragt ist eine Kraft, etwa 3,4 mN");
+            "0,5 kg ist eine Masse; erwartet wird eine Kraft, etwa 3,4 mN");
 }
 
 /// What a window with one of the pages shows, once the page has read its file.

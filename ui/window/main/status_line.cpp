@@ -352,7 +352,8 @@ void StatusLine::fitFacts() {
   if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
   std::vector<QLabel*> shown;
-  for (QLabel* fact : {mu_, regime_, force_, velocity_, settling_, simulations_, rate_, backend_}) {
+  // That the picture has not come to these numbers yet matters more than dimensionless ones.
+  for (QLabel* fact : {mu_, regime_, settling_, force_, velocity_, simulations_, rate_, backend_}) {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
     // Those that come with the work have their room while they say nothing.
