@@ -208,6 +208,11 @@ NamedSheet tangentSheet(const Material& material) {
   return {"loss_tangent", std::move(sheet)};
 }
 
+/// The unit of temperatures wherever measurements are shown.
+double inCelsius(double kelvin) {
+  return kelvin - 273.15;
+}
+
 /// A formula over the temperatures of the table.
 DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit, Message name,
                             SeriesStroke stroke) {
@@ -221,7 +226,7 @@ DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit,
   for (int i = 0; i <= kPoints; ++i) {
     const double temperature = from + (to - from) * i / kPoints;
     try {
-      series.points.push_back({temperature, log10ShiftFactor(fit.shift, temperature)});
+      series.points.push_back({inCelsius(temperature), log10ShiftFactor(fit.shift, temperature)});
     } catch (const InputError&) {
       continue;  // the formula has no value there
     }
@@ -233,7 +238,7 @@ NamedSheet shiftsSheet(const Material& material) {
   DiagramSheet sheet;
   sheet.title = message("{}: shifts with temperature", material.name);
   Diagram diagram;
-  diagram.x = {"temperature T", "K", AxisScale::Linear};
+  diagram.x = {"temperature T", "\u00B0C", AxisScale::Linear};
   diagram.y = {"shift log\u2081\u2080 a\u1D1B", "", AxisScale::Linear};
   DiagramSeries both{.name = "from both moduli", .mark = SeriesMark::Circle};
   DiagramSeries storage{
@@ -241,14 +246,15 @@ NamedSheet shiftsSheet(const Material& material) {
   DiagramSeries loss{
       .name = "from G'' alone", .mark = SeriesMark::Triangle, .stroke = SeriesStroke::Dotted};
   for (const IsothermShift& shift : material.curve.shifts) {
-    DiagramPoint point{shift.temperature, shift.log10Shift};
+    const double temperature = inCelsius(shift.temperature);
+    DiagramPoint point{temperature, shift.log10Shift};
     if (std::isfinite(shift.standardError) && shift.standardError > 0) {
       point.low = shift.log10Shift - shift.standardError;
       point.high = shift.log10Shift + shift.standardError;
     }
     both.points.push_back(point);
-    storage.points.push_back({shift.temperature, shift.fromStorage});
-    loss.points.push_back({shift.temperature, shift.fromLoss});
+    storage.points.push_back({temperature, shift.fromStorage});
+    loss.points.push_back({temperature, shift.fromLoss});
   }
   diagram.series = {std::move(storage), std::move(loss), std::move(both)};
   if (material.wlf.isDefined)
@@ -352,7 +358,7 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   sheet.columns = 1;
   sheet.sharesAxis = true;
   sheet.note =
-      "Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact. The share is per "
+      "Tinted: from 5 to 95 % of the loss in complete contact, q C1(q) G''(q v). The share is per "
       "decade of frequency, q\u00B2 C1 G'', over its largest value.";
   return sheet;
 }

@@ -350,7 +350,7 @@ std::vector<Message> materialSummary(const Material& material) {
                             PrintedNumber{printedNumber(material.arrhenius.rms, 2)}));
   lines.push_back(curve.shifts.size() == 1 ? Message("one temperature alone: there is no shift")
                   : material.shift.kind == ShiftKind::Table
-                      ? Message("the shift is kept as the table")
+                      ? Message("the shift used is the table of measured shifts")
                   : material.shift.kind == ShiftKind::Wlf
                       ? Message("the shift is that of Williams, Landel and Ferry")
                       : Message("the shift is that of Arrhenius"));

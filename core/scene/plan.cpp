@@ -45,7 +45,7 @@ Message whyMeasured(const Surface& surface) {
   const bool isEquivalent = surface.line == LineKind::IsotropicEquivalent;
   const Message line = isEquivalent
                            ? Message(
-                                 "the isotropic equivalent, C_line = pi q C2, of the measured "
+                                 "the isotropic equivalent, C = \u03C0 q C\u2082, of the measured "
                                  "surface")
                            : Message("the measured surface as it is along the sliding");
   const Message side = surface.contactSide == ContactSide::Summits ? Message("its summits touch")

@@ -164,14 +164,22 @@ void MeasuredLines::chooseRows(const Scene& scene) {
     if (asked > 0 && row != asked - 1) continue;
     const std::span<const double> heights = topography.row(row);
     const std::int64_t gaps = gapCount(heights);
+    const bool hasTooFew = topography.columns - gaps < kFewestPoints;
+    if (hasTooFew && asked > 0)
+      fail("surface.row", message("row {} has {} measured points; a line needs {} or more", asked,
+                                  topography.columns - gaps, kFewestPoints));
     if (gaps > 0 && surface_.processing.gaps == GapHandling::Refuse) {
+      if (hasTooFew && topography.rows > 1)
+        fail("surface.gaps", message("row {} has {} measured points; interpolate leaves such rows "
+                                     "out and fills the gaps of the others",
+                                     row + 1, topography.columns - gaps));
       const auto place =
           std::ranges::find_if(heights, [](double z) { return std::isnan(z); }) - heights.begin();
       fail("surface.gaps", message("row {} has {} points without a height, the first is point {}; "
                                    "interpolate fills them",
                                    row + 1, gaps, place + 1));
     }
-    if (topography.columns - gaps < kFewestPoints)
+    if (hasTooFew)
       ++leftOut_;
     else
       rows_.push_back(row);

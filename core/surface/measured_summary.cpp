@@ -91,9 +91,10 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
                            summary.profile.outliers));
   list.push_back(
       summary.isEquivalent
-          ? message("the line is the isotropic equivalent, C_line = pi q C2; its rms slope is {} "
-                    "times that of the surface as measured",
-                    PrintedNumber{printedNumber(summary.slopeRatio, 4)})
+          ? message(
+                "the line is the isotropic equivalent, C = \u03C0 q C\u2082; its rms slope is {} "
+                "times that of the surface as measured",
+                PrintedNumber{printedNumber(summary.slopeRatio, 4)})
           : Message("the line is the surface as measured"));
   list.push_back(summary.hasTurned ? Message("the line is turned over, because the summits touch")
                                    : Message("the line is not turned over: the valleys touch"));

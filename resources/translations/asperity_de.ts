@@ -2869,10 +2869,6 @@
         <translation>Speichern…</translation>
     </message>
     <message>
-        <source>Save the map as a picture or a table</source>
-        <translation>Die Karte als Bild oder Tabelle speichern</translation>
-    </message>
-    <message>
         <source>friction over two parameters</source>
         <translation>Reibung über zwei Parametern</translation>
     </message>
@@ -2883,6 +2879,10 @@
     <message>
         <source>parameter along y</source>
         <translation>Parameter entlang y</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture or a table, once it is computed</source>
+        <translation>Die Karte als Bild oder Tabelle speichern, sobald sie berechnet ist</translation>
     </message>
 </context>
 <context>
@@ -3316,6 +3316,10 @@
     <message>
         <source>%1, curve %2</source>
         <translation>%1, Kurve %2</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>offen</translation>
     </message>
 </context>
 <context>
@@ -4180,6 +4184,10 @@
         <source>notes on how far the results hold</source>
         <translation>Hinweise, wie weit die Ergebnisse gelten</translation>
     </message>
+    <message>
+        <source>deformation μ = %1%2</source>
+        <translation>Verformung μ = %1%2</translation>
+    </message>
 </context>
 <context>
     <name>asperity::SurfaceImport</name>
@@ -4341,10 +4349,6 @@
         <translation>Noch schneller: Nur die Kuppen der höchsten Gipfel haben Kontakt, und sie sind glatt. Die Reibung fällt wieder.</translation>
     </message>
     <message>
-        <source>Raise the elements: finer tips move the fall to higher velocities.</source>
-        <translation>Die Zahl der Elemente erhöhen: Feinere Kuppen verschieben den Abfall zu höheren Geschwindigkeiten.</translation>
-    </message>
-    <message>
         <source>Full contact</source>
         <translation>Vollkontakt</translation>
     </message>
@@ -4375,6 +4379,10 @@
     <message>
         <source>Take the tour</source>
         <translation>Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>Raise the number of elements: finer tips move the fall to higher velocities.</source>
+        <translation>Die Zahl der Elemente erhöhen: Feinere Kuppen verschieben den Abfall zu höheren Geschwindigkeiten.</translation>
     </message>
 </context>
 <context>

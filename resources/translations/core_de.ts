@@ -3151,10 +3151,6 @@
         <translation>%1 Zeilen der gemessenen Oberfläche</translation>
     </message>
     <message>
-        <source>the isotropic equivalent, C_line = pi q C2, of the measured surface</source>
-        <translation>die isotrop gleichwertige Linie, C_line = pi q C2, der gemessenen Oberfläche</translation>
-    </message>
-    <message>
         <source>the measured surface as it is along the sliding</source>
         <translation>die gemessene Oberfläche, wie sie entlang des Gleitens ist</translation>
     </message>
@@ -3241,10 +3237,6 @@
     <message>
         <source>%1 gaps and %2 outliers are interpolated</source>
         <translation>%1 Lücken und %2 Ausreißer sind interpoliert</translation>
-    </message>
-    <message>
-        <source>the line is the isotropic equivalent, C_line = pi q C2; its rms slope is %1 times that of the surface as measured</source>
-        <translation>die Linie ist die isotrop gleichwertige, C_line = pi q C2; ihre RMS-Steigung ist %1-mal die der Oberfläche wie gemessen</translation>
     </message>
     <message>
         <source>one period of the line is %1 long, twice the profile</source>
@@ -4079,10 +4071,6 @@
         <translation>nur eine Temperatur: es gibt keine Verschiebung</translation>
     </message>
     <message>
-        <source>the shift is kept as the table</source>
-        <translation>die Verschiebung bleibt die Tabelle</translation>
-    </message>
-    <message>
         <source>the shift is that of Williams, Landel and Ferry</source>
         <translation>die Verschiebung ist die von Williams, Landel und Ferry</translation>
     </message>
@@ -4297,10 +4285,6 @@
     <message>
         <source>Where the rubber is used at %1</source>
         <translation>Wo das Gummi bei %1 gebraucht wird</translation>
-    </message>
-    <message>
-        <source>Tinted: from 5 to 95 % of q C1(q) G''(q v), the loss in complete contact. The share is per decade of frequency, q² C1 G'', over its largest value.</source>
-        <translation>Getönt: von 5 bis 95 % von q C1(q) G''(q v), dem Verlust bei Vollkontakt. Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
     </message>
     <message>
         <source>the line excites no loss at this velocity</source>
@@ -5834,6 +5818,30 @@
         <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 of the line&apos;s.</source>
         <translation>%1 % des Kontakts liegen auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt: %2-mal die der Linie.</translation>
     </message>
+    <message>
+        <source>the isotropic equivalent, C = π q C₂, of the measured surface</source>
+        <translation>die isotrop gleichwertige Linie, C = π q C₂, der gemessenen Oberfläche</translation>
+    </message>
+    <message>
+        <source>the line is the isotropic equivalent, C = π q C₂; its rms slope is %1 times that of the surface as measured</source>
+        <translation>die Linie ist die isotrop gleichwertige, C = π q C₂; ihre RMS-Steigung ist %1-mal die der Oberfläche wie gemessen</translation>
+    </message>
+    <message>
+        <source>the shift used is the table of measured shifts</source>
+        <translation>benutzt wird die Tabelle der gemessenen Verschiebungen</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 measured points; a line needs %3 or more</source>
+        <translation>Zeile %1 hat %2 gemessene Punkte; eine Linie braucht mindestens %3</translation>
+    </message>
+    <message>
+        <source>row %1 has %2 measured points; interpolate leaves such rows out and fills the gaps of the others</source>
+        <translation>Zeile %1 hat %2 gemessene Punkte; „interpolieren“ (interpolate) lässt solche Zeilen weg und füllt die Lücken der übrigen</translation>
+    </message>
+    <message>
+        <source>Tinted: from 5 to 95 % of the loss in complete contact, q C1(q) G''(q v). The share is per decade of frequency, q² C1 G'', over its largest value.</source>
+        <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C1(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>
@@ -5878,10 +5886,6 @@
         <translation>Gefüllte Laufflächenmischung: dreizehn Arme</translation>
     </message>
     <message>
-        <source>A local coefficient of 0.001 in contact is added to what the deformation costs, and reported apart as mu_interface. The contact itself is not changed: compare it with the same scene without.</source>
-        <translation>Eine lokale Reibungszahl von 0,001 im Kontakt kommt zum Verformungsanteil hinzu und wird als mu_interface getrennt ausgewiesen. Der Kontakt selbst ändert sich nicht: mit derselben Szene ohne sie vergleichen.</translation>
-    </message>
-    <message>
         <source>A parabola</source>
         <translation>Parabel</translation>
     </message>
@@ -5914,14 +5918,6 @@
         <translation>Bei 283 K sind alle Relaxationszeiten etwa 2600-mal so lang wie bei 343 K, daher rückt die ganze Kurve zu kleineren Geschwindigkeiten. Ihre Form bleibt: Es zählt allein Geschwindigkeit mal Verschiebung.</translation>
     </message>
     <message>
-        <source>At 393 K the rubber relaxes about 15 times as fast as at 343 K, and the plateau is reached only at a higher velocity. The constants are those of a measured filled rubber: C1 4.41, C2 137.64 K, T_r 343.15 K.</source>
-        <translation>Bei 393 K relaxiert das Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C1 4,41; C2 137,64 K; T_r 343,15 K.</translation>
-    </message>
-    <message>
-        <source>At half time the line slides twice as fast: friction jumps at once with the viscous forces, then relaxes as contact shrinks. The predicted rate is 1/tau + v/l with l the length of a contact; on a rough line it is a guide.</source>
-        <translation>Nach der halben Zeit gleitet die Linie doppelt so schnell: Die Reibung springt sofort mit den viskosen Kräften und relaxiert dann, während der Kontakt schrumpft. Die vorhergesagte Rate ist 1/τ + v/ℓ mit der Länge ℓ eines Kontakts; auf einer rauen Linie ist sie ein Anhalt.</translation>
-    </message>
-    <message>
         <source>At half time the line stops, and friction does not vanish with the velocity: contact is still one-sided and pushes back, at once with about half of the force and within a relaxation time with none. Meanwhile the line sinks in as the rubber creeps around its summits, which is why the next start is harder.</source>
         <translation>Nach der halben Zeit bleibt die Linie stehen, und die Reibung verschwindet nicht mit der Geschwindigkeit: Der Kontakt ist noch einseitig und drückt zurück, sofort mit etwa der halben Kraft und nach einer Relaxationszeit nicht mehr. Inzwischen sinkt die Linie ein, während das Gummi um ihre Gipfel kriecht; deshalb ist das nächste Anfahren schwerer.</translation>
     </message>
@@ -5940,10 +5936,6 @@
     <message>
         <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
         <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
-    </message>
-    <message>
-        <source>Each length in contact carries the same tangential load, so this part of friction follows the contact length and falls with velocity. The deformation part rises meanwhile: look where they cross.</source>
-        <translation>Jede Länge im Kontakt trägt dieselbe Tangentiallast, daher folgt dieser Anteil der Reibung der Kontaktlänge und fällt mit der Geschwindigkeit. Der Verformungsanteil steigt dabei: Interessant ist, wo sie sich kreuzen.</translation>
     </message>
     <message>
         <source>Elastic rubber has no friction</source>
@@ -5976,10 +5968,6 @@
     <message>
         <source>One Maxwell arm beside a spring: friction has one broad peak instead of a plateau, because at high velocity the rubber is a stiff elastic body. Make the arm weaker and the peak sinks.</source>
         <translation>Ein Maxwell-Arm neben einer Feder: Die Reibung hat ein breites Maximum statt eines Plateaus, denn bei hoher Geschwindigkeit ist das Gummi ein steifer elastischer Körper. Mit schwächerem Arm sinkt das Maximum.</translation>
-    </message>
-    <message>
-        <source>One contact has one length, so friction relaxes along a single exponential at the rate 1/tau + v/l, to about one per cent. On rough lines many contacts overlap and only the guide remains.</source>
-        <translation>Ein einziger Kontakt hat eine einzige Länge, daher relaxiert die Reibung auf etwa ein Prozent genau längs einer einzigen Exponentialfunktion mit der Rate 1/τ + v/ℓ. Auf rauen Linien überlagern sich viele Kontakte, und es bleibt nur ein Anhalt.</translation>
     </message>
     <message>
         <source>Only leading sides of summits are in contact: the rubber acts like a viscous fluid, and friction is the slope of the line there, times about 1.4. Change the modulus or the force: little happens.</source>
@@ -6140,10 +6128,6 @@
     <message>
         <source>Foundation and half-space</source>
         <translation>Bettung und Halbraum</translation>
-    </message>
-    <message>
-        <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, with its maximum at three times the velocity; but in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
-        <translation>Dieselbe Rauheit, dasselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, mit ihrem Maximum bei der dreifachen Geschwindigkeit; aber bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
     <message>
         <source>Contact fraction over velocity</source>
@@ -6376,6 +6360,30 @@
     <message>
         <source>Of deformation and interface together: friction force over normal force.</source>
         <translation>Von Verformung und Grenzfläche zusammen: Reibungskraft durch Normalkraft.</translation>
+    </message>
+    <message>
+        <source>A local coefficient of 0.001 in contact is added to what the deformation costs, and shown apart as μ of the interface. The contact itself is not changed: compare it with the same scene without.</source>
+        <translation>Eine lokale Reibungszahl von 0,001 im Kontakt kommt zum Verformungsanteil hinzu und wird als μ der Grenzfläche getrennt angezeigt. Der Kontakt selbst ändert sich nicht: mit derselben Szene ohne sie vergleichen.</translation>
+    </message>
+    <message>
+        <source>At 393 K the rubber relaxes about 15 times as fast as at 343 K, and the plateau is reached only at a higher velocity. The constants are those of a measured filled rubber: C₁ 4.41, C₂ 137.64 K, Tᵣ 343.15 K.</source>
+        <translation>Bei 393 K relaxiert das Gummi etwa 15-mal so schnell wie bei 343 K, und das Plateau wird erst bei höherer Geschwindigkeit erreicht. Die Konstanten sind die eines gemessenen gefüllten Gummis: C₁ 4,41; C₂ 137,64 K; Tᵣ 343,15 K.</translation>
+    </message>
+    <message>
+        <source>At half time the line slides twice as fast: friction jumps at once with the viscous forces, then relaxes as contact shrinks. The predicted rate is 1/τ + v/ℓ with ℓ the length of a contact; on a rough line it is a guide.</source>
+        <translation>Nach der halben Zeit gleitet die Linie doppelt so schnell: Die Reibung springt sofort mit den viskosen Kräften und relaxiert dann, während der Kontakt schrumpft. Die vorhergesagte Rate ist 1/τ + v/ℓ mit der Länge ℓ eines Kontakts; auf einer rauen Linie ist sie ein Anhalt.</translation>
+    </message>
+    <message>
+        <source>Each length in contact carries the same tangential load, so this part of friction follows the contact length and falls with velocity. The deformation part rises meanwhile: lower the velocity until both readings above the picture are equal.</source>
+        <translation>Jede Länge im Kontakt trägt dieselbe Tangentiallast, daher folgt dieser Anteil der Reibung der Kontaktlänge und fällt mit der Geschwindigkeit. Der Verformungsanteil steigt dabei: Die Geschwindigkeit senken, bis beide Werte über dem Bild gleich sind.</translation>
+    </message>
+    <message>
+        <source>One contact has one length, so friction relaxes along a single exponential at the rate 1/τ + v/ℓ, to about one per cent. On rough lines many contacts overlap and only the guide remains.</source>
+        <translation>Ein einziger Kontakt hat eine einzige Länge, daher relaxiert die Reibung auf etwa ein Prozent genau längs einer einzigen Exponentialfunktion mit der Rate 1/τ + v/ℓ. Auf rauen Linien überlagern sich viele Kontakte, und es bleibt nur ein Anhalt.</translation>
+    </message>
+    <message>
+        <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, but that of the elements has its maximum at three times the velocity; and in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
+        <translation>Dieselbe Rauheit, dasselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, nur hat die der Elemente ihr Maximum bei der dreifachen Geschwindigkeit; und bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
 </context>
 </TS>

@@ -15,13 +15,14 @@ constexpr Rgba colour(unsigned rgb) {
 }
 
 // Blue, vermilion, green, purple, orange, sky blue, and for Okabe and Ito's yellow an olive on
-// white; then two colours with the largest distance from all of these for every colour vision.
+// white; then two colours far from all of these for every colour vision, on dark with a contrast
+// of 3 also with the tint of region IV.
 constexpr std::array<Rgba, kDistinctColours> kOnLight = {
     colour(0x0072B2), colour(0xD55E00), colour(0x009E73), colour(0xB85C96), colour(0xD98C00),
     colour(0x3FA0DC), colour(0x6B6100), colour(0x4818E0), colour(0x201060)};
 constexpr std::array<Rgba, kDistinctColours> kOnDark = {
     colour(0x56B4E9), colour(0xFF8A3D), colour(0x22C294), colour(0xDD8FBC), colour(0xF0E442),
-    colour(0x5C8DF0), colour(0xC9A26B), colour(0x7830F0), colour(0xB04820)};
+    colour(0x5C8DF0), colour(0xC9A26B), colour(0x735FFF), colour(0xD65030)};
 
 // Control colours of "viridis" (matplotlib, CC0) at 0, 0.1, ..., 1.
 constexpr std::array<Rgba, 11> kViridis = {colour(0x440154), colour(0x482475), colour(0x414487),

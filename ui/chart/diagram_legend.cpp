@@ -163,7 +163,10 @@ Legend legendFor(const Diagram& diagram, const std::vector<SeriesStyle>& styles,
     legend = wider;
   }
   if (legend.width > width) shortenNames(legend, width);
-  if (legend.ramp && rampWidth(*legend.ramp, size) + 2 * kPad * size > width) legend.ramp.reset();
+  if (legend.ramp && rampWidth(*legend.ramp, size) + 2 * kPad * size > width) {
+    legend.ramp.reset();
+    legend.isWhole = false;
+  }
   dropEntries(legend, height);
   measure(legend);
   return legend;

@@ -188,13 +188,15 @@ class Panel {
     place(0, 0);
     if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
     if (sizes_.legendMode != LegendMode::Automatic) return;
-    if (legend_.empty() || (hidden_ <= 0 && legend_.isWhole)) return;
+    // A scale of colours that had no room leaves an empty legend that is not whole.
+    if (legend_.isWhole && (legend_.empty() || hidden_ <= 0)) return;
     const Box frame = axes_.box;
     const float gap = std::round(10 * sizes_.unit);
     const Legend beside =
         legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, frame.height);
     const float least = beside.isWhole && !legend_.isWhole ? 0.45F : kLeastWidth;
-    const bool sparesWidth = !isAligned_ && frame.width - beside.width - gap > least * cell_.width;
+    const bool sparesWidth =
+        !isAligned_ && !beside.empty() && frame.width - beside.width - gap > least * cell_.width;
     const Legend over = legendOver(diagram_, styles_, sizes_.legend, frame.width);
     const float rest = frame.height - over.height;
     const bool sparesHeight =
@@ -206,7 +208,7 @@ class Panel {
       const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
       legendBox_ = {axes_.box.x, top_ - above, over.width, over.height};
       hidden_ = 0;
-    } else if (sparesWidth || (!isAligned_ && hidden_ > kMuch)) {
+    } else if (sparesWidth || (!isAligned_ && !beside.empty() && hidden_ > kMuch)) {
       place(beside.width + gap, 0);
       legend_ = beside;
       legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};

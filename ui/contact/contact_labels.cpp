@@ -109,35 +109,37 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
   const CurveRows line = rowsOf(frame, frame.lineHeight, layout);
   float left = layout.plot.x + gap;
   const float right = layout.plot.right() - gap;
-  const auto place = [&](const Tag& tag, float wanted) {
+  const auto place = [&](const Tag& tag, float wanted, float to) {
     const float width = painter.width(tag);
-    const Box box{std::clamp(wanted, left, std::max(left, right - width)), y, width,
-                  painter.height()};
-    const auto x = placeAbove(line, box, left, right);
+    const Box box{std::clamp(wanted, left, std::max(left, to - width)), y, width, painter.height()};
+    const auto x = placeAbove(line, box, left, to);
     if (!x) return false;
     painter.paint(tag, {std::round(*x), y}, layout.theme.rigid);
     left = std::round(*x) + width + gap;
     return true;
   };
-  place(rigidTag(), left);
-  std::optional<Tag> motion = slidingTag(frame, false);
-  const auto placeMotion = [&] {
-    return place(*motion, layout.plot.x + (layout.plot.width - painter.width(*motion)) / 2);
-  };
-  if (motion && !placeMotion()) {
-    motion = slidingTag(frame, true);
-    if (!placeMotion()) {
-      motion->after.clear();  // the header shows the velocity
-      placeMotion();
-    }
-  }
   const std::vector<Tag> forces = forceTags(frame, {});
   float needed = -gap;
   for (const Tag& force : forces) needed += painter.width(force) + gap;
+  place(rigidTag(), left, right);
+  std::vector<Tag> motions;  // in ever fewer words
+  if (const std::optional<Tag> motion = slidingTag(frame, false)) {
+    Tag brief = slidingTag(frame, true).value_or(*motion);
+    motions = {*motion, brief};
+    brief.after.clear();  // the header shows the velocity
+    motions.push_back(brief);
+  }
+  const auto placeMotion = [&](float to) {
+    return std::ranges::any_of(motions, [&](const Tag& motion) {
+      return place(motion, layout.plot.x + (layout.plot.width - painter.width(motion)) / 2, to);
+    });
+  };
+  // The motion leaves the forces their room, in fewer words if need be.
+  if (!placeMotion(right - needed - gap)) placeMotion(right);
   // The tags are placed from left to right; F_N, the first of them, is on the right.
   for (auto force = forces.rbegin(); force != forces.rend(); ++force) {
     const bool isLast = force + 1 == forces.rend();
-    if (isLast || right - left >= needed) place(*force, right - needed);
+    if (isLast || right - left >= needed) place(*force, right - needed, right);
     needed -= painter.width(*force) + gap;
   }
 }

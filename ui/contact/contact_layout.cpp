@@ -78,8 +78,8 @@ bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
 }
 
 /// Arranges everything of a low picture in one line: exaggeration on the left, the axis' title, the
-/// legend on the right. The title of the axis moves where necessary, that of the legend gets
-/// shorter.
+/// legend on the right. The title of the legend gets shorter where necessary, so that the
+/// exaggeration has room; then that of the axis moves.
 void placeInLine(ContactLayout& layout, const std::string& reason) {
   const Sizes& s = layout.sizes;
   const float gap = 16 * s.unit;
@@ -91,12 +91,14 @@ void placeInLine(ContactLayout& layout, const std::string& reason) {
   else if (!reason.empty())
     titles = {reason};
   layout.legend.inLine = true;
-  for (const std::string& title : titles)
-    for (const float middle : {layout.axisTitle.x, plot.x + axis / 2}) {
-      if (!layout.legend.title.empty() || layout.legend.bar.width > 0) break;
-      if (placeLegend(layout, title, middle + axis / 2 + (axis > 0 ? gap : 0)))
-        layout.axisTitle.x = middle;
-    }
+  for (const bool isNamed : {true, false})
+    for (const float middle : {layout.axisTitle.x, plot.x + axis / 2})
+      for (const std::string& title : titles) {
+        if (!layout.legend.title.empty() || layout.legend.bar.width > 0) break;
+        if (title.empty() == isNamed) continue;
+        if (placeLegend(layout, title, middle + axis / 2 + (axis > 0 ? gap : 0)))
+          layout.axisTitle.x = middle;
+      }
   const float room = layout.axisTitle.x - axis / 2 - plot.x - gap;
   if (textWidth(exaggerationText(layout), s.small) > room) return;
   layout.footer = layout.axisTitle.y;

@@ -62,6 +62,7 @@ QString meaningOfZero(const Parameter& parameter) {
   if (is("surface.row")) return ParameterPanel::tr("all rows");
   if (is("surface.short_wave_cut") || is("surface.long_wave_cut") || is("surface.outliers"))
     return ParameterPanel::tr("none");
+  if (parameter.key.starts_with("elastomer.measured.")) return ParameterPanel::tr("not set");
   return {};
 }
 

@@ -177,30 +177,35 @@ void ValueSlider::leaveEvent(QEvent* event) {
 
 void ValueSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
+  drawSlider(painter, rect(), handleX(), palette(),
+             {isEnabled(), underMouse(), hasFocus(), isSliderDown()});
+}
+
+void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette& colours,
+                const SliderState& state) {
+  painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const double middle = height() / 2.0;
-  const double x = handleX();
+  const double middle = place.center().y();
+  const double radius = std::min(kHandleRadius, place.height() / 2 - 1);
+  const QColor rim = colours.color(state.isEnabled ? QPalette::Highlight : QPalette::Mid);
   const auto bar = [&](double from, double to, const QColor& colour) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawRoundedRect(QRectF(from, middle - kGroove / 2, to - from, kGroove), 2, 2);
   };
-  const QPalette& colours = palette();
-  bar(1, width() - 1, colours.color(QPalette::Mid));
-  bar(1, x, isEnabled() ? colours.color(QPalette::Highlight) : colours.color(QPalette::Mid));
-
-  if (hasFocus()) {
+  bar(place.left() + 1, place.right() - 1, colours.color(QPalette::Mid));
+  bar(place.left() + 1, x, rim);
+  if (state.hasFocus) {
     QColor halo = colours.color(QPalette::Highlight);
     halo.setAlphaF(0.25F);
     painter.setBrush(halo);
-    painter.drawEllipse(QPointF(x, middle), kHandleRadius + 3, kHandleRadius + 3);
+    painter.drawEllipse(QPointF(x, middle), radius + 3, radius + 3);
   }
-  const bool hot = underMouse() || hasFocus() || isSliderDown();
-  const QPalette::ColorRole rim = isEnabled() ? QPalette::Highlight : QPalette::Mid;
-  painter.setPen(QPen(colours.color(rim), hot ? 2 : 1.5));
-  painter.setBrush(isSliderDown() ? colours.color(QPalette::Highlight)
-                                  : colours.color(QPalette::Base));
-  painter.drawEllipse(QPointF(x, middle), kHandleRadius - 0.5, kHandleRadius - 0.5);
+  const bool isHot = state.isUnderMouse || state.hasFocus || state.isDown;
+  painter.setPen(QPen(rim, isHot ? 2 : 1.5));
+  painter.setBrush(colours.color(state.isDown ? QPalette::Highlight : QPalette::Base));
+  painter.drawEllipse(QPointF(x, middle), radius - 0.5, radius - 0.5);
+  painter.restore();
 }
 
 }  // namespace asperity

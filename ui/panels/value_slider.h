@@ -5,11 +5,15 @@
 // thread.
 #pragma once
 
+#include <QRectF>
 #include <QSlider>
 #include <optional>
 #include <vector>
 
 #include "core/scene/parameters.h"
+
+class QPainter;
+class QPalette;
 
 namespace asperity {
 
@@ -74,5 +78,13 @@ class ValueSlider : public QSlider {
   };
   std::optional<Grip> fine_;
 };
+
+struct SliderState {
+  bool isEnabled = true, isUnderMouse = false, hasFocus = false, isDown = false;
+};
+
+/// Draws a horizontal slider with its handle at x.
+void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette& colours,
+                const SliderState& state);
 
 }  // namespace asperity

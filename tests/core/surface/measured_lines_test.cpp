@@ -153,6 +153,21 @@ TEST(MeasuredLines, TakeAsMuchOfTheFileAsThePeriodNeeds) {
             "this seam");
 }
 
+TEST(MeasuredLines, DoNotPromiseToFillARowWithoutHeights) {
+  std::vector<double> heights(100, kNone);
+  const std::vector<double> measured = walk(100);
+  heights.insert(heights.end(), measured.begin(), measured.end());
+  Scene scene = measuredScene();
+  EXPECT_EQ(errorOf(scene, topographyOf(heights, 2)),
+            "surface.gaps: row 1 has 0 measured points; interpolate leaves such rows out and fills "
+            "the gaps of the others");
+  scene.surface.reading.row = 1;
+  EXPECT_EQ(errorOf(scene, topographyOf(heights, 2)),
+            "surface.row: row 1 has 0 measured points; a line needs 3 or more");
+  scene.surface.reading.row = 2;
+  EXPECT_EQ(MeasuredLines(scene, fileOf(topographyOf(heights, 2))).rows(), 1);
+}
+
 TEST(MeasuredLines, RefuseGapsUnlessTheyAreToBeFilled) {
   std::vector<double> heights = walk(100);
   heights[7] = heights[8] = kNone;

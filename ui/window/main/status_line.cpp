@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/material/element_law.h"
+#include "core/scene/scene_check.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/language/explained.h"
 #include "ui/language/language.h"
@@ -311,7 +312,9 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   regime_->setText(reading.regime);
   QString mean;
   if (std::isfinite(reading.mu) && std::isfinite(reading.error)) mean = meanText(reading);
-  mu_->setText(tr("friction μ = %1%2").arg(readingLabel(presentFriction(frame)), mean));
+  const QString text =
+      hasLocalFriction(*frame.scene) ? tr("deformation μ = %1%2") : tr("friction μ = %1%2");
+  mu_->setText(text.arg(readingLabel(presentFriction(frame)), mean));
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading.notes);

@@ -55,8 +55,8 @@ constexpr std::array kSteps{
                                "Faster still, only the tips of the highest summits touch, and they "
                                "are smooth: friction falls again."),
              QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Raise the elements: finer tips move the fall to higher "
-                               "velocities."),
+                               "Raise the number of elements: finer tips move the fall "
+                               "to higher velocities."),
              "surface.elements"},
     TourStep{"full_contact", QT_TRANSLATE_NOOP("asperity::Tour", "Full contact"),
              QT_TRANSLATE_NOOP("asperity::Tour",

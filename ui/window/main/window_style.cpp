@@ -1,8 +1,11 @@
 #include "ui/window/main/window_style.h"
 
 #include <QPainter>
+#include <QSlider>
 #include <QStyleOption>
 #include <algorithm>
+
+#include "ui/panels/value_slider.h"
 
 namespace asperity {
 
@@ -36,6 +39,21 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   else if (isPartly)
     painter->drawLine(at(0.26, 0.5), at(0.74, 0.5));
   painter->restore();
+}
+
+/// Draws sliders like those of the panel (value_slider.h).
+void WindowStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                                     QPainter* painter, const QWidget* widget) const {
+  const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  if (control != CC_Slider || !slider || slider->orientation != Qt::Horizontal ||
+      slider->upsideDown || slider->tickPosition != QSlider::NoTicks)
+    return QProxyStyle::drawComplexControl(control, option, painter, widget);
+  const QStyle::State state = option->state;
+  const QPointF handle =
+      QRectF(subControlRect(CC_Slider, slider, SC_SliderHandle, widget)).center();
+  drawSlider(*painter, option->rect, handle.x(), option->palette,
+             {state.testFlag(State_Enabled), state.testFlag(State_MouseOver),
+              state.testFlag(State_HasFocus), state.testFlag(State_Sunken)});
 }
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
-// The look of controls where Qt's Fusion style cannot be read: its check boxes are black on black
-// in the dark. GUI thread. Cannot fail.
+// The look of controls where Qt's Fusion style cannot be read: its check boxes and sliders are
+// black on black in the dark. GUI thread. Cannot fail.
 #pragma once
 
 #include <QProxyStyle>
@@ -12,6 +12,8 @@ class WindowStyle : public QProxyStyle {
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
 };
 
 }  // namespace asperity

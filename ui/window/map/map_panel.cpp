@@ -90,6 +90,7 @@ MapPanel::MapPanel(QWidget* parent)
   quantity_->setObjectName("mapQuantity");
   complaint_->setObjectName("mapComplaint");
   save_->setObjectName("mapSave");
+  save_->setEnabled(false);  // until there is a map
   view_->setObjectName("mapView");
   view_->setPause(kPause);
   for (QComboBox* box : {x_, y_, quantity_}) box->setMaximumWidth(kWidestList);
@@ -139,7 +140,7 @@ void MapPanel::showTexts() {
   y_->setAccessibleName(tr("parameter along y"));
   quantityLabel_->setText(tr("Show:"));
   save_->setText(tr("Save…"));
-  save_->setToolTip(tr("Save the map as a picture or a table"));
+  save_->setToolTip(tr("Save the map as a picture or a table, once it is computed"));
   view_->setAccessibleName(tr("friction over two parameters"));
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
@@ -270,6 +271,7 @@ void MapPanel::take(ParameterMap map) {
 void MapPanel::showMap() {
   showTips();
   if (!map_) return;
+  save_->setEnabled(map_->isFinal);  // a stage has fewer lines than its file would say
   const std::string shown = quantity().toStdString();
   view_->setCross(numberOf(*map_->x.range.row, map_->scene),
                   numberOf(*map_->y.range.row, map_->scene));
@@ -321,9 +323,10 @@ void MapPanel::read(double x, double y) {
   const auto text = [](double number, std::string_view unit) {
     return QString::fromStdString(asperity::quantity(number, std::string(unit)));
   };
-  view_->setReading(QStringLiteral("%1, %2: %3")
+  view_->setReading(QStringLiteral("%1, %2: %3%4")
                         .arg(text(map_->x.values[i], map_->x.range.row->unit),
                              text(map_->y.values[j], map_->y.range.row->unit),
+                             map_->isFinal ? QString() : QStringLiteral("\u2248 "),
                              text(value, unitOfMapQuantity(shown))));
 }
 
