@@ -88,9 +88,9 @@ constexpr std::array kTable{
     HoverExplanation{"region I", "μ ∝ v", "", "region-1"},
     HoverExplanation{"region II", "1/μ² = 1/μ_I² + 1/μ_III², Eq. (11)", "", "regions"},
     HoverExplanation{"region III", "μ ≈ √2 ∇z_cont", "", "region-3"},
-    HoverExplanation{"region IV", "F_N/(4 η v) < 0.1 h", "", "regions"},
+    HoverExplanation{"region IV", "F_N/(4 η v) < h/10", "", "regions"},
     HoverExplanation{
-        "few summits carry the load", "F_N/(4 η v) < 0.1 h",
+        "few summits carry the load", "F_N/(4 η v) < h/10",
         "The contacts of one period climb together less than a tenth of the rms height: "
         "results depend on single summits and on the period.",
         "regions"},

@@ -230,9 +230,13 @@ DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y) {
     label = message("|v| = {} m/s", PrintedNumber{printedNumber(std::abs(frame.velocity), 3)});
     marker.isFixed = true;
     const std::size_t first = samples.size() > kLongestTrace ? samples.size() - kLongestTrace : 0;
-    for (std::size_t i = first; isOfVelocity && y == CurveQuantity::Mu && i < samples.size(); ++i)
+    for (std::size_t i = first; isOfVelocity && y == CurveQuantity::Mu && i < samples.size(); ++i) {
+      // Through rest both ways leave the axis; a line between them would show what never was.
+      if (i > first && samples[i].velocity * samples[i - 1].velocity < 0)
+        marker.trace.push_back({kNotApplicable, kNotApplicable});
       marker.trace.push_back(
           {std::abs(samples[i].velocity) * factors.velocity, samples[i].mu * factors.friction});
+    }
   }
   marker.name = marker.isFixed ? "this motion, now" : "this line, now";
   marker.x = isOfVelocity ? velocity * factors.velocity : ownSweptValue(scene);

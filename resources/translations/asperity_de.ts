@@ -4006,10 +4006,6 @@
         <translation>Fadenkreuz bewegen</translation>
     </message>
     <message>
-        <source>Ctrl+Left or Right</source>
-        <translation>Strg+Links oder Rechts</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>Alles zeigen</translation>
     </message>
@@ -4042,10 +4038,6 @@
         <translation>Langsamer oder schneller</translation>
     </message>
     <message>
-        <source>Left or Right</source>
-        <translation>Links oder Rechts</translation>
-    </message>
-    <message>
         <source>Velocity of a point</source>
         <translation>Geschwindigkeit eines Punkts</translation>
     </message>
@@ -4060,6 +4052,14 @@
     <message>
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Ctrl+← or →</source>
+        <translation>Strg+← oder →</translation>
+    </message>
+    <message>
+        <source>← or →</source>
+        <translation>← oder →</translation>
     </message>
 </context>
 <context>

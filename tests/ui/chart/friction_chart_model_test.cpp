@@ -157,9 +157,10 @@ TEST(FrictionChartModelTest, AMotionMovesItsMarkerAndLeavesATrace) {
   EXPECT_EQ(plot.marker->y, 8e-4);
   EXPECT_EQ(plot.marker->label.english(), "|v| = 0.25 m/s");
   EXPECT_EQ(plot.marker->name.english(), "this motion, now");
-  ASSERT_EQ(plot.marker->trace.size(), 2U);
+  ASSERT_EQ(plot.marker->trace.size(), 3U);  // no line through rest
   EXPECT_EQ(plot.marker->trace[0].x, 0.5);
-  EXPECT_EQ(plot.marker->trace[1].y, 8e-4);
+  EXPECT_TRUE(std::isnan(plot.marker->trace[1].x));
+  EXPECT_EQ(plot.marker->trace[2].y, 8e-4);
 }
 
 /// At its turning points a motion is at rest, which has no place on a logarithmic axis.

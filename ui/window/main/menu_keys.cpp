@@ -199,12 +199,12 @@ QList<ShortcutGroup> gestureGroups() {
             {ShortcutSheet::tr("Vertical exaggeration"), ShortcutSheet::tr("Ctrl+Wheel")},
             {ShortcutSheet::tr("Move along the line"), ShortcutSheet::tr("Shift+Wheel")},
             {ShortcutSheet::tr("Move the view"), ShortcutSheet::tr("Drag or arrow keys")},
-            {ShortcutSheet::tr("Move the crosshair"), ShortcutSheet::tr("Ctrl+Left or Right")},
+            {ShortcutSheet::tr("Move the crosshair"), ShortcutSheet::tr("Ctrl+← or →")},
             {ShortcutSheet::tr("Show all"), ShortcutSheet::tr("Double click")}}},
           {ShortcutSheet::tr("Curve: mouse and touch"),
            {{ShortcutSheet::tr("Zoom, over an axis along it"), ShortcutSheet::tr("Wheel")},
             {ShortcutSheet::tr("Move curve or marker"), ShortcutSheet::tr("Drag")},
-            {ShortcutSheet::tr("Slower or faster"), ShortcutSheet::tr("Left or Right")},
+            {ShortcutSheet::tr("Slower or faster"), ShortcutSheet::tr("← or →")},
             {ShortcutSheet::tr("Velocity of a point"), ShortcutSheet::tr("Click")},
             {ShortcutSheet::tr("Fit axes"), ShortcutSheet::tr("Double click")}}}};
 }
@@ -273,7 +273,6 @@ QSize ShortcutSheet::neededSize() const {
 /// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
 /// smaller where the window is too small.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  QDialog::showEvent(event);
   const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
   const auto isTooLarge = [&](const QSize& size) {
     return size.width() > most.width() || size.height() > most.height();
@@ -285,6 +284,7 @@ void ShortcutSheet::showEvent(QShowEvent* event) {
       label->setFont(font);
     }
   resize(neededSize().boundedTo(most));
+  QDialog::showEvent(event);  // puts it over the middle of the window
 }
 
 }  // namespace asperity

@@ -149,7 +149,7 @@ void WindowLayout::beginPresentation() {
   presentation_ = {QApplication::font(),
                    window.saveGeometry(),
                    window.saveState(kLayoutVersion),
-                   parts_.dock.size(),
+                   dockSize_.value_or(parts_.dock.size()),
                    {},
                    !window.statusBar()->isHidden()};
   for (QSplitter* splitter : window.findChildren<QSplitter*>())
@@ -184,8 +184,10 @@ void WindowLayout::endPresentation() {
     if (splitter) splitter->restoreState(sizes);
   // The dock gets its size again after the layouts have handled the smaller letters: until then
   // their minimum sizes limit it.
-  QTimer::singleShot(0, this, [this, size = before.dock] {
-    if (isPresenting()) return;
+  dockSize_ = before.dock;
+  QTimer::singleShot(0, this, [this] {
+    if (isPresenting() || !dockSize_) return;
+    const QSize size = *std::exchange(dockSize_, std::nullopt);
     parts_.window.resizeDocks({&parts_.dock}, {size.width()}, Qt::Horizontal);
     parts_.window.resizeDocks({&parts_.dock}, {size.height()}, Qt::Vertical);
   });

@@ -97,6 +97,7 @@ class WindowLayout : public QObject {
     bool hasStatus;
   };
   std::optional<Presentation> presentation_;
+  std::optional<QSize> dockSize_;  // that the dock gets back when the layouts allow it
 };
 
 }  // namespace asperity
