@@ -419,9 +419,7 @@ Frame Simulation::marchedFrame() const {
 void Simulation::addSteady(Frame& frame) const {
   setSteadyFacts(frame, ready_->steady.result);
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
-  // At rest nothing is worked: friction is what the slopes still push, while the contact relaxes.
-  if (const Pressed pressed = pressedIn(frame); frame.velocity == 0 && pressed.force > 0)
-    frame.muMarch = std::abs(march().slopeForce()) / pressed.force;
+  if (frame.velocity == 0) frame.muMarch = 0;  // nothing is worked, also while the contact relaxes
   frame.steadyPressure = ready_->greatestPressure;
   frame.isSettling = isSettling();
   if (frame.isSettling) frame.drawn = drawnState(frame);
