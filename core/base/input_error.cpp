@@ -1,7 +1,5 @@
 #include "core/base/input_error.h"
 
-#include <fmt/ranges.h>
-
 namespace asperity {
 
 Message TextError::withNames(const std::vector<std::string>& names, Message message) {
@@ -19,9 +17,7 @@ Message messageOf(const std::exception& error) {
 InputError unknownExtension(const std::string& file, const std::string& extension,
                             std::initializer_list<std::string_view> known) {
   if (!extension.empty()) return {file, "", notOneOf("'" + extension + "'", {known})};
-  return {file, "",
-          message("the name has no ending; allowed is {}",
-                  Message::name(fmt::format("{}", fmt::join(known, ", "))))};
+  return {file, "", message("the name has no ending; allowed is {}", namesWithCommas({known}))};
 }
 
 }  // namespace asperity

@@ -78,9 +78,12 @@ Message sentences(const std::vector<Message>& parts) {
   return joined(parts, "%1 %2");
 }
 
+Message namesWithCommas(std::span<const std::string_view> names) {
+  return Message::name(fmt::format("{}", fmt::join(names, ", ")));
+}
+
 Message notOneOf(std::string_view given, std::span<const std::string_view> known) {
-  return message("{} is not one of {}", shortened(given),
-                 Message::name(fmt::format("{}", fmt::join(known, ", "))));
+  return message("{} is not one of {}", shortened(given), namesWithCommas(known));
 }
 
 namespace detail {

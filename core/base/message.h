@@ -61,6 +61,9 @@ Message listed(const std::vector<Message>& parts);
 /// Returns all messages one after the other, with a space between two. Empty ones are left out.
 Message sentences(const std::vector<Message>& parts);
 
+/// Returns "light, dark, print": names as they are, in every language.
+Message namesWithCommas(std::span<const std::string_view> names);
+
 /// Returns "pink is not one of light, dark, print".
 Message notOneOf(std::string_view given, std::span<const std::string_view> known);
 

@@ -67,12 +67,12 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array kOthers{
     OtherUnit{"%"sv, {"", -2}},
-    OtherUnit{"\u00B0C"sv, {"K", 0, 1, 273.15}},
-    OtherUnit{"\u00BAC"sv, {"K", 0, 1, 273.15}},
-    OtherUnit{"\u2103"sv, {"K", 0, 1, 273.15}},
-    OtherUnit{"degC"sv, {"K", 0, 1, 273.15}},
-    OtherUnit{"C"sv, {"K", 0, 1, 273.15}},
-    OtherUnit{"celsius"sv, {"K", 0, 1, 273.15}},
+    OtherUnit{"\u00B0C"sv, {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"\u00BAC"sv, {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"\u2103"sv, {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"degC"sv, {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"C"sv, {"K", 0, 1, kZeroCelsius}},
+    OtherUnit{"celsius"sv, {"K", 0, 1, kZeroCelsius}},
     OtherUnit{"\u00B0F"sv, {"K", 0, 5.0 / 9, 459.67}},
     OtherUnit{"degF"sv, {"K", 0, 5.0 / 9, 459.67}},
     OtherUnit{"F"sv, {"K", 0, 5.0 / 9, 459.67}},

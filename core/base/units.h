@@ -10,6 +10,8 @@
 
 namespace asperity {
 
+inline constexpr double kZeroCelsius = 273.15;  // K
+
 /// A unit. A number in it becomes one of the SI unit by (number + offset) size 10^exponent; the
 /// power of ten stands apart so that "20 mm" is exactly the number 0.02.
 struct Unit {

@@ -268,25 +268,17 @@ DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
   return series;
 }
 
-/// Returns the factor from measured friction to the vertical axis; NaN where the axis shows no
-/// friction. Forces and powers follow from what was computed at the point.
-double factorOfMeasured(const MeasuredCurve& measured, std::size_t i, const CurveSet& set) {
-  if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu)
-    return factorsOf(set.present.points, set.axes).friction;
-  return i < measured.computed.size() ? perFriction(set.y, measured.computed[i]) : kNotApplicable;
-}
-
 /// Points with error bars.
 void addMeasured(Diagram& diagram, const CurveSet& set) {
-  const double along = factorsOf(set.present.points, set.axes).velocity;
+  const AxesFactors factors = factorsOf(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
     const MeasuredCurve& measured = set.measured[k];
     DiagramSeries series = measuredSeries(set, k);
     series.id = kMeasuredCurves - static_cast<int>(k);
     for (std::size_t i = 0; i < measured.places.size(); ++i) {
       const MeasuredPoint& point = measured.data.points[i];
-      const double friction = factorOfMeasured(measured, i, set);
-      series.points.push_back({measured.places[i] * along, point.mu * friction,
+      const double friction = factorOfMeasured(measured, i, set, factors);
+      series.points.push_back({measured.places[i] * factors.velocity, point.mu * friction,
                                (point.mu - point.muError) * friction,
                                (point.mu + point.muError) * friction, static_cast<int>(i)});
     }

@@ -25,6 +25,13 @@ AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
   return factors;
 }
 
+double factorOfMeasured(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
+                        const AxesFactors& factors) {
+  if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu) return factors.friction;
+  return point < measured.computed.size() ? perFriction(set.y, measured.computed[point])
+                                          : kNotApplicable;
+}
+
 bool showsLaw(const Scene& scene) {
   return std::ranges::find(scene.comparison.theory, Theory::Eq11) != scene.comparison.theory.end();
 }

@@ -80,6 +80,12 @@ struct CurveSet {
   AxisScale scaleOfY() const { return yScale.value_or(AxisScale::Logarithmic); }
 };
 
+/// Returns the factor from the friction of a measured point to the vertical axis; NaN where the
+/// axis shows no friction. Forces and powers follow from what was computed at the point. `factors`:
+/// of the present curve on the set's axes.
+double factorOfMeasured(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
+                        const AxesFactors& factors);
+
 /// Returns the place of a point on the horizontal axis, and the value on the vertical one.
 double placeOf(const CurvePoint& point, const CurveSet& set);
 double valueOf(const CurvePoint& point, const CurveSet& set);

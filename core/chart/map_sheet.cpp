@@ -308,9 +308,8 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
       const double worth = std::min(room, kEnough) - 1e-3 * std::abs(row - 0.5);
       if (worth <= most) continue;
       most = worth;
-      const double velocity = valueAt(
-          along.scale, placeOn(along.scale, cut.from) +
-                           share * (placeOn(along.scale, cut.to) - placeOn(along.scale, cut.from)));
+      const double first = placeOn(along.scale, along.from), last = placeOn(along.scale, along.to);
+      const double velocity = valueAt(along.scale, first + place * (last - first));
       best = velocityIsX ? DiagramPoint{velocity, cut.other} : DiagramPoint{cut.other, velocity};
     }
   }

@@ -9,6 +9,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -208,11 +209,6 @@ NamedSheet tangentSheet(const Material& material) {
   return {"loss_tangent", std::move(sheet)};
 }
 
-/// The unit of temperatures wherever measurements are shown.
-double inCelsius(double kelvin) {
-  return kelvin - 273.15;
-}
-
 /// A formula over the temperatures of the table.
 DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit, Message name,
                             SeriesStroke stroke) {
@@ -226,7 +222,8 @@ DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit,
   for (int i = 0; i <= kPoints; ++i) {
     const double temperature = from + (to - from) * i / kPoints;
     try {
-      series.points.push_back({inCelsius(temperature), log10ShiftFactor(fit.shift, temperature)});
+      series.points.push_back(
+          {temperature - kZeroCelsius, log10ShiftFactor(fit.shift, temperature)});
     } catch (const InputError&) {
       continue;  // the formula has no value there
     }
@@ -246,7 +243,7 @@ NamedSheet shiftsSheet(const Material& material) {
   DiagramSeries loss{
       .name = "from G'' alone", .mark = SeriesMark::Triangle, .stroke = SeriesStroke::Dotted};
   for (const IsothermShift& shift : material.curve.shifts) {
-    const double temperature = inCelsius(shift.temperature);
+    const double temperature = shift.temperature - kZeroCelsius;
     DiagramPoint point{temperature, shift.log10Shift};
     if (std::isfinite(shift.standardError) && shift.standardError > 0) {
       point.low = shift.log10Shift - shift.standardError;

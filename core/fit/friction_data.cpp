@@ -226,7 +226,7 @@ class Reader {
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
     if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
     const Conversion conversion = conversionOf(quantity, column);
-    const std::string unit = column.unit.empty() ? std::string(plainUnitOf(quantity)) : column.unit;
+    const std::string unit = column.unit.empty() ? std::string(conversion.unit.si) : column.unit;
     const int number = static_cast<int>(place) + 1;
     const Message meaning(meaningOf(quantity));
     columns_.push_back({quantity, place, conversion,
@@ -235,26 +235,10 @@ class Reader {
                             : message("column {}: {} ({})", number, meaning, Message::name(unit))});
   }
 
-  /// Returns the unit of a column that states none; empty for pure numbers and for texts.
-  static std::string_view plainUnitOf(Quantity quantity) {
-    switch (quantity) {
-      case Quantity::Velocity:
-      case Quantity::VelocityError:
-        return "m/s";
-      case Quantity::Force:
-        return "N";
-      case Quantity::Pressure:
-        return "Pa";
-      case Quantity::Temperature:
-        return "K";
-      default:
-        return {};
-    }
-  }
-
+  /// A column that states no unit is in SI.
   Conversion conversionOf(Quantity quantity, const TextColumn& column) const {
     const auto unitOf = [&](std::string_view si, const char* known) {
-      if (column.unit.empty()) return Conversion{};
+      if (column.unit.empty()) return Conversion{Unit{si}};
       const auto unit = quantity == Quantity::Temperature ? temperatureUnit(column.unit)
                                                           : unitInAnyCase(column.unit, si);
       if (!unit)

@@ -7,6 +7,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/units.h"
 
 namespace asperity {
 namespace {
@@ -81,7 +82,7 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
 }  // namespace
 
 Message celsius(double kelvin) {
-  return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - 273.15, 1)});
+  return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - kZeroCelsius, 1)});
 }
 
 std::vector<Isotherm> isothermsOf(std::vector<MeasuredModulus> rows, double tolerance) {

@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 #include "core/material/dma_columns.h"
 
 namespace asperity {
@@ -18,7 +19,6 @@ namespace {
 
 // What a file leaves out.
 constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
-constexpr double kZeroCelsius = 273.15;
 
 /// What all of these files say: parts of the instantaneous modulus or moduli, and one modulus.
 struct RawSeries {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
@@ -171,7 +172,7 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
   const std::vector<double> celsius{10, 40, 70, 100};
   std::vector<DiagramSeries> shifted;
   for (std::size_t k = 0; k < celsius.size(); ++k) {
-    const double factor = wlfShift(celsius[k] + 273.15);
+    const double factor = wlfShift(celsius[k] + kZeroCelsius);
     Scene warm = scene;
     warm.elastomer.relaxationTime *= factor;
     const Study study = work.study(warm, {scene.load.normalForce}, velocities, 0.2);

@@ -473,16 +473,11 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   // one holds the axes.
   if (compared_ && curve_ && isOnThisAxis(*compared_) && isOnThisAxis(*curve_->scene) &&
       compared_->comparison.data == curve_->scene->comparison.data) {
-    const auto factors = asperity::factorsOf(curve_->points, axes_);
-    const bool showsMu = axes_ == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu;
+    const AxesFactors factors = asperity::factorsOf(curve_->points, axes_);
     for (const MeasuredCurve& measured : comparisons_.measured)
       for (std::size_t i = 0; i < measured.places.size(); ++i) {
         along.add(measured.places[i] * factors.velocity);
-        const double factor = showsMu ? factors.friction
-                              : i < measured.computed.size()
-                                  ? perFriction(set.y, measured.computed[i])
-                                  : kNotApplicable;
-        up.add(measured.data.points[i].mu * factor);
+        up.add(measured.data.points[i].mu * factorOfMeasured(measured, i, set, factors));
       }
   }
   const bool isMarked = marker_ && (expected_ || curve_);

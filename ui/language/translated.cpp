@@ -72,6 +72,10 @@ QString translatedText(const Message& english) {
   return QString::fromStdString(translated(english));
 }
 
+QString capitalized(const QString& text) {
+  return text.left(1).toUpper() + text.mid(1);
+}
+
 QString translatedError(const std::exception& error) {
   return translatedText(messageOf(error));
 }

@@ -23,6 +23,9 @@ std::optional<std::string> translationOf(const Message& english);
 std::string translated(const Message& english);
 QString translatedText(const Message& english);
 
+/// Returns a text with a capital letter, as entries of menus and headings begin.
+QString capitalized(const QString& text);
+
 /// Returns an error's message after the names of its subject.
 QString translatedError(const std::exception& error);
 

@@ -103,8 +103,19 @@ void TextBox::commit() {
   emit textCommitted(text);
 }
 
+namespace {
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < 128;
+}
+
+}  // namespace
+
+QColor faultColour(const QPalette& palette) {
+  return isDark(palette) ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);
+}
+
 QString panelStyleSheet(const QPalette& palette) {
-  const bool dark = palette.color(QPalette::Window).lightness() < 128;
   const auto name = [&](QPalette::ColorRole role) { return palette.color(role).name(); };
   return QStringLiteral(R"(
     QScrollArea, #parameterRows { background: %1; }
@@ -144,9 +155,9 @@ QString panelStyleSheet(const QPalette& palette) {
     QToolButton[role="reset"]:disabled { color: transparent; }
   )")
       .arg(name(QPalette::Window), name(QPalette::WindowText), name(QPalette::PlaceholderText),
-           dark ? QStringLiteral("#ff7b72") : QStringLiteral("#c62828"), name(QPalette::Base),
-           name(QPalette::Mid), name(QPalette::Highlight),
-           dark ? QStringLiteral("#e3b341") : QStringLiteral("#8a5a00"));
+           faultColour(palette).name(), name(QPalette::Base), name(QPalette::Mid),
+           name(QPalette::Highlight),
+           isDark(palette) ? QStringLiteral("#e3b341") : QStringLiteral("#8a5a00"));
 }
 
 }  // namespace asperity

@@ -55,6 +55,9 @@ class TextBox : public QPlainTextEdit {
   QString accepted_;
 };
 
+/// The colour of texts about a wrong value, legible on the palette's background.
+QColor faultColour(const QPalette& palette);
+
 QString panelStyleSheet(const QPalette& palette);
 
 }  // namespace asperity

@@ -50,7 +50,7 @@ QString sectionTitle(const QString& section) {
       {"", ParameterPanel::tr("Texts of the scene")},
   };
   if (titles.contains(section)) return titles[section];
-  return section.left(1).toUpper() + section.mid(1);
+  return capitalized(section);
 }
 
 QString askForTable(QWidget* parent, const QString& folder) {

@@ -27,8 +27,7 @@ namespace {
 const QString kDimensionless = QStringLiteral("dimensionless");
 
 QString entryText(const Message& title, std::string_view unit) {
-  QString text = translatedText(title);
-  text = text.left(1).toUpper() + text.mid(1);
+  const QString text = capitalized(translatedText(title));
   return unit.empty() ? text : QStringLiteral("%1 (%2)").arg(text, fromUtf8(unit));
 }
 

@@ -66,8 +66,7 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
     connect(action, &QAction::triggered, this,
             [this, theory = entry.theory](bool isWanted) { takeTheory(theory, isWanted); });
     keepTranslated(*theories_, [action, &entry] {
-      const QString name = translatedText(entry.name);
-      action->setText(name.left(1).toUpper() + name.mid(1));
+      action->setText(capitalized(translatedText(entry.name)));
       action->setToolTip(wrappedTip(translatedText(entry.range)));
     });
   }

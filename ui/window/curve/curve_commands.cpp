@@ -24,10 +24,6 @@ namespace {
 
 constexpr double kZoom = 1.5;
 
-QString capitalized(const QString& text) {
-  return text.left(1).toUpper() + text.mid(1);
-}
-
 }  // namespace
 
 CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObject* parent)

@@ -281,8 +281,8 @@ void ExportDialog::requestPreview() {
       const double density = given.isEmpty() ? (isOnPaper ? 300 : 96) : given.toDouble();
       const double factor = std::max({std::min(1.0, kPreview / large), kLeast / small,
                                       density > 0 ? kLeastDensity / density : 1});
-      // A size that is not allowed is passed on, so that the command says what is wrong with it.
-      if (factor < 1 && large <= 16384 && density >= kLeastDensity && density <= 1536) {
+      // A resolution that is not allowed is passed on, so that the command says what is wrong.
+      if (factor < 1 && density >= kLeastDensity && density <= 1536) {
         wish.scale = QString::number(density * factor, 'g', 8) + "dpi";
         if (!isOnPaper)
           wish.size = QStringLiteral("%1x%2")

@@ -13,6 +13,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/language/language.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/list_box.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
@@ -179,9 +180,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
     refusals_.erase({cell.row(), column});
   else
     refusals_[{cell.row(), column}] = ParameterRow::labelOf(row) + ": " + refusal;
-  const bool isDark = palette().color(QPalette::Window).lightness() < 128;
-  const QColor fault = isDark ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);
-  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(fault));
+  cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(faultColour(palette())));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
   if (limit) cell.setText(quantity(*limit, row));

@@ -28,14 +28,13 @@
 #include "ui/window/figures/diagram_view.h"
 #include "ui/window/fit/fit_files.h"
 #include "ui/window/fit/fit_text.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr QSize kUsual(1180, 760);  // pixels
-constexpr double kOfScreen = 0.7;   // of a large one
-constexpr int kAround = 40;         // pixels of the screen that stay free
 constexpr int kChoicesWidth = 330;  // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
@@ -118,8 +117,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves, 1);
   all->addLayout(foot());
-  const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsual.expandedTo(kOfScreen * room).boundedTo(room - QSize(kAround, 2 * kAround)));
+  resize(sizeOfPage(kUsual, *(parent ? parent->screen() : screen())));
   connect(choices_, &FitChoices::changed, this, [this] {
     if (!isFitting_) finish(choices_->refusal());
   });

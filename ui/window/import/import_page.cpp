@@ -11,15 +11,15 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
 namespace {
 
 constexpr QSize kUsual(1120, 720);  // pixels
-constexpr double kOfScreen = 0.7;   // of a large one
-constexpr int kAround = 40;         // pixels of the screen that stay free
 
 }  // namespace
 
@@ -79,14 +79,13 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves_, 1);
   all->addLayout(foot);
-  const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsual.expandedTo(kOfScreen * room).boundedTo(room - QSize(kAround, 2 * kAround)));
+  resize(sizeOfPage(kUsual, *(parent ? parent->screen() : screen())));
   connect(this, &QDialog::finished, this, &ImportPage::endSoon);
 }
 
 QString ImportPage::sentence(QString text) {
   if (text.isEmpty()) return text;
-  text[0] = text[0].toUpper();
+  text = capitalized(text);
   return text.endsWith('.') ? text : text + '.';
 }
 

@@ -158,8 +158,8 @@ class HandoutMaker {
                utf(Words::tr("the contact of the rough line and the rubber")));
   }
 
-  /// What the step has in front is shown where it differs from the one before; an empty chart where
-  /// it is drawn into. Times and simulations of the tabs that are left out are not for paper.
+  /// Adds what the step has in front where it differs from the chart before, or an empty chart that
+  /// is drawn into. The other tabs show run times or need a pointer: they are not printed.
   void addChart(const LessonStep& step, const Scene& scene, bool isHidden) {
     if (step.show.tab == "curve")
       addCurve(step, scene, isHidden);
@@ -171,7 +171,7 @@ class HandoutMaker {
       addSheet(excitationSheet(scene), utf(Words::tr("the moduli of the elastomer")));
   }
 
-  /// Whether the chart differs from the one before, which it replaces.
+  /// Returns whether the chart differs from the one before, and notes it as the last one.
   bool isNewChart(const LessonStep& step, const Scene& scene) {
     const auto shownOf = [&](const Scene& of) {
       return step.show.tab == "curve" ? sceneOfCurve(of) : untitled(of);

@@ -21,10 +21,6 @@ namespace {
 
 constexpr int kMostSteps = 500;
 
-QString capitalized(const QString& text) {
-  return text.left(1).toUpper() + text.mid(1);
-}
-
 }  // namespace
 
 /// Numbers the gestures of a user: pressing a button or a key begins a new one; movements, repeats

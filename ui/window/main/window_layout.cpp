@@ -272,4 +272,11 @@ void WindowLayout::fitToScreen() {
   window.setWindowState(state);
 }
 
+QSize sizeOfPage(QSize usual, const QScreen& screen) {
+  constexpr double kOfScreen = 0.7;  // of a large one
+  constexpr int kAround = 40;        // pixels of the screen that stay free
+  const QSize room = screen.availableSize();
+  return usual.expandedTo(kOfScreen * room).boundedTo(room - QSize(kAround, 2 * kAround));
+}
+
 }  // namespace asperity

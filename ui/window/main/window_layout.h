@@ -15,6 +15,7 @@
 class QDockWidget;
 class QMainWindow;
 class QMenu;
+class QScreen;
 class QSplitter;
 
 namespace asperity {
@@ -30,6 +31,10 @@ class SceneTabs;
 /// letters or a comparison, would otherwise push the window over the edge of the screen
 /// permanently.
 inline constexpr QSize kLeastWindow{900, 560};
+
+/// Returns the size of a page over the window: the usual one, more on a large screen, and never
+/// more than a small one has.
+QSize sizeOfPage(QSize usual, const QScreen& screen);
 
 struct LayoutParts {
   QMainWindow& window;
