@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace asperity {
@@ -119,6 +120,18 @@ std::string withoutPadding(std::string number) {
 }
 
 }  // namespace
+
+double roundedToDigits(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  char text[32];
+  // The conversion uses decimal text, so that the result is exactly the number "0.0034", not a
+  // neighbour.
+  const auto end = std::to_chars(std::begin(text), std::end(text), value,
+                                 std::chars_format::scientific, digits - 1);
+  double rounded = value;
+  std::from_chars(text, end.ptr, rounded);
+  return rounded;
+}
 
 std::string plainNumber(double value) {
   return withoutPadding(fmt::format("{}", value));

@@ -46,6 +46,9 @@ struct UnitPrefix {
 /// Returns the prefix, from f to P, with which a magnitude is between 1 and 999.
 UnitPrefix prefixFor(double magnitude);
 
+/// Returns the nearest number with this many significant decimal digits.
+double roundedToDigits(double value, int digits);
+
 /// Returns text that reads back to the same number: "0.05", "-10000000", "1e-6"; exponents have no
 /// padding.
 std::string plainNumber(double value);

@@ -429,7 +429,17 @@ class Fitting {
   }
 
   void addNotes() {
-    // What the tables were taken for comes first.
+    if (hasErrors_ && fit_.freedom > 0) {
+      // Three standard deviations of chi squared beyond its mean.
+      const auto freedom = static_cast<double>(fit_.freedom);
+      fit_.missesPoints = fit_.chiSquared > freedom + 3 * std::sqrt(2 * freedom);
+    }
+    if (fit_.missesPoints)
+      fit_.notes.push_back(
+          message("the points lie further from the curve than their errors say: chi squared is "
+                  "{:.3g} for {} degrees of freedom",
+                  fit_.chiSquared, fit_.freedom));
+    // What the tables were taken for.
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
@@ -444,15 +454,6 @@ class Fitting {
     }
     if (!fit_.hasConverged)
       fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
-    if (hasErrors_ && fit_.freedom > 0) {
-      // Three standard deviations of chi squared beyond its mean, or as many below.
-      const auto freedom = static_cast<double>(fit_.freedom);
-      if (fit_.chiSquared > freedom + 3 * std::sqrt(2 * freedom))
-        fit_.notes.push_back(
-            message("the points lie further from the curve than their errors say: chi squared is "
-                    "{:.3g} for {} degrees of freedom",
-                    fit_.chiSquared, fit_.freedom));
-    }
   }
 
   std::span<const FrictionData> data_;

@@ -67,6 +67,9 @@ struct Fit {
   double relativeScatter = 0;  // of the points about the fit, where the table has no errors
   std::int64_t freedom = 0;    // points minus parameters
   bool hasConverged = false;
+  /// Whether the points lie further from the curve than their errors say: then these errors say
+  /// nothing about the parameters, either.
+  bool missesPoints = false;
   int evaluations = 0;
   std::vector<Message> notes;
 };

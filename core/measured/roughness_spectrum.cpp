@@ -64,6 +64,22 @@ class HannAnalysis {
   RealTransform transform_;
 };
 
+/// Returns whether a few of the waves first to end - 1 have nearly all of their power, as the
+/// harmonics of a turned or milled surface have. Noise and random roughness have it in all waves:
+/// the power of each is distributed exponentially, with a median of ln 2 times the mean.
+bool hasPeaks(std::span<const double> powers, std::size_t first, std::size_t end) {
+  constexpr std::size_t kFew = 8;
+  constexpr double kMuch = 10;
+  if (end - first < kFew) return false;
+  std::vector<double> sorted(powers.begin() + static_cast<std::ptrdiff_t>(first),
+                             powers.begin() + static_cast<std::ptrdiff_t>(end));
+  const double mean =
+      std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return mean > kMuch * *middle;
+}
+
 /// Tells how many of the rows of long work are done, and ends it where it is no longer wanted.
 class RowsDone {
  public:
@@ -229,7 +245,8 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
   const double length = static_cast<double>(heights.size()) * spacing;
   ReliableBand band{3 * kTwoPi / length, 0.5 * std::numbers::pi / spacing};
   if (shortWaveCut > 0) band.to = std::min(band.to, kTwoPi / shortWaveCut);
-  const BandPowers bands = inBands(hannPowers(heights), length);
+  const std::vector<double> powers = hannPowers(heights);
+  const BandPowers bands = inBands(powers, length);
   // From the top down: the lowest band from which on the density falls slower than 1/q, taken over
   // half a decade, because single bands scatter.
   constexpr std::size_t kStride = 6;
@@ -242,7 +259,7 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
         low > 0 && high > 0
             ? std::log(high / low) / std::log(bands.centre(j) / bands.centre(j - kStride))
             : -2;
-    if (exponent < -1) break;
+    if (exponent < -1 || hasPeaks(powers, bands.first[j - kStride], bands.first[j + 1])) break;
     if (bands.from(j - kStride) < band.to) {
       band.to = bands.from(j - kStride);
       band.endsInNoise = true;

@@ -47,8 +47,8 @@ SpectralDensity hannSpectrum(std::span<const double> heights, double spacing);
 /// Wave numbers of a profile between which its spectrum speaks of roughness: from the third wave,
 /// because the window mixes each with its neighbours, to half of the highest one, or to where white
 /// noise begins: there the spectrum falls less than 1/q for good, which no self-affine surface
-/// does. The cut-off of the short waves ends it, too. What the radius of a stylus' tip has smoothed
-/// is not seen from the heights alone.
+/// does, and has no peaks, which a machined one has. The cut-off of the short waves ends it, too.
+/// What the radius of a stylus' tip has smoothed is not seen from the heights alone.
 struct ReliableBand {
   double from = 0, to = 0;  // 1/m
   bool endsInNoise = false;

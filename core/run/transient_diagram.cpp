@@ -245,6 +245,10 @@ DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y) {
     label = message("v\u0304 = {}", PrintedNumber{printedNumber(marker.x, 3)});
   else if (!isOfVelocity)
     label = parameterInWords(scene.sweep.key, scene);
+  // A logarithmic axis has no place for rest.
+  const bool isLogarithmic =
+      axes == CurveAxes::Dimensionless || scene.sweep.scale == SweepScale::Logarithmic;
+  if (!marker.isFixed && isLogarithmic && !(marker.x > 0)) marker.name = {};
   marker.label = std::move(label);
   return marker;
 }

@@ -30,7 +30,7 @@ Diagram contactStrip(const Scene& scene, std::span<const TransientSample> sample
 /// Returns a marker at the velocity of a frame and the steady friction of its line; in a motion at
 /// the magnitude of its present velocity and the present friction, with a trace of both since its
 /// beginning. Over another key than velocity it stands at the scene's own value of that key. y:
-/// what physical axes show.
+/// what physical axes show. It has no name at rest on a logarithmic axis, where it is not drawn.
 DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y = CurveQuantity::Mu);
 
 /// Returns the factors to dimensionless axes, for the line in a frame.

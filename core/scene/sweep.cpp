@@ -68,8 +68,10 @@ Message whyInapplicable(const Parameter& parameter, const Scene& scene) {
                  std::get<std::string>(valueOf(*choice, scene)));
 }
 
-/// Puts the last value on its place and returns the values.
-std::vector<double> endingIn(std::vector<double> values, double to) {
+/// Returns the values with the last one exactly `to` and those between the ends rounded to 15
+/// digits: a sweep of decades meets 1, and no 0.9999999999999999.
+std::vector<double> withPlainDigits(std::vector<double> values, double to) {
+  for (std::size_t i = 1; i + 1 < values.size(); ++i) values[i] = roundedToDigits(values[i], 15);
   if (values.size() > 1) values.back() = to;
   return values;
 }
@@ -117,14 +119,14 @@ std::vector<double> logSpaced(double from, double to, std::int64_t points) {
   std::vector<double> values;
   for (std::int64_t i = 0; i < points; ++i)
     values.push_back(from * std::pow(to / from, partOf(i, points)));
-  return endingIn(std::move(values), to);
+  return withPlainDigits(std::move(values), to);
 }
 
 std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
   std::vector<double> values;
   for (std::int64_t i = 0; i < points; ++i)
     values.push_back(from + (to - from) * partOf(i, points));
-  return endingIn(std::move(values), to);
+  return withPlainDigits(std::move(values), to);
 }
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {

@@ -543,24 +543,8 @@
         <translation>kein Ziel: Verfahren und Linien wie gewählt</translation>
     </message>
     <message>
-        <source>measured: %1, error %2</source>
-        <translation>gemessen: %1, Fehler %2</translation>
-    </message>
-    <message>
-        <source>measured: %1, standard error %2</source>
-        <translation>gemessen: %1, Standardfehler %2</translation>
-    </message>
-    <message>
         <source>predicting …</source>
         <translation>Vorhersage läuft…</translation>
-    </message>
-    <message>
-        <source>predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)</source>
-        <translation>vorhergesagte Bewegung: %1 für %2 Schritte, Fehler %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
-    </message>
-    <message>
-        <source>predicted: %1, error %2 (resolution %3, realizations %4)</source>
-        <translation>vorhergesagt: %1, Fehler %2 (Auflösung %3, Realisierungen %4)</translation>
     </message>
     <message>
         <source>“Compare methods” measures what accuracy costs for this scene.</source>
@@ -573,6 +557,22 @@
     <message>
         <source>Cancel (%1 %)</source>
         <translation>Abbrechen (%1 %)</translation>
+    </message>
+    <message>
+        <source>measured: %1 to compute, error of friction %2</source>
+        <translation>gemessen: %1 Rechenzeit, Fehler der Reibung %2</translation>
+    </message>
+    <message>
+        <source>measured: %1 to compute, standard error %2</source>
+        <translation>gemessen: %1 Rechenzeit, Standardfehler %2</translation>
+    </message>
+    <message>
+        <source>predicted motion: %1 to compute %2 steps, error of friction %3 (time step %4, resolution %5, settling %6)</source>
+        <translation>vorhergesagte Bewegung: %1 Rechenzeit für %2 Schritte, Fehler der Reibung %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+    </message>
+    <message>
+        <source>predicted: %1 to compute, error of friction %2 (resolution %3, realizations %4)</source>
+        <translation>vorhergesagt: %1 Rechenzeit, Fehler der Reibung %2 (Auflösung %3, Realisierungen %4)</translation>
     </message>
 </context>
 <context>
@@ -1425,8 +1425,8 @@
         <translation>Spalte einer Zeitschrift, 86 × 62 mm</translation>
     </message>
     <message>
-        <source>Page of a journal, 178 × 100 mm</source>
-        <translation>Seite einer Zeitschrift, 178 × 100 mm</translation>
+        <source>Page of a journal, 178 × 130 mm</source>
+        <translation>Seite einer Zeitschrift, 178 × 130 mm</translation>
     </message>
     <message>
         <source>Own size</source>
@@ -1487,6 +1487,10 @@
     <message>
         <source>The picture has a %1 of %2 pixels; %3 to %4 are allowed.</source>
         <translation>Das Bild hat eine %1 von %2 Pixeln; erlaubt sind %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is not a number above 0.</source>
+        <translation>%1: „%2“ ist keine Zahl über 0.</translation>
     </message>
 </context>
 <context>
@@ -1800,6 +1804,10 @@
     <message>
         <source>Tick the parameters to fit; limits are optional. Every trial uses the same random lines, and the weighted sum of the squared residuals is minimized.</source>
         <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert.</translation>
+    </message>
+    <message>
+        <source>misses the points</source>
+        <translation>verfehlt die Punkte</translation>
     </message>
 </context>
 <context>
@@ -4157,10 +4165,6 @@
         <translation>Kraft F̄ = %1</translation>
     </message>
     <message>
-        <source>settling (R: at once)</source>
-        <translation>schwingt ein (R: sofort)</translation>
-    </message>
-    <message>
         <source>velocity v̄ = %1</source>
         <translation>Geschwindigkeit v̄ = %1</translation>
     </message>
@@ -4187,6 +4191,10 @@
     <message>
         <source>deformation μ = %1%2</source>
         <translation>Verformung μ = %1%2</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>schwingt ein</translation>
     </message>
 </context>
 <context>

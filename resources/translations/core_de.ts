@@ -5974,8 +5974,8 @@
         <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Das Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
     </message>
     <message>
-        <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Refine the elements: with the nodal scheme the level stays, with a resolved line friction goes on falling.</source>
-        <translation>Nur die höchsten Gipfel haben noch Kontakt, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Elemente verfeinern: Mit dem nodalen Verfahren bleibt das Niveau, mit einer aufgelösten Linie fällt die Reibung weiter.</translation>
+        <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Raise the number of elements: finer tips move the decrease to higher velocities.</source>
+        <translation>Nur die höchsten Gipfel haben noch Kontakt, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Zahl der Elemente erhöhen: Feinere Kuppen verschieben die Abnahme zu höheren Geschwindigkeiten.</translation>
     </message>
     <message>
         <source>Oscillation through rest</source>

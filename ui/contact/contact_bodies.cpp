@@ -215,7 +215,8 @@ void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) 
   const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
   const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
   const double value = values.empty() ? 0 : values[point];
-  const Rgba bright = value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
+  const Rgba bright =
+      layout.scale.isShown() && value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
   const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
   const double at = frame.spacing * static_cast<double>(point);
   for (double k = std::ceil((layout.view.left - at) / period);

@@ -120,7 +120,8 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                                  : Words::tr("Velocity of the line at this moment; below 0 it goes "
                                              "back."),
                         "sliding.velocity"});
-  if (frame.timeScale > 0) {
+  // A line at rest has no pace.
+  if (frame.timeScale > 0 && (frame.transient || velocityOf(frame) != 0)) {
     const bool isSlower = frame.timeScale < 1;
     const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
     readings.push_back({{{isSlower ? Words::tr("slow motion") : Words::tr("time lapse")}},

@@ -127,15 +127,16 @@ std::vector<ColourTick> ColourScale::ticks(int most) const {
 
 std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
   const std::vector<double>& values = valuesOf(frame, overlay);
-  if (!isDrawable(frame) || values.size() != frame.lineHeight.size() || greatestOf(values) > 0)
-    return {};
+  if (!isDrawable(frame) || values.size() != frame.lineHeight.size()) return {};
+  const bool showsPressure = overlay == ContactOverlay::Pressure;
+  if (showsPressure ? greatestPressure(frame) > 0 : greatestOf(values) > 0) return {};
   const bool rests = velocityOf(frame) == 0;
   // If all points were in contact, they would bear pressure.
   const bool touches =
       frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
-  if (touches && !(greatestOf(frame.pressure) > 0))
+  if (touches && !(greatestPressure(frame) > 0))
     return Words::tr("no colours: the contact is too small to be drawn");
-  if (overlay == ContactOverlay::Pressure) return Words::tr("no colours: nothing touches");
+  if (showsPressure) return Words::tr("no colours: nothing touches");
   if (overlay == ContactOverlay::Power)
     return rests ? Words::tr("no colours: nothing is dissipated at rest")
                  : Words::tr("no colours: nothing is dissipated");
@@ -160,6 +161,7 @@ const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) 
 
 double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
   constexpr double kInHand = 1.1;  // margin, so that the scale rarely changes
+  if (overlay == ContactOverlay::Pressure && !pointsBearLoad(frame)) return 0;
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
   double greatest = greatestOf(valuesOf(frame, overlay));

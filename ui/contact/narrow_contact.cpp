@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/run/contact_state.h"
 #include "ui/contact/decimate.h"
 
 namespace asperity {
@@ -57,7 +58,16 @@ std::optional<std::size_t> narrowContact(const Frame& frame, double metres) {
   return touches ? smallestGap(frame) : std::nullopt;
 }
 
+bool pointsBearLoad(const Frame& frame) {
+  constexpr double kLeast = 0.1;  // of the normal force
+  double force = 0;
+  for (const double p : frame.pressure)
+    if (std::isfinite(p)) force += p * frame.spacing;
+  return !(force < kLeast * drawnState(frame).normalForce);
+}
+
 double greatestPressure(const Frame& frame) {
+  if (!pointsBearLoad(frame)) return 0;
   double greatest = 0;
   for (const double p : frame.pressure)
     if (std::isfinite(p)) greatest = std::max(greatest, p);

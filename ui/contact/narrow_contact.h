@@ -15,7 +15,12 @@ namespace asperity {
 /// contact.
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres);
 
-/// Returns the greatest finite pressure, N/m; 0 where no point is in contact.
+/// Returns whether the points bear a tenth of the normal force. Where a narrow contact lies between
+/// them they do not, and their pressures are far below those of the contact.
+bool pointsBearLoad(const Frame& frame);
+
+/// Returns the greatest finite pressure, N/m; 0 where no point is in contact, or where the points
+/// do not bear the load.
 double greatestPressure(const Frame& frame);
 
 }  // namespace asperity

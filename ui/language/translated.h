@@ -26,6 +26,10 @@ QString translatedText(const Message& english);
 /// Returns a text with a capital letter, as entries of menus and headings begin.
 QString capitalized(const QString& text);
 
+/// Returns a text for a label of several lines: none ends between a number and its unit, or "Eq."
+/// and its number.
+QString keptTogether(QString text);
+
 /// Returns an error's message after the names of its subject.
 QString translatedError(const std::exception& error);
 

@@ -9,9 +9,6 @@
 
 namespace asperity {
 
-/// Returns the nearest number with this many significant decimal digits.
-double roundedToDigits(double value, int digits);
-
 /// Returns the shortest text that reads back to the same number: "0.0034", "1e7", "5e-7".
 QString numberText(double value);
 

@@ -287,9 +287,10 @@ void ParameterRow::showWarning(const QString& text) {
 }
 
 void ParameterRow::showRemark(QLabel& remark, const QString& text) {
-  if (remark.text() == text) return;
-  remark.setText(text);
-  remark.setVisible(!text.isEmpty());
+  const QString shown = keptTogether(text);
+  if (remark.text() == shown) return;
+  remark.setText(shown);
+  remark.setVisible(!shown.isEmpty());
 }
 
 bool ParameterRow::hasRemark() const {

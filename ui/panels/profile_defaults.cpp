@@ -1,5 +1,6 @@
 #include "ui/panels/profile_defaults.h"
 
+#include "core/base/number_text.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/scene_files.h"

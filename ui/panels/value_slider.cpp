@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/panels/number_text.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 namespace {

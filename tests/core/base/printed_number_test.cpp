@@ -17,6 +17,12 @@ TEST(PrintedNumber, IsPlainWhereItIsShortAndElseAPowerOfTen) {
   EXPECT_EQ(printedNumber(-std::numeric_limits<double>::infinity()), "\u2013");
 }
 
+TEST(RoundedToDigits, IsADecimalNumber) {
+  EXPECT_EQ(roundedToDigits(0.0033999, 3), 0.0034);
+  EXPECT_EQ(roundedToDigits(98765, 3), 98800);
+  EXPECT_EQ(roundedToDigits(0, 3), 0);
+}
+
 TEST(PrintedQuantity, LengthsTimesAndVelocitiesHaveNoPrefixAboveOne) {
   EXPECT_EQ(printedQuantity(1500, "m"), "1500 m");
   EXPECT_EQ(printedQuantity(1e12, "s"), "10\u00B9\u00B2 s");

@@ -123,6 +123,7 @@ TEST(Fit, SaysThatAParameterIsNotDetermined) {
   const Fit fit = fitFriction(scene, {&data, 1}, threeParameters(scene));
   EXPECT_TRUE(fit.parameters[0].isDetermined);
   EXPECT_FALSE(fit.parameters[1].isDetermined);
+  EXPECT_FALSE(fit.missesPoints);
   bool isSaid = false;
   for (const Message& note : fit.notes)
     isSaid |= note.english().starts_with("elastomer.shear_modulus is not determined");
@@ -138,7 +139,21 @@ TEST(Fit, SaysThatAParameterIsNotDetermined) {
   EXPECT_LT(fit.combinations.front().standardError, 0.05);
 }
 
-/// Without errors in the table they are read from what the fit leaves.
+/// No height makes friction fall where it grows: chi squared says so, before anything else is said.
+TEST(Fit, SaysFirstThatTheModelMissesThePoints) {
+  FrictionData data = noisy(exactFriction(truth(), 1e-4, 0.3), 5);
+  for (std::size_t i = 0; i < data.points.size() / 2; ++i)
+    std::swap(data.points[i].mu, data.points[data.points.size() - 1 - i].mu);
+  data.notes.emplace_back("a note of the table");
+  const Scene scene = start(20, 3);
+  FitOptions options;
+  options.hasProfiles = false;
+  const Fit fit = fitFriction(scene, {&data, 1}, {{{"surface.rms_height", scene}}}, options);
+  EXPECT_TRUE(fit.missesPoints);
+  ASSERT_GE(fit.notes.size(), 2U);
+  EXPECT_TRUE(fit.notes.front().english().starts_with("the points lie further from the curve"));
+}
+
 /// Friction depends on F_N / G alone: without loads in the data both are open, and their ratio is
 /// what they determine.
 TEST(Fit, SaysThatForceAndModulusAreDeterminedByTheirRatioAlone) {
@@ -160,6 +175,7 @@ TEST(Fit, SaysThatForceAndModulusAreDeterminedByTheirRatioAlone) {
   EXPECT_GT(fit.combinations.back().standardError, std::log(2.0));
 }
 
+/// Without errors in the table they are read from what the fit leaves.
 TEST(Fit, ReadsTheScatterWhereNoErrorsAreGiven) {
   const FrictionData data = noisy(exactFriction(truth(), 1e-4, 1e3), 11, false);
   const Scene scene = start(100, 4);

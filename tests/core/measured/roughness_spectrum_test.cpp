@@ -93,6 +93,31 @@ TEST(HannSpectrum, FindsWhereWhiteNoiseBegins) {
   EXPECT_NEAR(reliableBand(clean, 1, 16).to, 2 * std::numbers::pi / 16, 1e-9);
 }
 
+/// The harmonics of a machined surface are no noise, however few points its period has.
+TEST(HannSpectrum, TakesNoHarmonicsForNoise) {
+  std::mt19937 random(6);
+  std::normal_distribution<double> normal;
+  for (const int points : {400, 4096})
+    for (const double period : {6.5, 13.0, 29.3})
+      for (const double noise : {0.0, 0.01}) {
+        std::vector<double> heights(static_cast<std::size_t>(points));
+        for (std::size_t i = 0; i < heights.size(); ++i)
+          heights[i] = std::fmod(static_cast<double>(i), period) / period + noise * normal(random);
+        EXPECT_FALSE(reliableBand(heights, 1e-5, 0).endsInNoise)
+            << points << ' ' << period << ' ' << noise;
+      }
+}
+
+TEST(HannSpectrum, TakesASmoothLineWithWhiteNoiseForNoise) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  for (const int points : {300, 4096, 30000}) {
+    std::vector<double> heights(static_cast<std::size_t>(points));
+    for (double& height : heights) height = normal(random);
+    EXPECT_TRUE(reliableBand(heights, 1, 0).endsInNoise) << points;
+  }
+}
+
 TEST(Bands, HoldEveryPowerOnce) {
   std::vector<double> powers(1000, 1.0);
   const BandPowers bands = inBands(powers, 1);

@@ -61,6 +61,19 @@ TEST(Sweep, ASceneOfBeforeIsWrittenAsBefore) {
   EXPECT_EQ(sweepValues(Scene{}), logSpaced(1e-5, 1e3, 41));
 }
 
+/// Tables of curves are joined by their velocities: 1 m/s is 1, and not 0.9999999999999999.
+TEST(Sweep, MeetsDecadesAndStepsInPlainDigits) {
+  const std::vector<double> decades = logSpaced(1e-5, 1e3, 41);
+  for (int k = 0; k <= 8; ++k) {
+    const double decade = std::stod("1e" + std::to_string(k - 5));
+    EXPECT_EQ(decades[static_cast<std::size_t>(5 * k)], decade);
+  }
+  EXPECT_EQ(logSpaced(0.3, 3000, 5)[2], 30);
+  EXPECT_EQ(linearSpaced(0, 0.3, 4)[1], 0.1);
+  const double between = logSpaced(1e-5, 1e3, 41)[7];
+  EXPECT_NEAR(between / std::pow(10, -3.6), 1, 1e-15);
+}
+
 TEST(Sweep, AnyNumberWithAMeaningReadsBackFromItsOwnText) {
   for (const auto& [key, from, to] : {std::tuple{"load.normal_force", "1e-3", "10"},
                                       {"load.normal_force", "10", "1e-3"},

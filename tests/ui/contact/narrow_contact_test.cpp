@@ -36,6 +36,18 @@ TEST(NarrowContact, GreatestPressureOfPointsAlone) {
   EXPECT_EQ(greatestPressure(frame), 3);
 }
 
+TEST(NarrowContact, PressuresOfPointsAreLeftOutWhereContactLiesBetweenThem) {
+  Frame frame = apart();
+  frame.pressure[10] = 3;  // with points a millimetre apart: 3 mN
+  frame.normalForce = 29e-3;
+  EXPECT_TRUE(pointsBearLoad(frame));
+  EXPECT_EQ(greatestPressure(frame), 3);
+  frame.normalForce = 31e-3;
+  EXPECT_FALSE(pointsBearLoad(frame));
+  EXPECT_EQ(greatestPressure(frame), 0);
+  EXPECT_EQ(narrowContact(frame, 1e-9), 10U);  // it still has its mark
+}
+
 TEST(NarrowContact, NoneWhereAStretchIsWide) {
   Frame frame = apart();
   for (int i = 50; i <= 55; ++i) frame.pressure[static_cast<std::size_t>(i)] = 1;

@@ -145,6 +145,13 @@ TEST_F(Translated, FormulasInPlainTextHaveLoweredLettersWhereThereAreSome) {
   EXPECT_EQ(formulaText("μ_total = s L_c"), QStringLiteral("μₜₒₜₐₗ = s L_c"));
 }
 
+TEST_F(Translated, LinesDoNotEndWithinAQuantity) {
+  EXPECT_EQ(keptTogether("at 3 mm/s and 20 °C"), "at 3\u00A0mm/\u2060s and 20\u00A0°C");
+  EXPECT_EQ(keptTogether("5.7 % of Eq. (11)"), "5.7\u00A0% of Eq.\u00A0(11)");
+  for (const char* name : {"run-3-b 2 main.csv", "/m/s/3 mm/a.csv"})
+    EXPECT_EQ(keptTogether(name), name);
+}
+
 TEST(Words, ValuesGoToTheirPlaces) {
   EXPECT_EQ(filled("%2 of %1 %", {"a", "b"}), "b of a %");
   EXPECT_EQ(filled("100 %", {}), "100 %");

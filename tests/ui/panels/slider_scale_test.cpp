@@ -77,12 +77,6 @@ TEST(NumberText, IsShortAndReadsBack) {
     EXPECT_EQ(numberText(value).toDouble(), value);
 }
 
-TEST(NumberText, RoundsInDecimals) {
-  EXPECT_EQ(roundedToDigits(0.0033999, 3), 0.0034);
-  EXPECT_EQ(roundedToDigits(98765, 3), 98800);
-  EXPECT_EQ(roundedToDigits(0, 3), 0);
-}
-
 TEST(NumberText, SymbolsLookLikePrint) {
   EXPECT_EQ(symbolHtml("tau"), QStringLiteral("<i>τ</i>"));
   EXPECT_EQ(symbolHtml("kappa"), QStringLiteral("<i>κ</i>"));

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/friction/ensemble.h"
 #include "core/scene/provenance.h"
 #include "tests/ui/window/fresh_paints.h"
@@ -21,7 +22,6 @@
 #include "tests/ui/window/qt_application.h"
 #include "ui/chart/chart_view.h"
 #include "ui/panels/choice_box.h"
-#include "ui/panels/number_text.h"
 #include "ui/panels/value_slider.h"
 #include "ui/window/curve/curve_commands.h"
 #include "ui/window/figures/diagram_view.h"

@@ -252,6 +252,12 @@ TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
   enter("exportColumns", "velocity,no_such_column");
   EXPECT_FALSE(waitForPreview());
   EXPECT_TRUE(reason().contains("no_such_column")) << reason().toStdString();
+  dialog_->form().setKind(ExportKind::Film);
+  for (const char* entry : {"exportDuration", "exportRate", "exportSpeedValue"}) {
+    enter(entry, "soon");
+    EXPECT_TRUE(reason().contains("“soon” is not a number above 0")) << reason().toStdString();
+    enter(entry, "1");
+  }
 }
 
 TEST_F(ExportDialogTest, ReturnPressesTheButtonWithTheFocus) {

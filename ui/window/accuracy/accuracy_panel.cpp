@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/accuracy/work_precision_sheet.h"
+#include "core/base/number_text.h"
 #include "core/run/motion_accuracy.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
@@ -197,9 +198,10 @@ void AccuracyPanel::showTarget() {
 void AccuracyPanel::showMeasured(double time, double standardError, double interval) {
   measuredCurve_ = {time, standardError, interval};
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
-  measured_->setText(
-      isSingle ? tr("measured: %1, error %2").arg(seconds(time), percent(interval))
-               : tr("measured: %1, standard error %2").arg(seconds(time), percent(standardError)));
+  measured_->setText(isSingle ? tr("measured: %1 to compute, error of friction %2")
+                                    .arg(seconds(time), percent(interval))
+                              : tr("measured: %1 to compute, standard error %2")
+                                    .arg(seconds(time), percent(standardError)));
 }
 
 std::optional<CurveSetting> AccuracyPanel::comparison() const {
@@ -254,15 +256,16 @@ void AccuracyPanel::predict() {
 void AccuracyPanel::showPrediction(const Prediction& prediction) {
   if (prediction.steps > 0)
     return predicted_->setText(
-        tr("predicted motion: %1 for %2 steps, error %3 (time step %4, resolution %5, settling %6)")
+        tr("predicted motion: %1 to compute %2 steps, error of friction %3 (time step %4, "
+           "resolution %5, settling %6)")
             .arg(seconds(prediction.seconds))
             .arg(prediction.steps, 0, 'f', 0)
             .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
                  percent(prediction.error.resolution), percent(prediction.error.settling)));
-  predicted_->setText(tr("predicted: %1, error %2 (resolution %3, realizations %4)")
-                          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
-                               percent(prediction.error.resolution),
-                               percent(prediction.error.standardError)));
+  predicted_->setText(
+      tr("predicted: %1 to compute, error of friction %2 (resolution %3, realizations %4)")
+          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
+               percent(prediction.error.resolution), percent(prediction.error.standardError)));
 }
 
 /// Drops the diagram of another scene. A different way to compute the curve does not matter to it.

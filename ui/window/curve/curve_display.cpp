@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/scene/sweep.h"
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"

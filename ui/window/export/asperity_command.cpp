@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_file.h"

@@ -39,7 +39,7 @@ constexpr std::array<SizePreset, 5> kSizes{{{"slide", 1280, 720, false, 96},
                                             {"hd", 1920, 1080, false, 144},
                                             {"4k", 3840, 2160, false, 288},
                                             {"column", 86, 62, true, 600},
-                                            {"page", 178, 100, true, 600}}};
+                                            {"page", 178, 130, true, 600}}};
 
 /// Returns what a command reads where people may type a decimal comma.
 QString machineNumber(const QLineEdit& entry) {
@@ -296,7 +296,7 @@ void ExportForm::fillSizes() {
   if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
   const QStringList names{tr("Slide, 1280 × 720"), tr("Full HD, 1920 × 1080"),
                           tr("4K, 3840 × 2160"), tr("Column of a journal, 86 × 62 mm"),
-                          tr("Page of a journal, 178 × 100 mm")};
+                          tr("Page of a journal, 178 × 130 mm")};
   for (std::size_t i = 0; i < kSizes.size(); ++i)
     preset_->addItem(names[static_cast<int>(i)], kSizes[i].word);
   preset_->addItem(tr("Own size"), kOwn);
@@ -325,6 +325,7 @@ void ExportForm::takePreset() {
   height_->setText(QString::number(size.height));
   choose(*unit_, size.isOnPaper ? "mm" : "");
   density_->setText(QString::number(size.density));
+  if (size.isOnPaper && chosen(*theme_) == "dark") choose(*theme_, "");
   isFilling_ = false;
 }
 
@@ -399,6 +400,25 @@ QString ExportForm::extension() const {
 }
 
 QString ExportForm::complaint() const {
+  for (const QLineEdit* entry : numbers())
+    if (!(machineNumber(*entry).toDouble() > 0))
+      return tr("%1: “%2” is not a number above 0.").arg(entry->accessibleName(), entry->text());
+  return complaintOfSize();
+}
+
+/// Returns the entries that have a meaning for the kind and hold a number, but for the size.
+std::vector<const QLineEdit*> ExportForm::numbers() const {
+  if (kind() == ExportKind::Figure) return {realizations_};
+  if (kind() != ExportKind::Film) return {};
+  const bool hasSpeed = chosen(*speed_) != "whole";
+  const bool hasDuration = !(isMotion_ && chosen(*speed_) == "slow");
+  std::vector<const QLineEdit*> numbers{rate_};
+  if (hasDuration) numbers.push_back(duration_);
+  if (hasSpeed) numbers.push_back(speedValue_);
+  return numbers;
+}
+
+QString ExportForm::complaintOfSize() const {
   if (kind() == ExportKind::Table || isOfOwnSize()) return {};
   const QSizeF size = pixels();
   if (!(size.width() > 0 && size.height() > 0 && machineNumber(*density_).toDouble() > 0))

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "ui/window/export/asperity_command.h"
 
@@ -32,7 +33,7 @@ class ExportForm : public QWidget {
   /// Returns the extension of the file: ".png"; empty: files in a folder.
   QString extension() const;
 
-  /// Returns what is wrong with the size of the picture; empty where nothing is.
+  /// Returns what is wrong with the size of the picture or another number; empty where nothing is.
   QString complaint() const;
 
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
@@ -53,6 +54,8 @@ class ExportForm : public QWidget {
   void showRows();
   bool isOnPaper() const;
   bool isOfOwnSize() const;
+  std::vector<const QLineEdit*> numbers() const;
+  QString complaintOfSize() const;
 
   bool isMotion_;
   RenderCommandOptions shown_;

@@ -261,7 +261,7 @@ void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
   fitted_ = std::move(fitted);
   table_->setText(fittedTable(fitted_->fit));
   table_->show();
-  notes_->setText(fittedNotes(fitted_->fit));
+  notes_->setText(keptTogether(fittedNotes(fitted_->fit)));
   sheets_->setTabEnabled(kProfiles, !fitted_->fit.profiles.empty());
   finish({});
   if (sheets_->currentIndex() == kProgress)

@@ -38,9 +38,10 @@ QString errorText(const FittedParameter& parameter) {
   return QStringLiteral("×÷ ") + number(std::exp(parameter.standardError), 2);
 }
 
-QString stateText(const FittedParameter& parameter) {
+QString stateText(const FittedParameter& parameter, const Fit& fit) {
   if (!parameter.isDetermined) return QStringLiteral("⚠ ") + FitPage::tr("not determined");
   if (parameter.isAtLimit) return QStringLiteral("⚠ ") + FitPage::tr("at its limit");
+  if (fit.missesPoints) return QStringLiteral("⚠ ") + FitPage::tr("misses the points");
   return FitPage::tr("determined");
 }
 
@@ -101,7 +102,7 @@ QString fittedTable(const Fit& fit) {
     if (!row.symbol.empty()) name += "&nbsp; " + symbolHtml(row.symbol);
     rows += "<tr>" + cell(name, "left") +
             cell("<b>" + quantity(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
-            cell(errorText(parameter), "right") + cell(stateText(parameter), "left");
+            cell(errorText(parameter), "right") + cell(stateText(parameter, fit), "left");
     if (hasOthers)
       for (std::size_t j = 0; j < fit.parameters.size(); ++j) {
         const double value =

@@ -393,7 +393,7 @@ void MaterialImport::take(const Preview& preview) {
   // What warns comes first, where it is seen without scrolling.
   if (material_->isMeasured() && !material_->curve.isThermorheologicallySimple)
     lines.prepend(QStringLiteral("⚠ ") + lines.takeLast());
-  summary_->setText(lines.join('\n'));
+  summary_->setText(keptTogether(lines.join('\n')));
   if (material_->isMeasured())
     reference_->setPlaceholderText(translatedText(celsius(material_->referenceTemperature)));
   finish({});

@@ -214,7 +214,7 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   for (const Note note : summary.notes.list())
     notes += QStringLiteral("⚠ ") + sentence(withLabels(translatedText(sentenceOf(note))));
   facts_->setText(facts.join('\n'));
-  notes_->setText(notes.join('\n'));
+  notes_->setText(keptTogether(notes.join('\n')));
   notes_->setVisible(!notes.isEmpty());
   values_->setText(valuesTable(summary));
   // The sheet of the command in two views: the profile over the whole width, the rest below. What

@@ -6,17 +6,15 @@
 
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
+#include "ui/language/translated.h"
 
 namespace asperity {
 
 namespace {
 
 /// Returns a text that is broken into lines only where that does not hinder reading.
-QString keptTogether(QString text) {
-  // A quantity stays on one line: "3 mm/s" breaks neither at the blank nor at the slash.
-  static const QRegularExpression unit(
-      QStringLiteral(R"((\d) ((?:[GMkcmµn]?(?:m|s|N|Pa|K|W|J|g)|°C|%)(?:/(?:s|m))?)(?![\w/]))"));
-  text.replace(unit, QStringLiteral("\\1\u00A0\\2"));
+QString inReadableLines(const QString& given) {
+  QString text = keptTogether(given);
   text.replace(QStringLiteral("m/s"), QStringLiteral("m/\u2060s"));
   // Nor do the two sides of "H = 0.7" and "T − T₀" part.
   for (const char16_t sign : {u'=', u'−', u'+'})
@@ -29,7 +27,7 @@ QString keptTogether(QString text) {
 QString inlineHtml(const QString& text) {
   static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
   static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
-  QString html = keptTogether(text.toHtmlEscaped());
+  QString html = inReadableLines(text.toHtmlEscaped());
   html.replace(strong, QStringLiteral("<b>\\1</b>"));
   html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
   return html;
@@ -46,7 +44,7 @@ QString plainText(const LessonText& text) {
 }
 
 QString lineText(const LessonText& text) {
-  return keptTogether(plainText(text));
+  return inReadableLines(plainText(text));
 }
 
 QString richText(const std::string& text) {

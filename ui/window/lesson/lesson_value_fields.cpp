@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"

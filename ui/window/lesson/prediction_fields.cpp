@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/lesson/assignment_list.h"
 #include "ui/window/lesson/lesson_form.h"

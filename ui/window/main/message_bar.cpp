@@ -45,7 +45,7 @@ void MessageBar::showTexts() {
   close_->setAccessibleName(tr("close message"));
   accept_->setAccessibleName(offerButton_ ? offerButton_() : tr("accept"));
   if (offer_) {
-    label_->setText(offer_());
+    showText(offer_());
     accept_->setText(offerButton_());
   }
   if (complaint_ && !isHidden() && failure_ == Failure::Scene) showComplaint();
@@ -102,12 +102,13 @@ void MessageBar::showMessage(const QString& text) {
   offer_ = offerButton_ = nullptr;
   accept_->hide();
   failure_ = Failure::None;
-  label_->setText(text);
+  showText(text);
   show();
 }
 
-QString MessageBar::text() const {
-  return label_->text();
+void MessageBar::showText(const QString& text) {
+  text_ = text;
+  label_->setText(keptTogether(text));
 }
 
 }  // namespace asperity

@@ -41,7 +41,7 @@ class MessageBar : public QFrame {
   /// language.
   using Text = std::function<QString()>;
   void showOffer(Text text, Text button);
-  QString text() const;
+  const QString& text() const { return text_; }
 
  signals:
   void accepted();
@@ -52,10 +52,12 @@ class MessageBar : public QFrame {
  private:
   void showComplaint();
   void showTexts();
+  void showText(const QString& text);
 
   QLabel* label_;
   QPushButton* accept_;
   QToolButton* close_;
+  QString text_;
   Text offer_, offerButton_;
   Failure failure_ = Failure::None;
   std::optional<std::pair<QString, Message>> complaint_;  // key and text

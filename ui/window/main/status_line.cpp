@@ -14,6 +14,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "core/material/element_law.h"
 #include "core/scene/scene_check.h"
 #include "ui/chart/friction_chart_model.h"
@@ -219,6 +220,7 @@ void StatusLine::keepRooms() {
                   .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
   force_->setMinimumWidth(widthOf(tr("force F̄ = %1").arg(number)));
   velocity_->setMinimumWidth(widthOf(tr("velocity v̄ = %1").arg(number)));
+  settling_->setMinimumWidth(widthOf(tr("settling")));
   simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(8800000))));
   rate_->setMinimumWidth(widthOf(tr("%1 frames/s").arg(888)));
   for (QLabel* fact : {simulations_, rate_}) fact->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -318,7 +320,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   force_->setText(tr("force F̄ = %1").arg(readingLabel(dimensionlessForce(frame))));
   showVelocity(frame);
   showNotes(reading.notes);
-  settling_->setText(frame.isSettling ? tr("settling (R: at once)") : QString());
+  settling_->setText(frame.isSettling ? tr("settling") : QString());
   fitFacts();
 }
 
@@ -360,7 +362,8 @@ void StatusLine::fitFacts() {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
     // Those that come with the work have their room while they say nothing.
-    const bool keepsRoom = fact == simulations_ || (fact == regime_ && hasRegions_);
+    const bool keepsRoom =
+        fact == simulations_ || fact == settling_ || (fact == regime_ && hasRegions_);
     if ((fact->text().isEmpty() && !keepsRoom) || isSaidOver) {
       fact->hide();
       continue;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/language/translated.h"
 #include "ui/window/main/commands.h"
 #include "ui/window/main/halo.h"
 #include "ui/window/main/message_bar.h"
@@ -88,11 +89,12 @@ int stepCount() {
 
 QString textOf(int index) {
   const TourStep& step = tourSteps()[static_cast<std::size_t>(index)];
-  return TourBar::tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
-      .arg(index + 1)
-      .arg(stepCount())
-      .arg(tourText(step.title).toHtmlEscaped(), tourText(step.sentence).toHtmlEscaped(),
-           tourText(step.attempt).toHtmlEscaped());
+  return keptTogether(TourBar::tr("%1 of %2&ensp;<b>%3.</b> %4 <i>Try: %5</i>")
+                          .arg(index + 1)
+                          .arg(stepCount())
+                          .arg(tourText(step.title).toHtmlEscaped(),
+                               tourText(step.sentence).toHtmlEscaped(),
+                               tourText(step.attempt).toHtmlEscaped()));
 }
 
 }  // namespace

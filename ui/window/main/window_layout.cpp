@@ -166,6 +166,9 @@ void WindowLayout::beginPresentation() {
     around->hide();
   parts_.appearance.setDark(
       parts_.appearance.isDark());  // repaints what was painted with the other font
+  // Large letters around it leave the chart little of a low screen.
+  constexpr int kLow = 800;  // pixels
+  if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({1, 1});
   setFullScreen(true);
 }
 

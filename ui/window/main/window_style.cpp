@@ -9,10 +9,28 @@
 
 namespace asperity {
 
+namespace {
+
+/// Draws the border of an entry. Fusion's own is darker than the window, and so cannot be seen in
+/// the dark theme.
+void drawEntryFrame(QPainter& painter, const QStyleOption& option) {
+  const bool hasFocus = option.state & QStyle::State_HasFocus;
+  const QColor colour = option.palette.color(hasFocus ? QPalette::Highlight : QPalette::Mid);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colour, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+  painter.restore();
+}
+
+}  // namespace
+
 WindowStyle::WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option,
                                 QPainter* painter, const QWidget* widget) const {
+  if (element == PE_FrameLineEdit) return drawEntryFrame(*painter, *option);
   if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck)
     return QProxyStyle::drawPrimitive(element, option, painter, widget);
   const bool isEnabled = option->state & State_Enabled, hasFocus = option->state & State_HasFocus;
@@ -41,10 +59,14 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   painter->restore();
 }
 
-/// Draws sliders like those of the panel (value_slider.h).
+/// Draws sliders like those of the panel (value_slider.h), and spin boxes like other entries.
 void WindowStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                      QPainter* painter, const QWidget* widget) const {
   const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  if (control == CC_SpinBox) {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    return drawEntryFrame(*painter, *option);
+  }
   if (control != CC_Slider || !slider || slider->orientation != Qt::Horizontal ||
       slider->upsideDown || slider->tickPosition != QSlider::NoTicks)
     return QProxyStyle::drawComplexControl(control, option, painter, widget);
