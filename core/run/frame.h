@@ -86,7 +86,8 @@ struct Frame {
   ContactState drawn;
 
   /// N/m, greatest line load of the steady state: the maximum of a colour scale that does not
-  /// depend on earlier pictures. 0: unknown, as for other motions.
+  /// depend on earlier pictures. 0: unknown, as for other motions. NaN: contact lies between the
+  /// points, whose pressures are not those of the contact.
   double steadyPressure = 0;
 
   /// The history since the motion began; null in steady sliding.

@@ -80,7 +80,7 @@ struct Simulation::Ready {
     requireBalance(steady.result, velocity());
     if (!std::isfinite(steady.result.mu)) throw balanceError(steady.result, velocity());
     const SteadyShape shape = sliding->shape(rigid->prepared, velocity(), steady);
-    greatestPressure = std::ranges::max(shape.nodes.pressure);
+    greatestPressure = asperity::greatestPressure(shape, line().spacing, steady.result.normalForce);
   }
 
   const Line& line() const { return *rigid->line; }
@@ -92,7 +92,7 @@ struct Simulation::Ready {
   bool isSteady;
   std::optional<SteadySolver> sliding;  // with `steady`, in steady sliding
   SteadyState steady;
-  double greatestPressure = 0;         // N/m, in the steady state
+  double greatestPressure = 0;         // N/m, in the steady state, as in Frame
   std::optional<Transient> transient;  // of other motions, at their beginning
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/contact/march/time_march.h"
 #include "core/contact/steady_sliding.h"
@@ -61,6 +62,13 @@ void setSteadyFacts(Frame& frame, const SteadyResult& facts) {
   frame.muInterface = facts.muInterface;
 }
 
+double greatestPressure(const SteadyShape& shape, double spacing, double normalForce) {
+  constexpr double kLeast = 0.1;  // of the normal force
+  const std::vector<double>& pressure = shape.nodes.pressure;
+  const double force = spacing * std::accumulate(pressure.begin(), pressure.end(), 0.0);
+  return force < kLeast * normalForce ? kNotApplicable : std::ranges::max(pressure);
+}
+
 Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
                  const SteadySolver& sliding, const SteadyState& shown, const SteadyResult& facts,
                  const FrameFields& fields) {
@@ -78,6 +86,7 @@ Frame stillFrame(std::shared_ptr<const Scene> scene, const RigidLine& rigid,
   for (const double height : line.height)
     frame.lineHeight.push_back(height - profile.lowestHeight - shown.result.indentation);
   setSteadyFacts(frame, facts);
+  frame.steadyPressure = greatestPressure(shape, line.spacing, shown.result.normalForce);
   frame.rmsHeight = line.rmsHeight;
   frame.rmsSlope = line.rmsSlope;
   frame.velocity = velocity;

@@ -16,6 +16,11 @@ namespace asperity {
 /// Sets the frame's forces, contact and friction to those of this steady state.
 void setSteadyFacts(Frame& frame, const SteadyResult& facts);
 
+/// Returns the greatest line load of a steady shape, N/m. NaN where its points bear less than a
+/// tenth of the normal force, since contact lies between them: their pressures are then far below
+/// those of the contact.
+double greatestPressure(const SteadyShape& shape, double spacing, double normalForce);
+
 /// Returns the steady state of a line as a frame, with the line at distance 0. Pressures, slopes
 /// and depths at the line's points come from the same pass: for Kelvin elements p = 4 (G |u| + eta
 /// v dz/dx) holds at each point in contact. facts: the results shown with the frame.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/run/contact_state.h"
 #include "ui/contact/decimate.h"
 
 namespace asperity {
@@ -59,11 +58,7 @@ std::optional<std::size_t> narrowContact(const Frame& frame, double metres) {
 }
 
 bool pointsBearLoad(const Frame& frame) {
-  constexpr double kLeast = 0.1;  // of the normal force
-  double force = 0;
-  for (const double p : frame.pressure)
-    if (std::isfinite(p)) force += p * frame.spacing;
-  return !(force < kLeast * drawnState(frame).normalForce);
+  return !std::isnan(frame.steadyPressure);
 }
 
 double greatestPressure(const Frame& frame) {

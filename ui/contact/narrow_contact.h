@@ -15,8 +15,8 @@ namespace asperity {
 /// contact.
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres);
 
-/// Returns whether the points bear a tenth of the normal force. Where a narrow contact lies between
-/// them they do not, and their pressures are far below those of the contact.
+/// Returns whether the pressures of the points are those of the contact: not where a narrow contact
+/// lies between them.
 bool pointsBearLoad(const Frame& frame);
 
 /// Returns the greatest finite pressure, N/m; 0 where no point is in contact, or where the points

@@ -221,7 +221,7 @@ TEST_F(ExportDialogTest, ThePreviewOfALargePictureIsSmall) {
   choose("exportPreset", "page");
   ASSERT_TRUE(waitForPreview());
   const QSize paper = dialog_->preview().image().size();
-  EXPECT_NEAR(1.0 * paper.width() / paper.height(), 1.78, 0.02);
+  EXPECT_NEAR(1.0 * paper.width() / paper.height(), 178.0 / 130, 0.02);
 }
 
 TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
@@ -255,6 +255,7 @@ TEST_F(ExportDialogTest, ABadValueIsSaidAndCannotBeExported) {
   dialog_->form().setKind(ExportKind::Film);
   for (const char* entry : {"exportDuration", "exportRate", "exportSpeedValue"}) {
     enter(entry, "soon");
+    EXPECT_FALSE(waitForPreview()) << entry;
     EXPECT_TRUE(reason().contains("“soon” is not a number above 0")) << reason().toStdString();
     enter(entry, "1");
   }

@@ -220,7 +220,6 @@ void StatusLine::keepRooms() {
                   .arg(number, tr(" (mean %1 ± %2 %)").arg(QStringLiteral("0.0008888"), "0.08"))));
   force_->setMinimumWidth(widthOf(tr("force F̄ = %1").arg(number)));
   velocity_->setMinimumWidth(widthOf(tr("velocity v̄ = %1").arg(number)));
-  settling_->setMinimumWidth(widthOf(tr("settling")));
   simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(8800000))));
   rate_->setMinimumWidth(widthOf(tr("%1 frames/s").arg(888)));
   for (QLabel* fact : {simulations_, rate_}) fact->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -357,13 +356,12 @@ void StatusLine::fitFacts() {
   if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
   std::vector<QLabel*> shown;
-  // That the picture has not come to these numbers yet matters more than dimensionless ones.
-  for (QLabel* fact : {mu_, regime_, settling_, force_, velocity_, simulations_, rate_, backend_}) {
+  // That the picture still settles comes and goes with every change: it hides no other reading.
+  for (QLabel* fact : {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
     const bool isSaidOver =
         silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
     // Those that come with the work have their room while they say nothing.
-    const bool keepsRoom =
-        fact == simulations_ || fact == settling_ || (fact == regime_ && hasRegions_);
+    const bool keepsRoom = fact == simulations_ || (fact == regime_ && hasRegions_);
     if ((fact->text().isEmpty() && !keepsRoom) || isSaidOver) {
       fact->hide();
       continue;
