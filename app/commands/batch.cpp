@@ -24,6 +24,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/run/motion_table.h"
@@ -54,10 +55,6 @@ std::optional<CurvePoint> meanOverLines(const Scene& scene, const CurveOptions& 
   if (scene.sliding.kind != SlidingKind::Steady || !(scene.sliding.velocity > 0))
     return std::nullopt;
   return computePoint(scene, scene.sliding.velocity, options);
-}
-
-Json numberOr(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
 }
 
 class BatchRun {
@@ -346,10 +343,10 @@ class BatchRun {
       } else {
         const CurvePoint none{.mu = kNotApplicable};
         const CurvePoint& mean = result.mean ? *result.mean : none;
-        entry["mu"] = numberOr(mean.mu);
-        entry["mu_standard_error"] = numberOr(mean.muStandardError);
+        entry["mu"] = numberOrNull(mean.mu);
+        entry["mu_standard_error"] = numberOrNull(mean.muStandardError);
         entry["realizations"] = result.mean ? Json(mean.realizations) : Json();
-        entry["line_mu"] = numberOr(result.lineMu);
+        entry["line_mu"] = numberOrNull(result.lineMu);
         entry["provenance"] = provenance("batch", result.item.scene);
       }
       list.push_back(std::move(entry));

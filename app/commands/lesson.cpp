@@ -7,6 +7,7 @@
 #include "app/headless_pictures.h"
 #include "app/output.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/lesson/lesson_answers.h"
 #include "core/lesson/lesson_file.h"
@@ -30,7 +31,7 @@ std::string linesOf(const Lesson& lesson) {
 }
 
 Json numberJson(const LessonNumber& number) {
-  Json json = {{"value", std::isfinite(number.value) ? Json(number.value) : Json(nullptr)}};
+  Json json = {{"value", numberOrNull(number.value)}};
   if (!number.unit.empty()) json["unit"] = number.unit;
   return json;
 }

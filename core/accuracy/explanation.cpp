@@ -9,6 +9,7 @@
 
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
+#include "core/base/json_text.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/material_sheets.h"
 #include "core/friction/ensemble.h"
@@ -29,10 +30,6 @@ double peakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
-
-Json numberOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json budgetJson(const ErrorBudget& error) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
@@ -16,10 +17,6 @@ namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numberOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 const WorkPrecisionPoint* findPoint(const RegionPrecision& region, const MethodChoice& choice) {
   const auto found =

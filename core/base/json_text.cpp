@@ -1,6 +1,7 @@
 #include "core/base/json_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -41,7 +42,6 @@ Message parserMessage(const std::exception& error) {
 /// with the square of a list's length.) It also refuses what the library accepts silently: a key
 /// that occurs twice in one object (the library keeps the last), too deep nesting, and objects with
 /// very many keys.
-/// last), nesting that no file of ours has, and objects of very many keys.
 class Reader : public nlohmann::json_sax<Json> {
  public:
   /// `wanted`: a member of the outermost object after which the parser stops; null: everything is
@@ -170,6 +170,10 @@ nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, 
   if (!root.is_object()) return {};
   const auto found = root.find(name);
   return found == root.end() ? Json() : std::move(*found);
+}
+
+nlohmann::ordered_json numberOrNull(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
 // JSON that a user wrote: scenes and batches. Refuses errors that a parser would accept silently.
-// Pure; any thread.
+// Besides, numbers of JSON that the program writes. Pure; any thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -26,5 +26,8 @@ nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& nam
 /// Returns the value of this member of the outermost object, without reading what follows it; null
 /// where there is none. Throws as parseJson.
 nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest);
+
+/// Returns a number, or null where it is not finite, for which JSON has no number.
+nlohmann::ordered_json numberOrNull(double value);
 
 }  // namespace asperity

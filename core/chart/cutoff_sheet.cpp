@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
@@ -86,14 +87,13 @@ std::string cutoffJson(const Scene& scene, const std::vector<CutoffPoint>& point
   std::vector<CurvePoint> states;
   for (const CutoffPoint& point : points) states.push_back(point.state);
   const CurveTable table(states, {});
-  const auto cell = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json root = provenance("cutoff", scene);
   Json rows = Json::array();
   for (const CutoffPoint& point : points) {
     Json row;
     row[kWavelength.text()] = point.wavelength;
-    row[kShare.text()] = cell(point.shareOfDecade.value);
-    row[kShareError.text()] = cell(point.shareOfDecade.standardError);
+    row[kShare.text()] = numberOrNull(point.shareOfDecade.value);
+    row[kShareError.text()] = numberOrNull(point.shareOfDecade.standardError);
     row.update(table.json(point.state));
     rows.push_back(std::move(row));
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
@@ -21,10 +22,6 @@ namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numberOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
 
 std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
   std::vector<MeasuredPoint> points;

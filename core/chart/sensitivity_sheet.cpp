@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
@@ -97,14 +98,13 @@ std::string sensitivityCsv(const std::vector<Exponent>& all) {
 }
 
 std::string sensitivityJson(const Scene& scene, const std::vector<Exponent>& all) {
-  const auto cell = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json root = provenance("sensitivity", scene);
   Json rows = Json::array();
   for (const Exponent& one : all)
     rows.push_back({{kKey.text(), one.key},
                     {kValue.text(), one.value},
-                    {kExponent.text(), cell(one.exponent.value)},
-                    {kError.text(), cell(one.exponent.standardError)}});
+                    {kExponent.text(), numberOrNull(one.exponent.value)},
+                    {kError.text(), numberOrNull(one.exponent.standardError)}});
   root["parameters"] = std::move(rows);
   return root.dump(2) + "\n";
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/json_text.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 
@@ -202,13 +203,13 @@ std::string CurveTable::row(const CurvePoint& point) const {
 
 nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   using Json = nlohmann::ordered_json;
-  const auto cell = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   Json row;
-  if (!isOfVelocity()) row[std::string(columns_.sweptColumn())] = cell(point.swept);
+  if (!isOfVelocity()) row[std::string(columns_.sweptColumn())] = numberOrNull(point.swept);
   for (const CurveColumn& column : kCurveColumns)
-    if (!isLeftOut(column.name)) row[column.name.text()] = cell(point.*column.member);
+    if (!isLeftOut(column.name)) row[column.name.text()] = numberOrNull(point.*column.member);
   row[kRealizations.text()] = point.realizations;
-  for (const std::size_t i : extra_) row[kExtraColumns[i].name.text()] = cell(extraValue(i, point));
+  for (const std::size_t i : extra_)
+    row[kExtraColumns[i].name.text()] = numberOrNull(extraValue(i, point));
   if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);
   return row;
 }

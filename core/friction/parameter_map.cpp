@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
@@ -345,8 +346,7 @@ std::string mapJson(const ParameterMap& map, std::string_view quantity) {
     row[names[0]] = map.x.values[k % columns];
     row[names[1]] = map.y.values[k / columns];
     row.update(table.json(map.points[k]));
-    if (hasExponent)
-      row[kExponent.text()] = std::isfinite(exponent[k]) ? Json(exponent[k]) : Json(nullptr);
+    if (hasExponent) row[kExponent.text()] = numberOrNull(exponent[k]);
     points.push_back(std::move(row));
   }
   root["points"] = std::move(points);

@@ -24,15 +24,11 @@ constexpr NamedChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Cho
                                                   {"number", PredictionKind::Number},
                                                   {"point", PredictionKind::Point}}};
 
-Json numberJson(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json answerJson(PredictionKind kind, int choice, double number, double place) {
   if (kind == PredictionKind::Choice) return choice < 0 ? Json(nullptr) : Json(choice + 1);
-  if (kind == PredictionKind::Number) return numberJson(number);
+  if (kind == PredictionKind::Number) return numberOrNull(number);
   if (!std::isfinite(number)) return nullptr;
-  return {{"x", numberJson(place)}, {"y", numberJson(number)}};
+  return {{"x", numberOrNull(place)}, {"y", numberOrNull(number)}};
 }
 
 double numberOrNone(const Json& json, const std::string& place) {

@@ -9,6 +9,7 @@
 
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
 #include "core/material/element_law.h"
@@ -121,10 +122,6 @@ TemperatureShift chosenShift(const Material& material, std::optional<ShiftKind> 
                      message("{} needs more isotherms than {}",
                              kShiftNames[static_cast<int>(*wanted)], table.size()));
   return fit.shift;
-}
-
-Json numberOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json shiftJson(const TemperatureShift& shift) {

@@ -24,6 +24,11 @@ double placeOf(std::size_t i, std::size_t n) {
   return n > 1 ? 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1 : 0;
 }
 
+/// Solves normal equations. Functions that the points cannot tell apart get no part.
+Eigen::VectorXd solveNormal(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  return matrix.completeOrthogonalDecomposition().solve(right);
+}
+
 /// Least squares of a sum of functions: points are added one by one.
 template <int Terms>
 class LeastSquares {
@@ -33,8 +38,7 @@ class LeastSquares {
     matrix_ += functions * functions.transpose();
     right_ += functions * value;
   }
-  /// Functions that the points cannot tell apart get no part.
-  Vector solve() const { return matrix_.completeOrthogonalDecomposition().solve(right_); }
+  Vector solve() const { return solveNormal(matrix_, right_); }
 
  private:
   Eigen::Matrix<double, Terms, Terms> matrix_ = Eigen::Matrix<double, Terms, Terms>::Zero();

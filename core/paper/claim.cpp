@@ -4,14 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_text.h"
+
 namespace asperity {
 namespace {
 
 constexpr double kStandardErrors = 2;  // distance from a border that a verdict needs
-
-nlohmann::ordered_json numberOrNull(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
 
 /// Returns the rank of a verdict; the lowest one decides if there are several.
 int rank(Verdict verdict) {

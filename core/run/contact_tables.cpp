@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/json_text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/scene/columns.h"
 
@@ -179,7 +180,6 @@ DataTable powerTable(const Frame& frame) {
 }
 
 Json derivedNumbers(const Frame& frame) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   const std::vector<ContactStretch> contacts = stretchesOf(frame, false);
   const std::vector<ContactStretch> gaps = stretchesOf(frame, true);
   double largestLoad = 0, longest = 0, inContact = 0, largestGap = 0, area = 0;
@@ -193,23 +193,23 @@ Json derivedNumbers(const Frame& frame) {
     largestGap = std::max(largestGap, size.largest);
     area += size.area;
   }
-  return {
-      {"length", frame.length},
-      {"spacing", frame.spacing},
-      {"velocity", frame.velocity},
-      {"normal_force", frame.normalForce},
-      {"tangential_force", number(frame.tangentialForce)},
-      {"rms_height", frame.rmsHeight},
-      {"rms_slope", frame.rmsSlope},
-      {"contact_spots", contacts.size()},
-      {"mean_contact_length",
-       number(contacts.empty() ? kNotApplicable
-                               : inContact / static_cast<double>(contacts.size()))},
-      {"largest_contact_length", longest},
-      {"mean_line_load", number(inContact > 0 ? frame.normalForce / inContact : kNotApplicable)},
-      {"largest_line_load", largestLoad},
-      {"mean_gap", area / frame.length},
-      {"largest_gap", largestGap}};
+  return {{"length", frame.length},
+          {"spacing", frame.spacing},
+          {"velocity", frame.velocity},
+          {"normal_force", frame.normalForce},
+          {"tangential_force", numberOrNull(frame.tangentialForce)},
+          {"rms_height", frame.rmsHeight},
+          {"rms_slope", frame.rmsSlope},
+          {"contact_spots", contacts.size()},
+          {"mean_contact_length",
+           numberOrNull(contacts.empty() ? kNotApplicable
+                                         : inContact / static_cast<double>(contacts.size()))},
+          {"largest_contact_length", longest},
+          {"mean_line_load",
+           numberOrNull(inContact > 0 ? frame.normalForce / inContact : kNotApplicable)},
+          {"largest_line_load", largestLoad},
+          {"mean_gap", area / frame.length},
+          {"largest_gap", largestGap}};
 }
 
 }  // namespace asperity

@@ -11,6 +11,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/jobs.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
@@ -307,31 +308,25 @@ std::string motionCsv(const MotionTable& table) {
 }
 
 Json motionProvenance(const std::string& verb, const Scene& scene, const MotionTable& table) {
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
   Json root = provenance(verb, scene);
   // At the end, so that their place does not depend on how they were given.
   for (const char* own : {"every", "lines"})
     if (root.contains("options")) root["options"].erase(own);
   root["options"]["every"] = table.every;
   root["options"]["lines"] = table.lines.size();
-  root["discretization_error"] = {{"mu", number(table.muError)},
-                                  {"relative", number(table.relativeError)}};
+  root["discretization_error"] = {{"mu", numberOrNull(table.muError)},
+                                  {"relative", numberOrNull(table.relativeError)}};
   return root;
 }
 
 std::string motionJson(const Scene& scene, const MotionTable& table) {
   Json rows = Json::array();
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
   for (std::size_t line = 0; line < table.lines.size(); ++line)
     for (const TransientSample& sample : table.lines[line]) {
       Json row;
       for (const MotionColumn& column : kMotionColumns)
-        row[column.name.text()] = number(column.value(sample));
-      row[kMuInterface.text()] = number(muInterface(table, sample));
+        row[column.name.text()] = numberOrNull(column.value(sample));
+      row[kMuInterface.text()] = numberOrNull(muInterface(table, sample));
       row[kRealization.text()] = line;
       rows.push_back(std::move(row));
     }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/json_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 
@@ -13,10 +14,6 @@ namespace asperity {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json numberOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
 
 std::string joined(const std::vector<std::string>& cells) {
   return fmt::format("{}\n", fmt::join(cells, ","));

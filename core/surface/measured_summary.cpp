@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 
 namespace asperity {
@@ -32,10 +33,6 @@ Json unitJson(const UnitFact& unit) {
 
 Json spectrumJson(const SpectralDensity& spectrum) {
   return {{"wave_number", spectrum.waveNumber}, {"power_spectral_density", spectrum.density}};
-}
-
-Json numberOrNull(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 }  // namespace

@@ -340,10 +340,10 @@ DrawList emptyList(const DiagramOptions& options) {
 
 std::vector<Panel> panelsBetween(float top, float bottom, const DiagramSheet& sheet,
                                  const DiagramOptions& options, bool titlesAbove) {
-  constexpr float kBetween = 14, kLittle = 6;  // units
+  constexpr float kBetweenRows = 14, kLittle = 6;  // units
   const DiagramSizes sizes = sizesFor(sheet, options);
   std::vector<Box> cells =
-      cellsFor(sheet, options, top, bottom, sizes, titlesAbove ? kLittle : kBetween);
+      cellsFor(sheet, options, top, bottom, sizes, titlesAbove ? kLittle : kBetweenRows);
   const float above = aboveFrames(sheet, titlesAbove, sizes);
   std::vector<Panel> panels;
   const bool isCommon = hasCommonAxis(sheet);

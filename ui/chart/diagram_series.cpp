@@ -12,7 +12,7 @@ namespace asperity {
 namespace {
 
 // These are in units.
-constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F, kBar = 1.2F;
+constexpr float kCurve = 2, kRampCurve = 1.7F, kTheory = 1.4F, kErrorBar = 1.2F;
 constexpr float kMark = 7.2F, kSmallestMark = 3.6F, kRim = 0.8F;
 // These are in line widths.
 constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
@@ -105,7 +105,7 @@ void addBand(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& s
 void addBars(DrawLayer& layer, const DiagramSeries& series, const SeriesStyle& style,
              const DiagramAxes& axes, float unit) {
   const Box& box = axes.box;
-  const float width = kBar * unit, cap = std::max(2.2F * unit, 0.5F * style.markSize);
+  const float width = kErrorBar * unit, cap = std::max(2.2F * unit, 0.5F * style.markSize);
   for (const DiagramPoint& point : series.points) {
     const Bar bar = barOf(point, axes);
     if (!isDrawable(bar)) continue;

@@ -9,11 +9,12 @@
 namespace asperity {
 namespace {
 
-constexpr float kAbove = 1.0F, kBelow = 0.4F;  // of a font's size: a line around its baseline
+constexpr float kAboveBaseline = 1.0F,
+                kBelowBaseline = 0.4F;  // of a font's size: a line around its baseline
 
 /// Returns the place of a line of text.
 Clip lineAt(float left, float baseline, float width, float size) {
-  return {left, baseline - kAbove * size, width, (kAbove + kBelow) * size};
+  return {left, baseline - kAboveBaseline * size, width, (kAboveBaseline + kBelowBaseline) * size};
 }
 
 std::string_view idOf(ContactOverlay overlay) {
@@ -59,7 +60,7 @@ void addAxisSigns(std::vector<ContactSign>& signs, const ContactLayout& layout) 
   signs.push_back({lineAt(layout.axisTitle.x - width / 2, layout.axisTitle.y, width, size), x,
                    "position along the line"});
   const float middle = layout.plot.y + layout.plot.height / 2;
-  signs.push_back({{0, middle - length / 2, 1.5F * size + kBelow * size, length},
+  signs.push_back({{0, middle - length / 2, 1.5F * size + kBelowBaseline * size, length},
                    height,
                    "height above the surface"});
 }

@@ -14,8 +14,8 @@
 namespace asperity {
 namespace {
 
-struct Library : SharedLibrary {
-  Library() : SharedLibrary("libEGL.so.1", "ASPERITY_EGL_LIBRARY", "libegl1") {
+struct EglLibrary : SharedLibrary {
+  EglLibrary() : SharedLibrary("libEGL.so.1", "ASPERITY_EGL_LIBRARY", "libegl1") {
     find(getProcAddress, "eglGetProcAddress");
     find(queryString, "eglQueryString");
     find(initialize, "eglInitialize");
@@ -84,7 +84,7 @@ constexpr EGLint kContext[] = {EGL_CONTEXT_MAJOR_VERSION,
 
 /// Opens the display without a screen. It belongs to the process and stays initialized: closing it
 /// would end every other context on it.
-EGLDisplay openDisplay(const Library& egl) {
+EGLDisplay openDisplay(const EglLibrary& egl) {
   const char* extensions = egl.queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   const auto platformDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       egl.getProcAddress("eglGetPlatformDisplayEXT"));
@@ -97,7 +97,7 @@ EGLDisplay openDisplay(const Library& egl) {
   return display;
 }
 
-EGLContext createContext(const Library& egl, EGLDisplay display) {
+EGLContext createContext(const EglLibrary& egl, EGLDisplay display) {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!egl.bindApi(EGL_OPENGL_API) || !egl.chooseConfig(display, kConfig, &config, 1, &count) ||
@@ -172,7 +172,7 @@ struct EglContext::Body {
     return pixels;
   }
 
-  Library egl;
+  EglLibrary egl;
   EGLDisplay display;
   EGLContext context;
   std::unique_ptr<FramebufferFunctions> gl;

@@ -11,8 +11,8 @@
 namespace asperity {
 namespace {
 
-struct Library : SharedLibrary {
-  Library() : SharedLibrary("libOSMesa.so.8", "ASPERITY_OSMESA_LIBRARY", "libosmesa6") {
+struct OsmesaLibrary : SharedLibrary {
+  OsmesaLibrary() : SharedLibrary("libOSMesa.so.8", "ASPERITY_OSMESA_LIBRARY", "libosmesa6") {
     find(createContext, "OSMesaCreateContextAttribs");
     find(destroyContext, "OSMesaDestroyContext");
     find(makeCurrent, "OSMesaMakeCurrent");
@@ -83,7 +83,7 @@ struct OsmesaContext::Body {
     if (destroy) library.destroyContext(context);
   }
 
-  Library library;
+  OsmesaLibrary library;
   OSMesaContext context;
   Pixels pixels;
   std::unique_ptr<Renderer> renderer;

@@ -140,10 +140,11 @@ TEST_F(German, HasEveryTemplateOfTheSources) {
 /// Numbers are printed in one style wherever a text of core is shown: never "1e-10".
 TEST(Translations, ShowNoNumberAsComputersWriteIt) {
   static const QRegularExpression machine(QStringLiteral("(?<![\\w.,])\\d[\\d.,]*e[-+]?\\d"));
+  const auto all = {tableTexts(),   explanationTexts(), sceneTexts(),  planTexts(),
+                    refusalTexts(), complaintTexts(),   figureTexts(), diagramTexts()};
   for (const char* code : {"en", "de"}) {
     useLanguage(code);
-    for (const auto& texts : {tableTexts(), explanationTexts(), sceneTexts(), planTexts(),
-                              refusalTexts(), complaintTexts(), figureTexts(), diagramTexts()})
+    for (const auto& texts : all)
       for (const Message& message : texts) {
         const QString shown = translatedText(message);
         const std::string text = message.english();
