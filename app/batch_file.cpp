@@ -38,11 +38,6 @@ struct Sweep {
   std::vector<std::string> values;
 };
 
-/// Returns the value in the form that --set takes.
-std::string assigned(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 /// The values of a range, logarithmic unless it says otherwise.
 std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
                                   const std::string& where) {
@@ -78,7 +73,7 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
     try {
       const Parameter& row = knownParameter(key);
       if (values.is_array())
-        for (const Json& value : values) sweep.values.push_back(assigned(value));
+        for (const Json& value : values) sweep.values.push_back(assignedText(value));
       else
         sweep.values = valuesOf(numberRow(row.key), values, where);
     } catch (const InputError& error) {
@@ -139,7 +134,7 @@ class Entry {
     const auto set = json_.find("set");
     if (set == json_.end()) return;
     if (!set->is_object()) refuseMember("set", "needs an object of keys");
-    for (const auto& [key, value] : set->items()) set_.push_back(key + "=" + assigned(value));
+    for (const auto& [key, value] : set->items()) set_.push_back(key + "=" + assignedText(value));
   }
 
   /// Returns one item of the grid of all sweeps; the last key changes fastest.
@@ -317,7 +312,7 @@ BatchItem itemFrom(const Json& said, const Scene& scene) {
   if (const auto varied = said.find("varied"); varied != said.end() && varied->is_object())
     for (const auto& [key, value] : varied->items()) {
       knownParameter(key);
-      item.varied.emplace_back(key, assigned(value));
+      item.varied.emplace_back(key, assignedText(value));
     }
   item.scene = scene;
   if (!item.error.empty()) return item;

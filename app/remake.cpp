@@ -10,6 +10,7 @@
 #include "app/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/chart/figure_style.h"
@@ -43,10 +44,6 @@ std::string dashed(std::string key) {
   return key;
 }
 
-std::string textOf(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 void addOption(std::vector<std::string>& words, const std::string& word, const Json& value) {
   if (value.is_array()) {
     for (const Json& one : value) addOption(words, word, one);
@@ -54,7 +51,7 @@ void addOption(std::vector<std::string>& words, const std::string& word, const J
     if (value.get<bool>()) words.push_back("--" + word);
   } else {
     // One word, so that a value that begins with a dash is none itself.
-    words.push_back("--" + word + "=" + textOf(value));
+    words.push_back("--" + word + "=" + assignedText(value));
   }
 }
 
@@ -70,13 +67,9 @@ std::set<std::string> wordsOf(const std::vector<std::string>& given) {
 std::string taken(Json& object, const char* member) {
   const auto found = object.find(member);
   if (found == object.end()) return {};
-  std::string text = textOf(*found);
+  std::string text = assignedText(*found);
   object.erase(member);
   return text;
-}
-
-bool isOneOf(const std::string& word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 /// Returns the options of material.json, which stand in its origin: other files are made from it,
@@ -89,7 +82,7 @@ Json optionsOfMaterial(const Json& said) {
     options[option.substr(std::min<std::size_t>(2, option.size()))] = isFlag ? Json(true) : value;
   }
   for (const char* label : {"name", "source"})
-    if (said.contains(label) && said[label] != "") options[label] = textOf(said[label]);
+    if (said.contains(label) && said[label] != "") options[label] = assignedText(said[label]);
   options["file"] = "material";
   return options;
 }
@@ -127,13 +120,13 @@ Json optionsOf(const FoundScene& found, const std::string& file) {
 /// file, above it or in the present folder that has as many of its simulations.
 fs::path storeOf(const FoundScene& found, const OpenCommand& command) {
   const std::string& file = command.common.scene;
-  const std::string digest = textOf(found.origin.value("study_sha256", Json()));
+  const std::string digest = assignedText(found.origin.value("study_sha256", Json()));
   const Json simulations = found.origin.value("simulations", Json());
   const auto isOfStudy = [&](const StudyStore& store) { return store.study().digest == digest; };
   const auto isSame = [&](const StudyStore& store) {
     return isOfStudy(store) && Json(store.simulationsDone()) == simulations &&
            (!found.origin.contains("chunks_sha256") ||
-            textOf(found.origin["chunks_sha256"]) == store.chunksDigest());
+            assignedText(found.origin["chunks_sha256"]) == store.chunksDigest());
   };
   const auto changed = [&](const StudyStore& store) {
     if (Json(store.simulationsDone()) == simulations)
@@ -141,7 +134,7 @@ fs::path storeOf(const FoundScene& found, const OpenCommand& command) {
                         message("has other simulations than {} was made from", shortened(file)));
     return InputError(store.file().string(), "",
                       message("has {} simulations now, and {} was made from {}",
-                              store.simulationsDone(), shortened(file), textOf(simulations)));
+                              store.simulationsDone(), shortened(file), assignedText(simulations)));
   };
   std::error_code ignored;
   if (!command.from.empty() && !fs::is_directory(command.from, ignored)) {

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "core/accuracy/pilot.h"
+#include "core/base/jobs.h"
 #include "core/base/processor_time.h"
 #include "core/friction/study.h"
 
@@ -36,8 +37,7 @@ Trial tried(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis&
 MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int threads,
                    const std::stop_token& stop) {
   MapCost cost{x.values.size(), y.values.size()};
-  cost.threads =
-      threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  cost.threads = threadsOf(threads);
   const auto cells = static_cast<double>(cost.columns * cost.rows);
   Trial trial = tried(MapStage::Coarse, scene, x, y, stop);
   // Which cells are equal is known only where all are tried.

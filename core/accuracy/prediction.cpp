@@ -8,6 +8,7 @@
 
 #include "core/accuracy/pilot.h"
 #include "core/accuracy/target_curve.h"
+#include "core/base/jobs.h"
 #include "core/base/processor_time.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_point.h"
@@ -76,10 +77,6 @@ class Pilot {
   std::vector<double> making_, sweeping_;  // s, for each line
 };
 
-void throwIfStopped(const std::stop_token& stop) {
-  if (stop.stop_requested()) throw StudyStopped{};
-}
-
 /// Returns the scene with a finer resolution; its own where there is no finer one.
 Scene refined(const Scene& scene, std::int64_t factor) {
   Scene fine = scene;
@@ -139,10 +136,6 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
 std::int64_t measuringFactor(const Scene& scene) {
   const std::int64_t nodes = lineExtent(scene).elements * pointsPerElementOfCurve(scene);
   return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
-}
-
-int threadsOf(int threads) {
-  return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Returns the errors from the pilot's lines: the coarse ones give spread and force balance;

@@ -5,11 +5,18 @@
 // jobs that have not begun are then left out.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <thread>
 
 namespace asperity {
+
+/// Returns the number of threads that is meant: as many as the machine has for 0.
+inline int threadsOf(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 class Jobs {
  public:

@@ -172,6 +172,10 @@ nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, 
   return found == root.end() ? Json() : std::move(*found);
 }
 
+std::string assignedText(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
 nlohmann::ordered_json numberOrNull(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }

@@ -27,6 +27,9 @@ nlohmann::ordered_json membersUpTo(std::string_view text, const std::string& nam
 /// where there is none. Throws as parseJson.
 nlohmann::ordered_json memberOf(std::string_view text, const std::string& name, int deepest);
 
+/// Returns a value in the form that --set takes: a text as it is, anything else as JSON.
+std::string assignedText(const nlohmann::ordered_json& value);
+
 /// Returns a number, or null where it is not finite, for which JSON has no number.
 nlohmann::ordered_json numberOrNull(double value);
 

@@ -137,6 +137,10 @@ std::string plainNumber(double value) {
   return withoutPadding(fmt::format("{}", value));
 }
 
+std::string csvNumber(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
+}
+
 PrintedNumber plain(double value) {
   return {plainNumber(value)};
 }

@@ -53,6 +53,9 @@ double roundedToDigits(double value, int digits);
 /// padding.
 std::string plainNumber(double value);
 
+/// Returns the number as a cell of a table; empty where it is not finite.
+std::string csvNumber(double value);
+
 /// Returns the same as a value of a message.
 PrintedNumber plain(double value);
 

@@ -2,6 +2,8 @@
 // nearest known word, making file names from them. Pure; any thread.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +18,12 @@ std::string printable(std::string_view text);
 
 /// Returns a user's text, shortened so that it can be quoted in a message.
 std::string shortened(std::string_view text);
+
+/// Returns whether the word is one of these.
+template <class Words = std::initializer_list<std::string_view>>
+bool isOneOf(std::string_view word, const Words& words) {
+  return std::ranges::find(words, word) != std::ranges::end(words);
+}
 
 /// Returns the known word nearest to `word` by edit distance; empty where the distance to all
 /// exceeds half of the word's length.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/number_text.h"
+#include "core/base/text.h"
 
 namespace asperity {
 namespace {
@@ -37,11 +38,6 @@ constexpr std::array kSpreadsheetErrors{"#N/A"sv,    "#NV"sv,    "#NUM!"sv, "#DI
 constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass"sv, "wahr"sv};
 constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};
 
-template <std::size_t count>
-bool contains(const std::array<std::string_view, count>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 bool isMissing(std::string_view text) {
   // "-", "--", "***", "####": nothing but one of these.
   if (text.find_first_not_of("-") == std::string_view::npos ||
@@ -52,7 +48,7 @@ bool isMissing(std::string_view text) {
   if (text.size() > kLongest) return false;
   const std::string word = lowerCase(text);
   const auto isWord = [&word](std::string_view error) { return lowerCase(error) == word; };
-  return contains(kMissing, word) ||
+  return isOneOf(word, kMissing) ||
          (word.starts_with('#') && std::ranges::any_of(kSpreadsheetErrors, isWord));
 }
 
@@ -202,8 +198,8 @@ Field readField(std::string_view text, char decimal) {
   constexpr std::size_t kLongestFlag = 8;
   if (text.size() <= kLongestFlag) {
     const std::string word = lowerCase(text);
-    if (contains(kTrue, word)) return {FieldKind::Flag, 1};
-    if (contains(kFalse, word)) return {FieldKind::Flag, 0};
+    if (isOneOf(word, kTrue)) return {FieldKind::Flag, 1};
+    if (isOneOf(word, kFalse)) return {FieldKind::Flag, 0};
   }
   return {FieldKind::Text, 0};
 }

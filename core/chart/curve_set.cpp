@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"

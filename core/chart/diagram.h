@@ -6,6 +6,7 @@
 // translates.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -17,6 +18,17 @@
 namespace asperity {
 
 enum class AxisScale { Linear, Logarithmic };
+
+/// Returns the value itself or its decimal logarithm; NaN where it has no place on the axis.
+inline double axisPlace(AxisScale scale, double value) {
+  const bool hasPlace = std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
+  if (!hasPlace) return std::numeric_limits<double>::quiet_NaN();
+  return scale == AxisScale::Linear ? value : std::log10(value);
+}
+/// Returns the value at a place of the axis.
+inline double axisValue(AxisScale scale, double place) {
+  return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
+}
 
 struct DiagramAxis {
   Message title{};     // "sliding velocity"

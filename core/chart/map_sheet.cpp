@@ -61,14 +61,6 @@ DiagramAxis axisOf(const MapAxis& axis) {
   return {titleOfKey(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least, most};
 }
 
-double placeOn(AxisScale scale, double value) {
-  return scale == AxisScale::Logarithmic ? std::log10(value) : value;
-}
-
-double valueAt(AxisScale scale, double place) {
-  return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
-}
-
 double numberOf(const Scene& scene, const MapAxis& axis) {
   return numberOf(*axis.range.row, scene);
 }
@@ -125,7 +117,7 @@ class RisingMap {
 
 std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale) {
   std::vector<double> places;
-  for (const double value : values) places.push_back(placeOn(scale, value));
+  for (const double value : values) places.push_back(axisPlace(scale, value));
   return places;
 }
 
@@ -154,7 +146,7 @@ DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quanti
 std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisScale y) {
   std::vector<DiagramPoint> points;
   for (const ContourPlace& place : line)
-    points.push_back({valueAt(x, place.x), valueAt(y, place.y)});
+    points.push_back({axisValue(x, place.x), axisValue(y, place.y)});
   return points;
 }
 
@@ -290,8 +282,8 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
   const DiagramAxis& along = velocityIsX ? diagram.x : diagram.y;
   const DiagramAxis& across = velocityIsX ? diagram.y : diagram.x;
   const auto part = [](const DiagramAxis& axis, double value) {
-    const double from = placeOn(axis.scale, axis.from), to = placeOn(axis.scale, axis.to);
-    return (placeOn(axis.scale, value) - from) / (to - from);
+    const double from = axisPlace(axis.scale, axis.from), to = axisPlace(axis.scale, axis.to);
+    return (axisPlace(axis.scale, value) - from) / (to - from);
   };
   const double crossAlong = part(along, numberOf(map.scene, velocityIsX ? map.x : map.y));
   const double crossAcross = part(across, numberOf(map.scene, velocityIsX ? map.y : map.x));
@@ -308,8 +300,9 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
       const double worth = std::min(room, kEnough) - 1e-3 * std::abs(row - 0.5);
       if (worth <= most) continue;
       most = worth;
-      const double first = placeOn(along.scale, along.from), last = placeOn(along.scale, along.to);
-      const double velocity = valueAt(along.scale, first + place * (last - first));
+      const double first = axisPlace(along.scale, along.from),
+                   last = axisPlace(along.scale, along.to);
+      const double velocity = axisValue(along.scale, first + place * (last - first));
       best = velocityIsX ? DiagramPoint{velocity, cut.other} : DiagramPoint{cut.other, velocity};
     }
   }
@@ -411,7 +404,8 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const std::vector<double> others = placesOf(alongX ? rising.y : rising.x, scaleOf(across));
   // Between the two rows or columns beside the state.
   const auto [least, most] = std::ranges::minmax(across.values);
-  const double at = placeOn(scaleOf(across), std::clamp(numberOf(map.scene, across), least, most));
+  const double at =
+      axisPlace(scaleOf(across), std::clamp(numberOf(map.scene, across), least, most));
   const auto above = std::ranges::lower_bound(others, at);
   const auto last = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - others.begin(), 1, std::ssize(others) - 1));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/scene/columns.h"
 #include "core/scene/provenance.h"
 
@@ -77,10 +78,6 @@ bool hasNotes(const std::vector<CurvePoint>& points) {
 }
 
 }  // namespace
-
-std::string csvNumber(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
-}
 
 std::string curveHeader() {
   std::string text;

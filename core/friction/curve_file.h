@@ -15,8 +15,6 @@
 
 namespace asperity {
 
-/// Returns a number as text; empty where it is not finite.
-std::string csvNumber(double value);
 /// Return the names of the columns and the cells of a point, each with a line end.
 std::string curveHeader();
 std::string curveRow(const CurvePoint& point);

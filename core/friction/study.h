@@ -34,6 +34,9 @@ struct StudyOptions {
 
 /// Thrown where `stop` was requested.
 struct StudyStopped {};
+inline void throwIfStopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw StudyStopped{};
+}
 
 class Study {
  public:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/input_error.h"
+#include "core/base/text.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -31,10 +32,6 @@ std::string compact(std::string_view given) {
            letter == '}' || letter == ',' || letter == ':' || letter == '@';
   });
   return text;
-}
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 bool containsAny(std::string_view text, std::initializer_list<std::string_view> words) {

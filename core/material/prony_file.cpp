@@ -217,18 +217,14 @@ std::string plainWord(std::string_view text) {
   return word;
 }
 
-bool isAny(const std::string& word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 bool isEquilibrium(const std::string& word) {
-  return isAny(word, {"ginf", "einf", "equilibriummodulus", "longtermmodulus", "rubberymodulus",
-                      "ge", "ee", "gequilibrium", "inf"});
+  return isOneOf(word, {"ginf", "einf", "equilibriummodulus", "longtermmodulus", "rubberymodulus",
+                        "ge", "ee", "gequilibrium", "inf"});
 }
 
 bool isInstantaneous(const std::string& word) {
-  return isAny(word, {"g0", "e0", "instantaneousmodulus", "shorttermmodulus", "glassymodulus",
-                      "gglassy", "eglassy"});
+  return isOneOf(word, {"g0", "e0", "instantaneousmodulus", "shorttermmodulus", "glassymodulus",
+                        "gglassy", "eglassy"});
 }
 
 std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& name,
@@ -241,11 +237,11 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
     if (dmaColumn(block.columns[i].name, block.columns[i].unit).quantity == DmaQuantity::Frequency)
       return {};
     if (timeAt == kNone && (word.starts_with("tau") || word.starts_with("relaxationtime") ||
-                            word.starts_with("relaxationszeit") || isAny(word, {"ti", "times"})))
+                            word.starts_with("relaxationszeit") || isOneOf(word, {"ti", "times"})))
       timeAt = i;
     else if (weightAt == kNone &&
-             (isAny(word, {"g", "gi", "e", "ei", "modulus", "moduli", "alpha", "alphai", "gimod",
-                           "shearmodulus", "relativemodulus", "giginf", "gk", "ek"})))
+             (isOneOf(word, {"g", "gi", "e", "ei", "modulus", "moduli", "alpha", "alphai", "gimod",
+                             "shearmodulus", "relativemodulus", "giginf", "gk", "ek"})))
       weightAt = i;
   }
   if (timeAt == kNone || weightAt == kNone) return {};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
@@ -42,16 +43,11 @@ constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
                           "ung\u00FCltig"sv, "missing"sv, "outlier"sv};
 constexpr std::array kEither{"flag"sv, "flags"sv, "status"sv, "mask"sv, "quality"sv, "qual"sv};
 
-template <std::size_t count>
-bool isOne(const std::array<std::string_view, count>& words, std::string_view name) {
-  return std::ranges::find(words, name) != words.end();
-}
-
 /// "x position", "x_axis", "height data": the first word, or all of the name.
 template <std::size_t count>
 bool begins(const std::array<std::string_view, count>& words, std::string_view name) {
-  if (isOne(words, name)) return true;
-  return isOne(words, name.substr(0, std::min(name.find_first_of(" _-.("), name.size())));
+  if (isOneOf(name, words)) return true;
+  return isOneOf(name.substr(0, std::min(name.find_first_of(" _-.("), name.size())), words);
 }
 
 /// Whether the column never turns.
@@ -81,7 +77,7 @@ bool isPlaceOfProfile(std::string_view name) {
        i = name.find_first_of(" _-", i + 1)) {
     const std::string_view rest = name.substr(i + 1);
     const std::string_view word = rest.substr(0, rest.find_first_of(" _-.(/"));
-    if (word.size() > 1 && isOne(kPositions, word)) return true;
+    if (word.size() > 1 && isOneOf(word, kPositions)) return true;
   }
   return false;
 }
@@ -134,12 +130,12 @@ double shareOfOnes(const TextBlock& block, std::size_t column) {
 void findValidity(const TextBlock& block, int column, std::string_view name, ColumnRoles& roles) {
   const double ones = shareOfOnes(block, static_cast<std::size_t>(column));
   if (ones < 0) return;
-  const bool named = isOne(kGood, name) || isOne(kBad, name) || isOne(kEither, name);
+  const bool named = isOneOf(name, kGood) || isOneOf(name, kBad) || isOneOf(name, kEither);
   // Without a name only a last column that has both numbers.
   const bool isLast = column + 1 == static_cast<int>(block.columns.size());
   if (!named && !(name.empty() && isLast && column > 1 && ones > 0 && ones < 1)) return;
   roles.validity = column;
-  roles.validIsOne = isOne(kGood, name) || (!isOne(kBad, name) && ones >= 0.5);
+  roles.validIsOne = isOneOf(name, kGood) || (!isOneOf(name, kBad) && ones >= 0.5);
 }
 
 }  // namespace
@@ -194,9 +190,9 @@ class RoleFinder {
         roles_.x = i;
       else if (begins(kHeights, name))
         roles_.heights.push_back(i);
-      else if (!isOne(kCounts, name))
+      else if (!isOneOf(name, kCounts))
         findValidity(block_, i, name, roles_);
-      if (roles_.x != i && roles_.y != i && roles_.validity != i && !isOne(kCounts, name) &&
+      if (roles_.x != i && roles_.y != i && roles_.validity != i && !isOneOf(name, kCounts) &&
           std::ranges::find(roles_.heights, i) == roles_.heights.end())
         open_.push_back(i);
     }

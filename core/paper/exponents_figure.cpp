@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/law.h"
 #include "core/paper/figure_parts.h"

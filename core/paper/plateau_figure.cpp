@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/paper/figure_parts.h"
 #include "core/scene/columns.h"

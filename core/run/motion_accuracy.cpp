@@ -24,10 +24,6 @@ constexpr double kLeastWindows = 8;  // of a piece, at least
 constexpr double kMemories = 6;      // number of memory distances after which the past is forgotten
 constexpr int kEnds = 2;             // number of windows at either end of settling
 
-void throwIfStopped(const std::stop_token& stop) {
-  if (stop.stop_requested()) throw StudyStopped{};
-}
-
 /// A motion or its first part, cut so that steps keep their length.
 struct Piece {
   Scene scene;

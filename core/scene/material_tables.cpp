@@ -5,15 +5,12 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/material/element_law.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
 namespace {
-
-std::string cell(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : std::string();
-}
 
 double shiftOrNaN(const TemperatureFit& fit, double temperature) {
   if (!fit.isDefined) return std::numeric_limits<double>::quiet_NaN();
@@ -57,11 +54,12 @@ std::string shiftsCsv(const Material& material) {
     const IsothermShift& shift = material.curve.shifts[i];
     const bool hasNext = i < material.curve.overlaps.size();
     text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", shift.temperature, shift.log10Shift,
-                        cell(shift.standardError), shift.log10Vertical, cell(shift.fromStorage),
-                        cell(shift.fromLoss), cell(shiftOrNaN(material.wlf, shift.temperature)),
-                        cell(shiftOrNaN(material.arrhenius, shift.temperature)),
-                        hasNext ? cell(material.curve.overlaps[i].mismatch) : "",
-                        hasNext ? cell(material.curve.overlaps[i].decades) : "");
+                        csvNumber(shift.standardError), shift.log10Vertical,
+                        csvNumber(shift.fromStorage), csvNumber(shift.fromLoss),
+                        csvNumber(shiftOrNaN(material.wlf, shift.temperature)),
+                        csvNumber(shiftOrNaN(material.arrhenius, shift.temperature)),
+                        hasNext ? csvNumber(material.curve.overlaps[i].mismatch) : "",
+                        hasNext ? csvNumber(material.curve.overlaps[i].decades) : "");
   }
   return text;
 }

@@ -148,6 +148,9 @@ struct AllowedRange {
   double minimum, maximum;  // in the row's unit
 };
 std::optional<AllowedRange> allowedRange(const Parameter& parameter);
+inline bool isNumber(const Parameter& parameter) {
+  return allowedRange(parameter).has_value();
+}
 
 /// Returns "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic" or "text".
 Message allowedText(const Parameter& parameter);

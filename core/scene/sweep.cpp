@@ -14,10 +14,6 @@
 namespace asperity {
 namespace {
 
-bool isNumber(const Parameter& parameter) {
-  return allowedRange(parameter).has_value();
-}
-
 /// What local friction amounts to, without what has no influence on it.
 Interface effective(Interface interface) {
   const Interface none;

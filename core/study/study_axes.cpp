@@ -24,10 +24,6 @@ constexpr NamedChoices<DistributionKind, 3> kDistributions{
      {"lognormal", DistributionKind::Lognormal},
      {"uniform", DistributionKind::Uniform}}};
 
-bool isNumber(const Parameter& row) {
-  return allowedRange(row).has_value();
-}
-
 /// Throws InputError where no value of the key would be a simulation of its own.
 void checkKey(const Parameter& row, const std::string& where) {
   const std::string_view key = row.key;

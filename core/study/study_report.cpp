@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/friction/curve_file.h"
 #include "core/scene/columns.h"
 

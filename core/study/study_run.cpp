@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/base/input_error.h"
+#include "core/base/jobs.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/steady_states.h"
 #include "core/scene/sweep.h"
@@ -21,10 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-int threadsOf(int wanted) {
-  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Computes the simulations of one chunk.

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <vector>
 
+#include "core/base/text.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -15,11 +16,6 @@ using namespace std::string_view_literals;
 bool isLetter(char letter) {
   const auto byte = static_cast<unsigned char>(letter);
   return byte >= 0x80 || std::isalpha(byte) != 0;
-}
-
-template <std::size_t count>
-bool contains(const std::array<std::string_view, count>& words, std::string_view word) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 /// What programs write where there is no value.
@@ -86,7 +82,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
 
 /// Whether metres have a factor in front: "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m".
 bool scalesMetres(const std::vector<std::string>& words) {
-  const auto isMetres = [](const std::string& word) { return contains(kMetres, word); };
+  const auto isMetres = [](const std::string& word) { return isOneOf(word, kMetres); };
   return words.size() > 1 && std::ranges::any_of(words, isMetres) &&
          std::ranges::any_of(
              words, [](const std::string& word) { return std::ranges::any_of(word, isDigit); });
@@ -97,7 +93,7 @@ bool scalesMetres(const std::vector<std::string>& words) {
 bool namesColumns(std::span<const std::string_view> fields) {
   const auto isName = [](std::string_view field) { return std::ranges::any_of(field, isLetter); };
   const auto isValue = [](std::string_view field) {
-    return beginsAsNumber(field) || contains(kMissing, lowerCase(field));
+    return beginsAsNumber(field) || isOneOf(lowerCase(field), kMissing);
   };
   return std::ranges::any_of(fields, isName) && std::ranges::none_of(fields, isValue);
 }
@@ -106,10 +102,10 @@ std::string foreignUnitIn(std::string_view name) {
   for (const std::string_view part : bracketed(name)) {
     const std::vector<std::string> words = wordsOf(part);
     if (scalesMetres(words)) return std::string(part);
-    if (words.size() == 1 && contains(kShortUnits, words.front())) return words.front();
+    if (words.size() == 1 && isOneOf(words.front(), kShortUnits)) return words.front();
   }
   for (const std::string& word : wordsOf(name))
-    if (contains(kLengths, word)) return word;
+    if (isOneOf(word, kLengths)) return word;
   return {};
 }
 

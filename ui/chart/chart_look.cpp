@@ -15,17 +15,6 @@ namespace {
 
 constexpr double kTheory = 2, kCurve = 1.6;  // widths of lines, times the scale
 
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  const auto part = [share](int from, int to) {
-    return static_cast<int>(from + (to - from) * share + 0.5);
-  };
-  return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
-}
-
-bool isDark(const Theme& theme) {
-  return colourOf(theme.background).lightness() < 128;
-}
-
 }  // namespace
 
 QColor ChartLook::background() const {

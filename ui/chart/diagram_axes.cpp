@@ -218,12 +218,6 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
   return {alone, fittingSize(alone, size, kLeastText, false, pixels)};
 }
 
-double axisPlace(AxisScale scale, double value) {
-  if (!std::isfinite(value)) return kNaN;
-  if (scale == AxisScale::Linear) return value;
-  return value > 0 ? std::log10(value) : kNaN;
-}
-
 AxisRange xRange(const Diagram& diagram) {
   const AxisRange asked = askedFor(diagram.x);
   if (isKnown(asked)) return asked;

@@ -21,9 +21,6 @@ struct AxisRange {
   bool operator==(const AxisRange&) const = default;
 };
 
-/// Returns the value itself or its decimal logarithm; NaN where it has no place on the axis.
-double axisPlace(AxisScale scale, double value);
-
 /// Returns the x-range: as the axis prescribes, otherwise as the data need; theory counts where
 /// there are no data.
 AxisRange xRange(const Diagram& diagram);

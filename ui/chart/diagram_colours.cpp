@@ -31,11 +31,6 @@ constexpr std::array<Rgba, 11> kViridis = {colour(0x440154), colour(0x482475), c
                                            colour(0xBDDF26), colour(0xFDE725)};
 constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // part that is visible on dark and on white
 
-bool isDark(const Theme& theme) {
-  const Rgba& c = theme.background;
-  return 0.299F * c.r + 0.587F * c.g + 0.114F * c.b < 0.5F;
-}
-
 }  // namespace
 
 Rgba seriesColour(int index, const Theme& theme) {

@@ -19,10 +19,6 @@ constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
 constexpr float kBandAlpha = 0.2F;
 constexpr float kFaded = 0.3F;  // opacity of a faded series
 
-bool isFinite(const Place& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y);
-}
-
 bool holds(const Box& box, const Place& p) {
   constexpr float kEdge = 0.5F;  // tolerance for points at the very end of an axis
   return p.x >= box.x - kEdge && p.x <= box.right() + kEdge && p.y >= box.y - kEdge &&

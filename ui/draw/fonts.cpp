@@ -288,6 +288,13 @@ QColor colourOf(const Rgba& c) {
   return QColor::fromRgbF(c.r, c.g, c.b, c.a);
 }
 
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](int from, int to) {
+    return static_cast<int>(from + (to - from) * share + 0.5);
+  };
+  return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
+}
+
 QFont fontOf(const DrawText& text) {
   QFont font(QStringLiteral("DejaVu Sans"));
   if (const std::string& family = fontChoice().family; !family.empty())

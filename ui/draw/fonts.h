@@ -64,6 +64,8 @@ class PixelContext;
 void loadFonts();
 
 QColor colourOf(const Rgba& colour);
+/// Returns a at share 0 and b at 1, interpolated channel by channel.
+QColor mixed(const QColor& a, const QColor& b, double share);
 
 /// Returns the font of this text.
 QFont fontOf(const DrawText& text);

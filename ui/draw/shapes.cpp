@@ -10,10 +10,6 @@
 namespace asperity {
 namespace {
 
-bool isFinite(const DrawVertex& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
 void append(std::vector<float>& data, const Rgba& c) {
   data.insert(data.end(), {c.r, c.g, c.b, c.a});
 }
@@ -75,10 +71,6 @@ std::vector<DrawVertex> trianglesOf(const DrawField& field) {
         corners.insert(corners.end(), {around[k], around[(k + 1) % 4], middle});
     }
   return corners;
-}
-
-bool samePlace(const DrawVertex& a, const DrawVertex& b) {
-  return a.x == b.x && a.y == b.y;
 }
 
 /// Removes vertices that repeat the previous one (they would hide the joins) or are not finite.

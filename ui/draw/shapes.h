@@ -42,6 +42,16 @@ struct Place {
   float x = 0, y = 0;
 };
 
+/// Of a Place or a DrawVertex.
+template <class Point>
+bool isFinite(const Point& point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+template <class Point>
+bool samePlace(const Point& a, const Point& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
 /// Returns the box around a field.
 Box boxOf(const DrawField& field);
 /// Returns the colours of a field at the centres of a raster over its box, row by row from the top;

@@ -19,10 +19,6 @@ Place between(const Place& a, const Place& b, double t) {
           static_cast<float>(a.y + t * (static_cast<double>(b.y) - a.y))};
 }
 
-bool isFinite(const Place& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y);
-}
-
 /// Clips a segment by the method of Liang and Barsky (1984).
 std::optional<Piece> inside(const Box& box, const Place& a, const Place& b) {
   double first = 0, last = 1;
@@ -44,10 +40,6 @@ std::optional<Piece> inside(const Box& box, const Place& a, const Place& b) {
   return Piece{first > 0 ? between(a, b, first) : a, last < 1 ? between(a, b, last) : b};
 }
 
-bool same(const Place& a, const Place& b) {
-  return a.x == b.x && a.y == b.y;
-}
-
 }  // namespace
 
 std::vector<Polyline> clippedTo(const Box& box, const Polyline& line) {
@@ -64,9 +56,9 @@ std::vector<Polyline> clippedTo(const Box& box, const Polyline& line) {
       joined = false;
       continue;
     }
-    if (!joined || !same(parts.back().back(), piece->from)) parts.push_back({piece->from});
+    if (!joined || !samePlace(parts.back().back(), piece->from)) parts.push_back({piece->from});
     parts.back().push_back(piece->to);
-    joined = same(piece->to, line[i + 1]);
+    joined = samePlace(piece->to, line[i + 1]);
   }
   return parts;
 }

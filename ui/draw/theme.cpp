@@ -72,6 +72,11 @@ const Theme& paperTheme() {
   return theme;
 }
 
+bool isDark(const Theme& theme) {
+  const Rgba& c = theme.background;
+  return 0.299F * c.r + 0.587F * c.g + 0.114F * c.b < 0.5F;
+}
+
 Rgba colourFrom(std::uint32_t rgb) {
   return colour(rgb);
 }

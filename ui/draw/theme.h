@@ -20,6 +20,9 @@ const Theme& darkTheme();
 const Theme& printTheme();  // black on white, for paper
 const Theme& paperTheme();  // the same, with a contact in light tints instead of ink
 
+/// Returns whether the background is dark, by its luma (Rec. 601).
+bool isDark(const Theme& theme);
+
 /// Returns 0xRRGGBB as a colour.
 Rgba colourFrom(std::uint32_t rgb);
 

@@ -15,15 +15,11 @@ namespace {
 constexpr float kColourSteps = 32;  // steps of a line whose colour changes over the whole range
 constexpr std::size_t kMostSteps = 16;
 
-bool samePlace(const DrawVertex& a, const DrawVertex& b) {
-  return a.x == b.x && a.y == b.y;
-}
-
 /// Removes vertices that cannot be drawn, and those that repeat the previous one.
 std::vector<DrawVertex> cleaned(const DrawLine& line) {
   std::vector<DrawVertex> clean;
   for (const DrawVertex& v : line.vertices)
-    if (isDrawable(v) && (clean.empty() || !samePlace(clean.back(), v))) clean.push_back(v);
+    if (isFinite(v) && (clean.empty() || !samePlace(clean.back(), v))) clean.push_back(v);
   return clean;
 }
 
@@ -289,7 +285,7 @@ class FillCollector {
 std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles) {
   FillCollector fills;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
-    if (isDrawable(triangles[i]) && isDrawable(triangles[i + 1]) && isDrawable(triangles[i + 2]))
+    if (isFinite(triangles[i]) && isFinite(triangles[i + 1]) && isFinite(triangles[i + 2]))
       fills.add({triangles[i], triangles[i + 1], triangles[i + 2]});
   return fills.take();
 }
@@ -327,10 +323,6 @@ std::vector<Polyline> outlineOf(const std::vector<Place>& corners) {
     outlines.push_back(std::move(outline));
   }
   return outlines;
-}
-
-bool isDrawable(const DrawVertex& vertex) {
-  return std::isfinite(vertex.x) && std::isfinite(vertex.y);
 }
 
 bool sameColour(const Rgba& a, const Rgba& b) {

@@ -47,7 +47,6 @@ std::vector<Polyline> outlineOf(const std::vector<Place>& corners);
 
 std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles);
 
-bool isDrawable(const DrawVertex& vertex);  // finite
 /// Returns whether the colours agree in eight bits per channel.
 bool sameColour(const Rgba& a, const Rgba& b);
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/chart/explanations.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 
@@ -24,8 +25,7 @@ QString explanationHtml(const HoverExplanation& explanation, const QString& titl
 QString wrappedTip(const QString& text);
 
 inline QString anchorText(const HoverExplanation& explanation) {
-  return QString::fromUtf8(explanation.guideAnchor.data(),
-                           static_cast<qsizetype>(explanation.guideAnchor.size()));
+  return fromUtf8(explanation.guideAnchor);
 }
 
 }  // namespace asperity

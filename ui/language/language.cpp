@@ -44,15 +44,11 @@ std::unique_ptr<QTranslator> loaded(const QString& name, const QString& folder) 
   return translator->load(name, folder) ? std::move(translator) : nullptr;
 }
 
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
-
 std::unique_ptr<Loaded> load(std::string_view code) {
   auto language = std::make_unique<Loaded>();
   language->code = code;
   if (code == "en") return language;
-  const QString name = text(code);
+  const QString name = fromUtf8(code);
   openResources();
   language->texts = loaded("asperity_" + name, QStringLiteral(":/asperity/translations"));
   language->dialogs = loaded("qtbase_" + name, QLibraryInfo::path(QLibraryInfo::TranslationsPath));

@@ -14,6 +14,10 @@ class QObject;
 
 namespace asperity {
 
+inline QString fromUtf8(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
 struct Language {
   std::string_view code;  // "de"
   std::string_view name;  // in the language itself: "Deutsch"

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/scene/parameters.h"
+#include "ui/language/language.h"
 
 namespace asperity {
 
@@ -27,10 +28,6 @@ QString inQuotes(const QString& text);
 /// Returns a word of a choice in the current language: "self_affine" as "self-affine", and "line"
 /// of the key "surface.form" as "straight line".
 QString wordText(std::string_view word, std::string_view key = {});
-
-inline QString fromUtf8(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 /// Replaces the comma in a number such as "2,5 mm" by a point; any other text is unchanged.
 QString withPoint(const QString& text);

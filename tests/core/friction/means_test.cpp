@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/chart/curve_set.h"
 #include "core/contact/complete_contact.h"
 #include "core/contact/steady_sliding.h"

@@ -125,6 +125,11 @@ TEST(FrictionChartModelTest, MarksThePresentVelocityOfTheFrame) {
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 3e-3);
   EXPECT_EQ(plot.marker->label.english(), "v = 0.25 m/s");
+  EXPECT_EQ(plot.marker->name.english(), "this line, now");
+  // At rest it has no place on a logarithmic axis, and no entry in the legend.
+  scene.sliding.velocity = 0;
+  diagram.mark(frame(scene, 0));
+  EXPECT_TRUE(diagramOf(diagram).marker->name.empty());
 }
 
 Frame motionFrame(const std::vector<TransientSample>& samples) {

@@ -29,13 +29,9 @@ struct PixelAxis {
   double value(double pixel) const {
     const double part = std::clamp((pixel - pixelFrom) / (pixelTo - pixelFrom), 0.0, 1.0);
     const double place = from + part * (to - from);
-    return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
+    return axisValue(scale, place);
   }
 };
-
-double valueOf(AxisScale scale, double place) {
-  return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
-}
 
 }  // namespace
 
@@ -92,10 +88,10 @@ QPointF PredictionPoint::pixelOf(QPointF value) const {
 QPointF PredictionPoint::valueAt(QPointF pixel) const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
-  const QPointF low = chart_.positionOf(valueOf(diagram.x.scale, range.x.from),
-                                        valueOf(diagram.y.scale, range.y.from));
-  const QPointF high =
-      chart_.positionOf(valueOf(diagram.x.scale, range.x.to), valueOf(diagram.y.scale, range.y.to));
+  const QPointF low = chart_.positionOf(axisValue(diagram.x.scale, range.x.from),
+                                        axisValue(diagram.y.scale, range.y.from));
+  const QPointF high = chart_.positionOf(axisValue(diagram.x.scale, range.x.to),
+                                         axisValue(diagram.y.scale, range.y.to));
   const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
   const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
   return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
@@ -105,8 +101,8 @@ QPointF PredictionPoint::valueAt(QPointF pixel) const {
 QPointF PredictionPoint::middle() const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
-  return {x_ ? *x_ : valueOf(diagram.x.scale, (range.x.from + range.x.to) / 2),
-          valueOf(diagram.y.scale, (range.y.from + range.y.to) / 2)};
+  return {x_ ? *x_ : axisValue(diagram.x.scale, (range.x.from + range.x.to) / 2),
+          axisValue(diagram.y.scale, (range.y.from + range.y.to) / 2)};
 }
 
 void PredictionPoint::place(QPointF value) {
@@ -142,8 +138,8 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   const QColor colour = colour_.isValid() ? colour_ : palette().color(QPalette::Highlight);
   const VisibleRange range = chart_.visibleRange();
   const Diagram& diagram = chart_.sheet().diagrams.front();
-  const double top = pixelOf({value.x(), valueOf(diagram.y.scale, range.y.to)}).y();
-  const double bottom = pixelOf({value.x(), valueOf(diagram.y.scale, range.y.from)}).y();
+  const double top = pixelOf({value.x(), axisValue(diagram.y.scale, range.y.to)}).y();
+  const double bottom = pixelOf({value.x(), axisValue(diagram.y.scale, range.y.from)}).y();
   // A guess may lie beyond the axis of the curve, which is shown once it is made.
   const QString arrow = at.y() < top      ? QStringLiteral("↑")
                         : at.y() > bottom ? QStringLiteral("↓")

@@ -16,13 +16,6 @@ namespace asperity {
 
 namespace {
 
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  const auto part = [share](int from, int to) {
-    return static_cast<int>(from + (to - from) * share + 0.5);
-  };
-  return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
-}
-
 /// Returns the colour of everything that can be dragged; it is legible on the panels of both
 /// themes.
 QColor accent(const Theme& theme) {
@@ -40,10 +33,6 @@ QColor edge(const Theme& theme) {
 }
 
 }  // namespace
-
-bool isDark(const Theme& theme) {
-  return colourOf(theme.background).lightness() < 128;
-}
 
 bool systemIsDark() {
   static const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;

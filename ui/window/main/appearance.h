@@ -51,8 +51,6 @@ class Appearance : public QObject {
   bool isDark_ = false;
 };
 
-bool isDark(const Theme& theme);
-
 /// Returns whether the desktop's own colours are dark, read at the first call, before setPalette().
 bool systemIsDark();
 QPalette paletteOf(const Theme& theme);
