@@ -156,7 +156,8 @@ ElementLaw lawOf(const Elastomer& elastomer) {
                                                     : std::numeric_limits<double>::infinity();
   if (law.equilibriumModulus == 0 && law.arms.empty() && law.viscosity == 0)
     throw InputError("", "elastomer.equilibrium_modulus",
-                     "is 0, and so is everything else: the elastomer is empty");
+                     "is 0, and there are neither arms nor a dashpot: the elastomer would "
+                     "have no force");
   return law;
 }
 

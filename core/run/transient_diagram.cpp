@@ -103,7 +103,7 @@ DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample>
             &TransientSample::mu, floors.friction),
       strip(scene, samples, {"indentation d", "m", AxisScale::Linear},
             &TransientSample::indentation, floors.indentation),
-      strip(scene, samples, {"contact length \u2113", "m", AxisScale::Linear},
+      strip(scene, samples, {"length per contact \u2113", "m", AxisScale::Linear},
             &TransientSample::contactLength, floors.contactLength)};
   addErrorBand(sheet.diagrams[1], samples);
   if (willRelax(scene))

@@ -207,7 +207,7 @@ const std::array kTable{
     Parameter{"interface.friction_coefficient", "local friction", "", "", "Local coefficient of friction in contact, added to what the deformation costs and reported apart; 0: none.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, frictionCoefficient), 0, 1e3, 0, 2, kLin}},
     Parameter{"interface.shear_stress", "local shear", "", "N/m", "Tangential load on each length in contact, instead of a local coefficient of friction; 0: none.", kLive, {},
-              RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 0.1, 1e5, kNoneOrLog}},
+              RealField{ASPERITY_MEMBER(interface, shearStress), 0, 1e15, 1e-3, 1e5, kNoneOrLog}},
     Parameter{"interface.shear_velocity", "shear velocity", "", "m/s", "Velocity (times the temperature shift) at which the local shear is largest; 0: it does not depend on the velocity.", kLive, {},
               RealField{ASPERITY_MEMBER(interface, shearVelocity), 0, 1e12, 1e-6, 1e4, kNoneOrLog}, {}, kUnlessDefault},
     Parameter{"interface.shear_width", "shear width", "", "", "How fast the local shear falls beside that velocity: it is exp(-c) of its largest value a decade away.", kLive, {},

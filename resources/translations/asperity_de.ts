@@ -3322,8 +3322,8 @@
         <translation>In diesem Schritt wird hier nichts verändert.</translation>
     </message>
     <message>
-        <source>%1, curve %2</source>
-        <translation>%1, Kurve %2</translation>
+        <source>%1 (curve: %2)</source>
+        <translation>%1 (Kurve: %2)</translation>
     </message>
     <message>
         <source>not set</source>
@@ -4329,7 +4329,7 @@
         <translation>Das Plateau</translation>
     </message>
     <message>
-        <source>Faster, friction stops growing: it is now set by the slope of the line, not by the rubber.</source>
+        <source>At higher velocity friction stops growing: it is now set by the slope of the line, not by the rubber.</source>
         <translation>Bei höherer Geschwindigkeit wächst die Reibung nicht mehr: Sie wird nun von der Steigung der Linie bestimmt, nicht vom Gummi.</translation>
     </message>
     <message>

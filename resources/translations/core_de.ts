@@ -612,7 +612,7 @@
     </message>
     <message>
         <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 times that of the line.</source>
-        <translation>%1 % des Kontakts liegt auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt das %2-Fache der Linie.</translation>
+        <translation>%1 % des Kontakts liegen auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt: %2-mal die der Linie.</translation>
     </message>
     <message>
         <source>%1 (%2 lines)</source>
@@ -983,7 +983,7 @@
         <translation>ist %1; ein Profil ist CSV in UTF-8</translation>
     </message>
     <message>
-        <source>is 0, and so is everything else: the elastomer is empty</source>
+        <source>is 0, and there are neither arms nor a dashpot: the elastomer would have no force</source>
         <translation>ist 0, und es gibt weder Arme noch einen Dämpfer: Das Elastomer hätte keine Kraft</translation>
     </message>
     <message>
@@ -2579,8 +2579,8 @@
         <translation>gleiche Parameter</translation>
     </message>
     <message>
-        <source>contact length ℓ</source>
-        <translation>Kontaktlänge ℓ</translation>
+        <source>length per contact ℓ</source>
+        <translation>Länge je Kontakt ℓ</translation>
     </message>
     <message>
         <source>a dashed line will show relaxation at the predicted rate 1/τ + v/ℓ</source>
@@ -5813,10 +5813,6 @@
     <message>
         <source>%1 is outside %2 to %3; --modulus-unit says what the file means</source>
         <translation>%1 liegt außerhalb von %2 bis %3; --modulus-unit sagt, was die Datei meint</translation>
-    </message>
-    <message>
-        <source>%1 % of the contact is on slopes that climb (100 %: one-sided, 50 %: both sides alike); rms slope in contact %2 of the line&apos;s.</source>
-        <translation>%1 % des Kontakts liegen auf steigenden Flanken (100 %: einseitig, 50 %: beide Seiten gleich); RMS-Steigung im Kontakt: %2-mal die der Linie.</translation>
     </message>
     <message>
         <source>the isotropic equivalent, C = π q C₂, of the measured surface</source>

@@ -454,6 +454,7 @@ Message FrictionChartModel::status() const {
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {
+  if (newCurve && std::exchange(beginsAxesAnew_, false)) coefficients_ = {};
   const CurveSet set = view();
   Extent along{set.scaleOfX()}, up{set.scaleOfY()};
   if (expected_ && axes_ == CurveAxes::Physical) {

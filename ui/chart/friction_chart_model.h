@@ -54,6 +54,9 @@ class FrictionChartModel {
   /// Marks the place of this frame on the curve. Returns whether the marker lies within the present
   /// axes.
   bool mark(const Frame& frame);
+  /// Lets the next curve choose the vertical axis: after another scene was opened, the decades of
+  /// the one before are only empty.
+  void beginAxesAnew() { beginsAxesAnew_ = true; }
   /// Fades the marker while it still belongs to the previous scene.
   void fadeMark(bool fades) { isMarkFaded_ = fades; }
 
@@ -142,6 +145,7 @@ class FrictionChartModel {
   double fastest_ = 0;         // m/s, of the marked motion
   bool awaitsMarker_ = false;  // a new curve is there, and its scene's first picture may not be
   bool isMarkFaded_ = false;
+  bool beginsAxesAnew_ = false;
   std::optional<AxisRange> concealed_;   // ends of the vertical axis
   AxisRange velocities_, coefficients_;  // decades, or values of a linear axis
 };

@@ -45,13 +45,15 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
   painter.drawText(rect().adjusted(9, 0, -22, 0), Qt::AlignVCenter | Qt::AlignLeft,
                    fontMetrics().elidedText(shownText(), Qt::ElideRight, width() - 31));
   if (!isEnabled()) return;
+  // Larger beside the large letters of a presentation, as far as its room allows.
+  const double size = std::clamp(fontMetrics().height() / 17.0, 1.0, 2.0);
   QPainterPath chevron;
   const QPointF centre(width() - 13.0, height() / 2.0 + 0.5);
-  chevron.moveTo(centre + QPointF(-3.5, -2));
-  chevron.lineTo(centre + QPointF(0, 2));
-  chevron.lineTo(centre + QPointF(3.5, -2));
+  chevron.moveTo(centre + size * QPointF(-3.5, -2));
+  chevron.lineTo(centre + size * QPointF(0, 2));
+  chevron.lineTo(centre + size * QPointF(3.5, -2));
   painter.setPen(
-      QPen(colours.color(QPalette::Text), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      QPen(colours.color(QPalette::Text), 1.5 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(chevron);
 }

@@ -37,7 +37,7 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
 Placeholder chosenOversampling(const Scene& scene) {
   const std::int64_t line = pointsPerElement(scene), curve = pointsPerElementOfCurve(scene);
   return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
-                        : ParameterPanel::tr("%1, curve %2").arg(line).arg(curve),
+                        : ParameterPanel::tr("%1 (curve: %2)").arg(line).arg(curve),
           static_cast<double>(line), false};
 }
 

@@ -96,7 +96,7 @@ TEST(SceneFile, ErrorsOfArmsNameTheArm) {
   EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony","shear_modulus":1}})"),
               HasSubstr("elastomer.shear_modulus: has no meaning"));
   EXPECT_THAT(errorOf(R"({"elastomer":{"rheology":"prony","equilibrium_modulus":0,"arms":[]}})"),
-              HasSubstr("the elastomer is empty"));
+              HasSubstr("the elastomer would have no force"));
 }
 
 TEST(SceneFile, SectionsMayStandInsideSections) {

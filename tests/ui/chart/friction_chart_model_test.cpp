@@ -283,6 +283,20 @@ TEST(FrictionChartModelTest, RangesHoldStillWhileRealizationsArrive) {
   EXPECT_EQ(y, (AxisRange{-7, -2}));
 }
 
+/// A change of the scene leaves a decade that is empty now; another scene does not begin with it.
+TEST(FrictionChartModelTest, AnotherSceneBeginsTheAxesAnew) {
+  for (const bool isOpened : {false, true}) {
+    FrictionChartModel diagram;
+    diagram.take(update({}, {point(1e-5, 3e-7), point(1e3, 2e-3)}));
+    Scene other;
+    other.surface.hurst = 0.5;
+    diagram.expect(other);
+    if (isOpened) diagram.beginAxesAnew();
+    diagram.take(update(other, {point(1e-5, 3e-6), point(1e3, 2e-3)}));
+    EXPECT_EQ(yRange(diagram).from, isOpened ? -6 : -7);
+  }
+}
+
 TEST(FrictionChartModelTest, ShowsTheVelocitiesOfTheSweepAtOnce) {
   FrictionChartModel diagram;
   Scene scene;

@@ -119,7 +119,7 @@ TEST_F(ParameterPanelTest, AButtonFindsTheFile) {
 TEST_F(ParameterPanelTest, AnOversamplingThatIsChosenStandsInPaleLetters) {
   EXPECT_EQ(panel_.scene().accuracy.oversampling, 0);
   EXPECT_EQ(entry("accuracy.oversampling").text(), "");
-  EXPECT_EQ(entry("accuracy.oversampling").placeholderText(), "4, curve 2");  // line / curve
+  EXPECT_EQ(entry("accuracy.oversampling").placeholderText(), "4 (curve: 2)");  // line / curve
   auto* reset = control<QToolButton>("reset:accuracy.oversampling");
   EXPECT_FALSE(reset->isEnabled());
   choose("surface.kind", "sine");

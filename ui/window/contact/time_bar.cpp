@@ -93,6 +93,7 @@ TimeBar::TimeBar(QWidget* parent)
   row->addSpacing(8);
   row->addWidget(name_);
   row->addWidget(slider_);
+  factor_->setTextMargins(4, 0, 4, 0);  // within kEntryAir, as in entries of the panel
   row->addWidget(factor_);
   row->addWidget(keep_);
   name_->setBuddy(slider_);

@@ -9,6 +9,7 @@
 
 #include "core/scene/parameters.h"
 #include "ui/language/language.h"
+#include "ui/panels/choice_box.h"
 #include "ui/panels/number_text.h"
 
 namespace asperity {
@@ -34,7 +35,7 @@ const auto& schemes() {
 }  // namespace
 
 ComparisonBox::ComparisonBox(QWidget* parent)
-    : QWidget(parent), wanted_(new QCheckBox), scheme_(new QComboBox) {
+    : QWidget(parent), wanted_(new QCheckBox), scheme_(new ChoiceBox) {
   setObjectName("comparisonBox");
   wanted_->setObjectName("comparisonWanted");
   scheme_->setObjectName("comparisonScheme");

@@ -117,9 +117,19 @@ void CurveCommands::fill(QMenu& menu) {
   menu.addSeparator();
   menu.addActions({save_, copy_});
   view_.setContextMenuPolicy(Qt::ActionsContextMenu);
-  view_.addActions({pin_, unpinAll_, family_->menuAction(), keys_->menuAction(),
-                    quantities_->menuAction(), linearX_, linearY_, dimensionless_, fit_, save_,
-                    copy_, guide_});
+  const auto addGroup = [this](const QList<QAction*>& group) {
+    if (!view_.actions().isEmpty()) {
+      auto* separator = new QAction(&view_);
+      separator->setSeparator(true);
+      view_.addAction(separator);
+    }
+    view_.addActions(group);
+  };
+  addGroup({pin_, unpinAll_, family_->menuAction()});
+  addGroup(
+      {keys_->menuAction(), quantities_->menuAction(), linearX_, linearY_, dimensionless_, fit_});
+  addGroup({save_, copy_});
+  addGroup({guide_});
   keepTranslated(menu, [this] { showTexts(); });
   showState();
 }

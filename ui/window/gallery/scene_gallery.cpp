@@ -85,6 +85,7 @@ QWidget* SceneGallery::makeHeading() {
   filter_->setObjectName("sceneFilter");
   filter_->setClearButtonEnabled(true);
   filter_->setMinimumWidth(200);
+  filter_->setTextMargins(4, 0, 0, 0);
   row->addWidget(filter_);
   auto* close = new QToolButton;
   close->setObjectName("closeScenes");

@@ -38,8 +38,8 @@ constexpr std::array kSteps{
              "sliding.velocity"},
     TourStep{"region_3", QT_TRANSLATE_NOOP("asperity::Tour", "The plateau"),
              QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Faster, friction stops growing: it is now set by the slope of the "
-                               "line, not by the rubber."),
+                               "At higher velocity friction stops growing: it is now set by the "
+                               "slope of the line, not by the rubber."),
              QT_TRANSLATE_NOOP("asperity::Tour",
                                "Change the shear modulus or the force: the plateau stays."),
              "elastomer.shear_modulus"},

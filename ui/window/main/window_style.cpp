@@ -39,7 +39,7 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   const QColor accent = colours.color(QPalette::Active, QPalette::Highlight);
   const QColor faint = colours.color(isEnabled ? QPalette::PlaceholderText : QPalette::Mid);
   const bool isFilled = isEnabled && (isOn || isPartly);
-  const double side = std::min({option->rect.width(), option->rect.height(), 14});
+  const double side = std::min(option->rect.width(), option->rect.height());
   QRectF box(0, 0, side - 1, side - 1);
   box.moveCenter(QRectF(option->rect).center());
   painter->save();
@@ -57,6 +57,15 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   else if (isPartly)
     painter->drawLine(at(0.26, 0.5), at(0.74, 0.5));
   painter->restore();
+}
+
+/// Lets check boxes grow with the letters: in a presentation these are more than twice as high.
+int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
+                             const QWidget* widget) const {
+  const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+  if ((metric != PM_IndicatorWidth && metric != PM_IndicatorHeight) || !widget) return usual;
+  constexpr double kOfLetters = 0.85;
+  return std::max(usual, static_cast<int>(kOfLetters * widget->fontMetrics().height()));
 }
 
 /// Draws sliders like those of the panel (value_slider.h), and spin boxes like other entries.

@@ -109,6 +109,7 @@ MapPanel::MapPanel(QWidget* parent)
   // The quantity has the longest names.
   row->setStretchFactor(quantity_, kLongerName);
   for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
+  row->addStretch();  // what lists of full width leave over is not for the labels
   complaint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   complaint_->hide();  // its room belongs to the lists until there is something to say
   row->addWidget(complaint_, kShorterName);
