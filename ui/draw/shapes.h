@@ -1,6 +1,7 @@
 // Small shapes appended to a DrawLayer or a DrawList. Pure; any thread. Pixels, y down.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>

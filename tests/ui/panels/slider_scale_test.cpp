@@ -10,11 +10,6 @@
 namespace asperity {
 namespace {
 
-bool isNumber(const Parameter& parameter) {
-  return std::holds_alternative<RealField>(parameter.field) ||
-         std::holds_alternative<IntegerField>(parameter.field);
-}
-
 TEST(SliderScale, EveryPositionIsAnotherValueThatTheSceneAccepts) {
   for (const Parameter& parameter : parameters()) {
     if (!isNumber(parameter)) continue;
