@@ -22,11 +22,6 @@
 namespace asperity {
 namespace {
 
-bool isNumber(const Parameter& parameter) {
-  return std::holds_alternative<RealField>(parameter.field) ||
-         std::holds_alternative<IntegerField>(parameter.field);
-}
-
 QString controlOf(const Parameter& parameter) {
   if (std::holds_alternative<ChoiceField>(parameter.field)) return "choice:";
   if (std::holds_alternative<ArmsField>(parameter.field)) return "arms:";
