@@ -6379,7 +6379,7 @@
     </message>
     <message>
         <source>The same roughness, rubber and load in two models: separate elements as points, and as the coloured line Persson&apos;s theory of a half-space, in which a summit also pulls down what lies around it. Friction is much the same, but that of the elements has its maximum at three times the velocity; and in slow sliding the elements touch four fifths of the line and the half-space one hundredth.</source>
-        <translation>Dieselbe Rauheit, dasselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente, wie überall in diesem Programm. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, nur hat die der Elemente ihr Maximum bei der dreifachen Geschwindigkeit; und bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
+        <translation>Dieselbe Rauheit, dasselbe Gummi und dieselbe Last in zwei Modellen. Punkte: getrennte Elemente. Farbige Linie: Perssons Theorie eines Halbraums, in dem ein Gipfel auch hinunterzieht, was um ihn liegt. Die Reibung ist fast dieselbe, nur hat die der Elemente ihr Maximum bei der dreifachen Geschwindigkeit; und bei langsamem Gleiten berühren die Elemente vier Fünftel der Linie und der Halbraum ein Hundertstel.</translation>
     </message>
 </context>
 </TS>

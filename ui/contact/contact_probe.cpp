@@ -23,6 +23,12 @@ std::optional<double> surfaceRate(const Frame& frame, std::size_t point) {
   return (spring - frame.pressure[point]) / (4 * law.viscosity);
 }
 
+/// A free surface relaxes for ever; what is left of it far below an atom is shown as 0.
+std::string heightText(double height) {
+  constexpr double kLeast = 1e-12;  // m
+  return quantity(std::abs(height) < kLeast ? 0 : height, "m", 3, Zeros::Keep);
+}
+
 }  // namespace
 
 std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
@@ -53,12 +59,12 @@ std::optional<ProbeReading> probeReading(const Frame& frame, double x) {
 std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
   std::vector<ProbeLine> lines{
       {Words::tr("position x"), quantity(reading.position, "m", 4, Zeros::Keep)},
-      {Words::tr("rigid line z"), quantity(reading.line, "m", 3, Zeros::Keep)},
-      {Words::tr("elastomer u"), quantity(reading.surface, "m", 3, Zeros::Keep)}};
+      {Words::tr("rigid line z"), heightText(reading.line)},
+      {Words::tr("elastomer u"), heightText(reading.surface)}};
   if (reading.pressure > 0)
     lines.push_back({Words::tr("pressure p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
   else
-    lines.push_back({Words::tr("gap"), quantity(reading.gap, "m", 3, Zeros::Keep)});
+    lines.push_back({Words::tr("gap"), heightText(reading.gap)});
   lines.push_back({Words::tr("slope z\u2032"), shortNumber(reading.slope, 3, Zeros::Keep)});
   if (reading.surfaceRate)
     lines.push_back(

@@ -12,6 +12,7 @@
 #include "tests/ui/contact/tidy_texts.h"
 #include "ui/contact/contact_parts.h"
 #include "ui/contact/contact_picture.h"
+#include "ui/draw/ticks.h"
 
 namespace asperity {
 namespace {
@@ -334,6 +335,15 @@ TEST(Magnifier, LiesOnTheOtherSideOfThePlot) {
     EXPECT_GE(box.y, layout.plot.y);
     EXPECT_LE(box.bottom(), layout.plot.bottom());
   }
+}
+
+TEST(ProbeLines, HeightsFarBelowAnAtomAreNone) {
+  ProbeReading reading;
+  reading.surface = -5.4e-16;
+  reading.line = 2e-12;
+  const std::vector<ProbeLine> lines = probeLines(reading);
+  EXPECT_EQ(lines[1].value, "2.00 pm");
+  EXPECT_EQ(lines[2].value, quantity(0, "m", 3, Zeros::Keep));
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ void WindowLayout::beginPresentation() {
       parts_.appearance.isDark());  // repaints what was painted with the other font
   // Large letters around it leave the chart little of a low screen.
   constexpr int kLow = 800;  // pixels
-  if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({11, 9});
+  if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({540, 460});
   setFullScreen(true);
 }
 
