@@ -53,7 +53,8 @@ ComparisonBox::ComparisonBox(QWidget* parent)
                          static_cast<QWidget*>(lines_)})
     entry->setMinimumHeight(kHeight);
   auto* choice = new QHBoxLayout;
-  choice->setContentsMargins(22, 0, 0, 0);
+  choice->setContentsMargins(18, 0, 0, 0);
+  choice->setSpacing(4);
   choice->addWidget(scheme_);
   choice->addWidget(oversampling_);
   choice->addWidget(lines_, 1);
