@@ -41,6 +41,7 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   scheme_->setObjectName("comparisonScheme");
   for (const auto& word : schemes()) scheme_->addItem(wordText(word));
   scheme_->setCurrentIndex(static_cast<int>(Scheme::Cubic));
+  scheme_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // its words are seen whole
   const CurveSetting usual;
   oversampling_ =
       spin("comparisonOversampling", static_cast<int>(usual.oversampling), kMostOversampling);
@@ -53,8 +54,7 @@ ComparisonBox::ComparisonBox(QWidget* parent)
                          static_cast<QWidget*>(lines_)})
     entry->setMinimumHeight(kHeight);
   auto* choice = new QHBoxLayout;
-  choice->setContentsMargins(18, 0, 0, 0);
-  choice->setSpacing(4);
+  choice->setContentsMargins(22, 0, 0, 0);
   choice->addWidget(scheme_);
   choice->addWidget(oversampling_);
   choice->addWidget(lines_, 1);
