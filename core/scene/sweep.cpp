@@ -120,8 +120,11 @@ std::vector<double> logSpaced(double from, double to, std::int64_t points) {
 
 std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
   std::vector<double> values;
-  for (std::int64_t i = 0; i < points; ++i)
-    values.push_back(from + (to - from) * partOf(i, points));
+  const double rounding = 1e-15 * std::max(std::abs(from), std::abs(to));
+  for (std::int64_t i = 0; i < points; ++i) {
+    const double value = from + (to - from) * partOf(i, points);
+    values.push_back(i == 0 || std::abs(value) > rounding ? value : 0);
+  }
   return withPlainDigits(std::move(values), to);
 }
 

@@ -70,6 +70,8 @@ TEST(Sweep, MeetsDecadesAndStepsInPlainDigits) {
   }
   EXPECT_EQ(logSpaced(0.3, 3000, 5)[2], 30);
   EXPECT_EQ(linearSpaced(0, 0.3, 4)[1], 0.1);
+  for (const double to : {0.6, 0.9, 2.1})
+    EXPECT_EQ(linearSpaced(-0.3, to, std::lround(to / 0.1) + 4)[3], 0) << to;
   const double between = logSpaced(1e-5, 1e3, 41)[7];
   EXPECT_NEAR(between / std::pow(10, -3.6), 1, 1e-15);
 }
