@@ -259,9 +259,11 @@ class Targeting {
     state.friction.push_back(result.mu);
     state.facts = {};
     state.facts.add(result);
-    const double last = level > 0 ? state.friction.end()[-2] : 0;
+    // Where a body has no friction, its only level is not the coarsest one.
+    const std::size_t levels = state.friction.size();
+    const double last = levels > 1 ? state.friction[levels - 2] : 0;
     const double resolution =
-        level >= kFirstAccepted ? lineError(state.friction) : std::abs(result.mu - last);
+        levels > kFirstAccepted ? lineError(state.friction) : std::abs(result.mu - last);
     const double digits = (kRounding + result.residual) * std::abs(result.mu);
     state.plan = {level, level, {}, 0, 0, std::max(resolution, digits)};
     state.plan.lines[0] = {1};

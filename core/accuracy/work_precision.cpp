@@ -11,6 +11,7 @@
 #include "core/friction/curve_features.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/study.h"
 #include "core/material/element_law.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
@@ -138,7 +139,7 @@ class Comparison {
   }
 
   void step(double cost = 1) {
-    if (options_.stop.stop_requested()) throw StudyStopped{};
+    throwIfStopped(options_.stop);
     done_ += cost;
     if (options_.progress) options_.progress(std::min(1.0, done_ / total_));
   }
@@ -181,7 +182,7 @@ class Comparison {
         const double start = threadSeconds();
         const std::vector<double> mu = slideAll(prepared_[k], region.velocities);
         seconds[k].push_back((threadSeconds() - start) / static_cast<double>(mu.size()));
-        if (options_.stop.stop_requested()) throw StudyStopped{};
+        throwIfStopped(options_.stop);
       }
     std::size_t next = 0;
     for (const MethodChoice& choice : choices_) {
@@ -294,7 +295,7 @@ class Comparison {
     std::vector<SteadyResult> row(1);
     RunningMean all;
     for (std::int64_t r = 0; r < count; ++r) {
-      if (options_.stop.stop_requested()) throw StudyStopped{};
+      throwIfStopped(options_.stop);
       source.makeInto(line, r);
       prepareProfileInto(profile, line, scene.accuracy.scheme);
       sliding.sweep(profile, scene.load, velocity, row);

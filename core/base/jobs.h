@@ -1,6 +1,7 @@
-// Numbered jobs on oneTBB's threads and the caller's. Every job sees the caller's earlier writes,
-// and the caller and later jobs see the writes of jobs: an atomic of this class ensures it, because
-// race detectors cannot see the synchronization inside oneTBB's library.
+// The number of threads that is meant, and numbered jobs on oneTBB's threads and the caller's.
+// Every job sees the caller's earlier writes, and the caller and later jobs see the writes of jobs:
+// an atomic of this class ensures it, because race detectors cannot see the synchronization inside
+// oneTBB's library.
 // Ownership: one owner, from whose thread run() is called. Failure: run() throws what a job threw;
 // jobs that have not begun are then left out.
 #pragma once

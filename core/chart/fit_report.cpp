@@ -12,6 +12,7 @@
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
+#include "core/friction/study.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
@@ -227,7 +228,7 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
   states.threads = options.threads;
   states.stop = options.stop;
   addComparisons(fitted.set, data, states);
-  if (options.stop.stop_requested()) throw StudyStopped{};
+  throwIfStopped(options.stop);
   return fitted;
 }
 

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "core/base/input_error.h"
+#include "core/friction/study.h"
 
 namespace asperity {
 namespace {
@@ -199,7 +200,7 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
   FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  if (stop.stop_requested()) throw StudyStopped{};
+  throwIfStopped(stop);
   if (summary.termination_type == ceres::FAILURE && watched.failure())
     std::rethrow_exception(watched.failure());
   for (std::size_t j = 0; j < free.size(); ++j)

@@ -6,6 +6,7 @@
 #include "core/base/jobs.h"
 #include "core/contact/march/time_march.h"
 #include "core/friction/curve_features.h"
+#include "core/friction/study.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 
@@ -35,7 +36,7 @@ class Marches {
       const auto place = static_cast<std::size_t>(r);
       if (!options_.stop.stop_requested()) readings[place] = read(lines_[place]);
     });
-    if (options_.stop.stop_requested()) throw StudyStopped{};
+    throwIfStopped(options_.stop);
     ElementPoint point{velocity};
     for (const Reading& reading : readings) {
       point.normalizedMu.push_back(reading.mu / rmsSlope_);

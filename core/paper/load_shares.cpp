@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/jobs.h"
+#include "core/friction/study.h"
 
 namespace asperity {
 
@@ -22,7 +23,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
         sums.push_back(sumsOf(line, slidingConditions(scene, velocity), one.load.normalForce));
       }
   });
-  if (options.stop.stop_requested()) throw StudyStopped{};
+  throwIfStopped(options.stop);
   groups_ = static_cast<int>(std::min<std::int64_t>(Study::kGroups, lines));
   sums_.resize(static_cast<std::size_t>(groups_) * cells);
   for (std::size_t r = 0; r < each.size(); ++r)

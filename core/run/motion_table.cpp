@@ -274,7 +274,7 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
     marchLine(std::move(transient), table.every, options, counter, table.lines[place], means[place],
               options.lines == 1 ? &envelope : nullptr);
   });
-  if (options.stop.stop_requested()) throw StudyStopped{};
+  throwIfStopped(options.stop);
   for (std::size_t i = 1; i < means.size(); ++i) means[0].add(means[i]);
   table.mean = means[0].means(options.lines);
   table.drawn = options.lines == 1 ? envelope.samples() : table.mean;

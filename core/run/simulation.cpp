@@ -420,7 +420,9 @@ void Simulation::addSteady(Frame& frame) const {
   setSteadyFacts(frame, ready_->steady.result);
   if (resolves_ && resolvesContacts() && normalWork_ > 0) frame.muMarch = lineWork_ / normalWork_;
   if (frame.velocity == 0) frame.muMarch = 0;  // nothing is worked, also while the contact relaxes
-  frame.steadyPressure = ready_->greatestPressure;
+  // On the way there, the points of the picture still bear the load.
+  frame.steadyPressure =
+      isSettling() && std::isnan(ready_->greatestPressure) ? 0 : ready_->greatestPressure;
   frame.isSettling = isSettling();
   if (frame.isSettling) frame.drawn = drawnState(frame);
 }

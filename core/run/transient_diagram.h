@@ -13,9 +13,9 @@
 
 namespace asperity {
 
-/// Returns velocity, friction with the predicted relaxation, indentation and mean contact length
-/// over the scene's whole duration, as far as there are samples, with the estimated error of
-/// friction as a band. The status shows the predicted rate. spacing, period: of the line, m, so
+/// Returns velocity, friction with the predicted relaxation, indentation and mean length per
+/// contact over the scene's whole duration, as far as there are samples, with the estimated error
+/// of friction as a band. The status shows the predicted rate. spacing, period: of the line, m, so
 /// that its ripple is not magnified; 0: unknown.
 DiagramSheet transientSheet(const Scene& scene, std::span<const TransientSample> samples,
                             double spacing = 0, double period = 0);
@@ -44,10 +44,10 @@ std::vector<DiagramPoint> relaxationGuide(const Sliding& sliding,
                                           std::span<const TransientSample> samples);
 
 /// The minimum span of a strip's axis, relative to the shown value. While the line moves by one
-/// node a single element enters or leaves a contact of n = contact length / spacing elements: this
-/// causes a ripple of about 1/n in friction and contact length, smaller by the root of the number
-/// of contacts. The ripple belongs to the march and not to the elastomer, so it must not fill a
-/// strip. The indentation hardly ripples: an element enters without load.
+/// node a single element enters or leaves a contact of n = length per contact / spacing elements:
+/// this causes a ripple of about 1/n in friction and length per contact, smaller by the root of the
+/// number of contacts. The ripple belongs to the march and not to the elastomer, so it must not
+/// fill a strip. The indentation hardly ripples: an element enters without load.
 struct MinimumSpan {
   double friction = 0, indentation = 0, contactLength = 0;
 };

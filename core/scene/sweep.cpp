@@ -64,12 +64,15 @@ Message whyInapplicable(const Parameter& parameter, const Scene& scene) {
                  std::get<std::string>(valueOf(*choice, scene)));
 }
 
-/// Returns the values with the last one exactly `to` and those between the ends rounded to 15
-/// digits: a sweep of decades meets 1, and no 0.9999999999999999.
-std::vector<double> withPlainDigits(std::vector<double> values, double to) {
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) values[i] = roundedToDigits(values[i], 15);
-  if (values.size() > 1) values.back() = to;
-  return values;
+int decadeOf(double value) {
+  return static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+/// Rounds to the 15th digit of `largest`; what is smaller than that is 0.
+double roundedBeside(double value, double largest) {
+  if (value == 0) return 0;
+  const int digits = 15 - (decadeOf(largest) - decadeOf(value));
+  return digits > 0 ? roundedToDigits(value, digits) : 0;
 }
 
 double partOf(std::int64_t i, std::int64_t points) {
@@ -112,20 +115,24 @@ Parameter parameterIn(const Parameter& row, const Scene& scene) {
 }
 
 std::vector<double> logSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values;
-  for (std::int64_t i = 0; i < points; ++i)
-    values.push_back(from * std::pow(to / from, partOf(i, points)));
-  return withPlainDigits(std::move(values), to);
+  std::vector<double> values{from};
+  // In higher precision, so that 15 digits are right: decades of a sweep are met exactly.
+  const long double ratio = static_cast<long double>(to) / from;
+  for (std::int64_t i = 1; i + 1 < points; ++i) {
+    const long double part = static_cast<long double>(i) / static_cast<long double>(points - 1);
+    values.push_back(roundedToDigits(static_cast<double>(from * std::pow(ratio, part)), 15));
+  }
+  if (points > 1) values.push_back(to);
+  return values;
 }
 
 std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
-  std::vector<double> values;
-  const double rounding = 1e-15 * std::max(std::abs(from), std::abs(to));
-  for (std::int64_t i = 0; i < points; ++i) {
-    const double value = from + (to - from) * partOf(i, points);
-    values.push_back(i == 0 || std::abs(value) > rounding ? value : 0);
-  }
-  return withPlainDigits(std::move(values), to);
+  std::vector<double> values{from};
+  const double largest = std::max(std::abs(from), std::abs(to));
+  for (std::int64_t i = 1; i + 1 < points; ++i)
+    values.push_back(roundedBeside(from + (to - from) * partOf(i, points), largest));
+  if (points > 1) values.push_back(to);
+  return values;
 }
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {

@@ -1806,8 +1806,8 @@
         <translation>Die anzupassenden Parameter ankreuzen; Grenzen sind freigestellt. Jeder Versuch benutzt dieselben zufälligen Linien, und die gewichtete Summe der Fehlerquadrate wird minimiert.</translation>
     </message>
     <message>
-        <source>misses the points</source>
-        <translation>verfehlt die Punkte</translation>
+        <source>curve misses the points</source>
+        <translation>Kurve verfehlt die Punkte</translation>
     </message>
 </context>
 <context>
@@ -3149,10 +3149,6 @@
 <context>
     <name>asperity::MotionView</name>
     <message>
-        <source>velocity, friction, indentation and contact length in time</source>
-        <translation>Geschwindigkeit, Reibung, Eindringung und Kontaktlänge über der Zeit</translation>
-    </message>
-    <message>
         <source>loop of friction over velocity</source>
         <translation>Schleife der Reibung über der Geschwindigkeit</translation>
     </message>
@@ -3171,6 +3167,10 @@
     <message>
         <source>normal force %1</source>
         <translation>Normalkraft %1</translation>
+    </message>
+    <message>
+        <source>velocity, friction, indentation and length per contact in time</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

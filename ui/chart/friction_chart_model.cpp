@@ -149,6 +149,10 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
   const bool newCurve = !curve_ || !haveSameCurve(*curve_->scene, *update.scene);
   curve_ = std::make_shared<const CurveUpdate>(update);
   awaitsMarker_ |= newCurve;
+  if (newCurve && std::exchange(beginsAxesAnew_, false)) {
+    coefficients_ = {};
+    marksAxesAnew_ = true;
+  }
   fitRanges(newCurve);
   return true;
 }
@@ -167,6 +171,7 @@ bool FrictionChartModel::mark(const Frame& frame) {
   // widened the axes.
   const bool isItsMarker = awaitsMarker_ && haveSameCurve(*curve_->scene, *frame.scene);
   if (isItsMarker) awaitsMarker_ = false;
+  if (isItsMarker && std::exchange(marksAxesAnew_, false)) coefficients_ = {};
   fitRanges(isItsMarker);
   return before == std::pair{velocities_, coefficients_};
 }
@@ -454,7 +459,6 @@ Message FrictionChartModel::status() const {
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {
-  if (newCurve && std::exchange(beginsAxesAnew_, false)) coefficients_ = {};
   const CurveSet set = view();
   Extent along{set.scaleOfX()}, up{set.scaleOfY()};
   if (expected_ && axes_ == CurveAxes::Physical) {

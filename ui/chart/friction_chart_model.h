@@ -145,9 +145,9 @@ class FrictionChartModel {
   double fastest_ = 0;         // m/s, of the marked motion
   bool awaitsMarker_ = false;  // a new curve is there, and its scene's first picture may not be
   bool isMarkFaded_ = false;
-  bool beginsAxesAnew_ = false;
-  std::optional<AxisRange> concealed_;   // ends of the vertical axis
-  AxisRange velocities_, coefficients_;  // decades, or values of a linear axis
+  bool beginsAxesAnew_ = false, marksAxesAnew_ = false;  // with the next curve; with its marker
+  std::optional<AxisRange> concealed_;                   // ends of the vertical axis
+  AxisRange velocities_, coefficients_;                  // decades, or values of a linear axis
 };
 
 }  // namespace asperity

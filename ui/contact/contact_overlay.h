@@ -49,8 +49,8 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay);
 const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay);
 
 /// Returns a round maximum of the scale for this frame, 0 where it has no values or where pressures
-/// of its points say nothing (`pointsBearLoad`). `last` is kept as
-/// long as it fits; for pressures only where those of the steady state are unknown.
+/// of its points say nothing (`pointsBearLoad`). `last` is kept as long as it fits; for pressures
+/// only where those of the steady state are unknown.
 double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last);
 
 /// Returns the maximum of the colour scale in a view.

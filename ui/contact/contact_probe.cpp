@@ -64,7 +64,7 @@ std::vector<ProbeLine> probeLines(const ProbeReading& reading) {
   if (reading.pressure > 0)
     lines.push_back({Words::tr("pressure p"), quantity(reading.pressure, "N/m", 3, Zeros::Keep)});
   else
-    lines.push_back({Words::tr("gap"), heightText(reading.gap)});
+    lines.push_back({Words::tr("gap"), quantity(reading.gap, "m", 3, Zeros::Keep)});
   lines.push_back({Words::tr("slope z\u2032"), shortNumber(reading.slope, 3, Zeros::Keep)});
   if (reading.surfaceRate)
     lines.push_back(

@@ -78,14 +78,10 @@ QString capitalized(const QString& text) {
 }
 
 QString keptTogether(QString text) {
-  // A quantity breaks neither at the blank nor at the slash. Names of files have no blanks before
-  // units, so that they can still be copied.
   static const QRegularExpression unit(
       QStringLiteral(R"((\d) ((?:[GMkcmµn]?(?:m|s|N|Pa|K|W|J|g)|°C|%)(?:/(?:s|m))?)(?![\w/]))"));
-  static const QRegularExpression velocity(QStringLiteral("(\\d\u00A0[mµn]?m)/s"));
   static const QRegularExpression equation(QStringLiteral(R"(\b(Eq\.|Gl\.) \()"));
   text.replace(unit, QStringLiteral("\\1\u00A0\\2"));
-  text.replace(velocity, QStringLiteral("\\1/\u2060s"));
   return text.replace(equation, QStringLiteral("\\1\u00A0("));
 }
 

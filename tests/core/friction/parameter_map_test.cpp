@@ -316,7 +316,8 @@ TEST(ParameterMap, APlateauHasContours) {
   };
   const auto levelsOn = [&](double from, double to) {
     std::vector<double> levels;
-    for (const DiagramContour& contour : mapSheet(map, "mu").diagrams[0].field->contours)
+    const DiagramSheet sheet = mapSheet(map, "mu");
+    for (const DiagramContour& contour : sheet.diagrams[0].field->contours)
       if (contour.value > from && contour.value < to) levels.push_back(contour.value);
     return levels;
   };

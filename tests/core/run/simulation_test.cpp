@@ -127,8 +127,10 @@ TEST(Simulation, AFewElementsInContactSettleToo) {
 
 /// As far as was asked for, however many elements: those of a line of 2^20 could not be marched.
 TEST(Simulation, AStepByHandMovesTheLineAsFarAsItIsAskedFor) {
-  for (const std::int64_t elements : {200, 5000, 1 << 17})
+  for (const std::int64_t elements : {200, 5000, 1 << 20})
     for (const double velocity : {0.01, 1.0, 100.0}) {
+      if (elements > 5000 && velocity != 1) continue;  // which takes long
+
       auto scene = someScene();
       scene->surface.elements = elements;
       scene->sliding.velocity = velocity;

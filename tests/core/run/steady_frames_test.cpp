@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/input_error.h"
 
@@ -14,6 +15,15 @@ std::shared_ptr<const Scene> someScene() {
   scene->surface.elements = 200;
   scene->load.normalForce = 0.02;
   return scene;
+}
+
+/// Where contact lies between the points, what they bear is not the load.
+TEST(SteadyFrames, PressuresOfPointsCountOnlyWhereTheyBearTheLoad) {
+  SteadyShape shape;
+  shape.nodes.pressure = {0, 3, 0, 1};  // with points a millimetre apart: 4 mN
+  EXPECT_EQ(greatestPressure(shape, 1e-3, 39e-3), 3);
+  EXPECT_TRUE(std::isnan(greatestPressure(shape, 1e-3, 41e-3)));
+  EXPECT_EQ(greatestPressure(shape, 1e-3, 0), 3);
 }
 
 TEST(SteadyFrames, FramesDivideOnePeriod) {

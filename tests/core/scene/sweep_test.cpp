@@ -69,6 +69,13 @@ TEST(Sweep, MeetsDecadesAndStepsInPlainDigits) {
     EXPECT_EQ(decades[static_cast<std::size_t>(5 * k)], decade);
   }
   EXPECT_EQ(logSpaced(0.3, 3000, 5)[2], 30);
+  EXPECT_EQ(logSpaced(1e-6, 1e4, 11)[6], 1);
+  EXPECT_EQ(logSpaced(1e-6, 1e3, 46)[30], 1);
+  EXPECT_EQ(logSpaced(1e-20, 1e20, 41)[20], 1);
+  EXPECT_EQ(linearSpaced(-1, 1, 201)[94], -0.06);
+  EXPECT_EQ(linearSpaced(1, 0, 1001)[932], 0.068);
+  EXPECT_THAT(logSpaced(2, 8, 1), testing::ElementsAre(2));
+  EXPECT_THAT(linearSpaced(2, 8, 2), testing::ElementsAre(2, 8));
   EXPECT_EQ(linearSpaced(0, 0.3, 4)[1], 0.1);
   for (const double to : {0.6, 0.9, 2.1})
     EXPECT_EQ(linearSpaced(-0.3, to, std::lround(to / 0.1) + 4)[3], 0) << to;

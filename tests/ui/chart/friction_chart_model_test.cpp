@@ -294,6 +294,9 @@ TEST(FrictionChartModelTest, AnotherSceneBeginsTheAxesAnew) {
     if (isOpened) diagram.beginAxesAnew();
     diagram.take(update(other, {point(1e-5, 3e-6), point(1e3, 2e-3)}));
     EXPECT_EQ(yRange(diagram).from, isOpened ? -6 : -7);
+    // Also where the curve came before the first picture of the scene.
+    diagram.mark(frame(other, 1e-4));
+    EXPECT_EQ(yRange(diagram).from, isOpened ? -6 : -7);
   }
 }
 

@@ -71,7 +71,7 @@ void MotionView::addMenu(ChartView& chart, DiagramView& files) {
 }
 
 void MotionView::showTexts() {
-  strips_->setAccessibleName(tr("velocity, friction, indentation and contact length in time"));
+  strips_->setAccessibleName(tr("velocity, friction, indentation and length per contact in time"));
   loop_->setAccessibleName(tr("loop of friction over velocity"));
   for (QWidget* chart : std::initializer_list<QWidget*>{strips_, loop_}) {
     chart->findChild<QAction*>("copyMotion")->setText(tr("Copy picture"));

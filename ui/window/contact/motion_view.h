@@ -1,7 +1,7 @@
-// A motion in time: velocity, friction, indentation and contact length as strips below each other
-// and, for an oscillation, the loop of friction over velocity beside them. The pointer reads the
-// nearest moment; a click on a strip goes there; a menu copies or saves each of both. GUI thread;
-// belongs to its parent.
+// A motion in time: velocity, friction, indentation and length per contact as strips below each
+// other and, for an oscillation, the loop of friction over velocity beside them. The pointer reads
+// the nearest moment; a click on a strip goes there; a menu copies or saves each of both. GUI
+// thread; belongs to its parent.
 #pragma once
 
 #include <QWidget>

@@ -155,6 +155,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
         choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
       }
       if (box == preset_ || box == style_ || box == content_ || box == kind_) takePreset();
+      if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
       if (box == unit_) choose(*preset_, kOwn);
       showRows();
       emit changed();
@@ -325,7 +326,6 @@ void ExportForm::takePreset() {
   height_->setText(QString::number(size.height));
   choose(*unit_, size.isOnPaper ? "mm" : "");
   density_->setText(QString::number(size.density));
-  if (size.isOnPaper && chosen(*theme_) == "dark") choose(*theme_, "");
   isFilling_ = false;
 }
 

@@ -41,7 +41,7 @@ QString errorText(const FittedParameter& parameter) {
 QString stateText(const FittedParameter& parameter, const Fit& fit) {
   if (!parameter.isDetermined) return QStringLiteral("⚠ ") + FitPage::tr("not determined");
   if (parameter.isAtLimit) return QStringLiteral("⚠ ") + FitPage::tr("at its limit");
-  if (fit.missesPoints) return QStringLiteral("⚠ ") + FitPage::tr("misses the points");
+  if (fit.missesPoints) return QStringLiteral("⚠ ") + FitPage::tr("curve misses the points");
   return FitPage::tr("determined");
 }
 

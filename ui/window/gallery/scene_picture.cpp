@@ -109,7 +109,7 @@ QImage curveImage(Scene scene, const Theme& theme, const std::stop_token& stop) 
   options.threads = 1;
   options.stop = stop;
   const Curve curve = computeCurve(scene, options);
-  if (stop.stop_requested()) throw StudyStopped();
+  throwIfStopped(stop);
   CurveSet set;
   set.present = {{}, scene, curve.points, 0, kPresentCurve};
   StateOptions others;
@@ -123,7 +123,7 @@ QImage motionImage(const Scene& scene, const Theme& theme, const std::stop_token
   Simulation motion(std::make_shared<const Scene>(scene), 0,
                     std::numeric_limits<double>::infinity());
   for (int i = 0; i < kParts; ++i) {
-    if (stop.stop_requested()) throw StudyStopped();
+    throwIfStopped(stop);
     motion.advance(1.0 / kParts, 1.0 / 25);
   }
   const Frame frame = motion.frame();
@@ -137,7 +137,7 @@ QImage motionImage(const Scene& scene, const Theme& theme, const std::stop_token
 
 QImage drawScenePicture(const Scene& scene, SceneView view, const Theme& theme,
                         const std::stop_token& stop) {
-  if (stop.stop_requested()) throw StudyStopped();
+  throwIfStopped(stop);
   switch (view) {
     case SceneView::Curve:
       return curveImage(scene, theme, stop);

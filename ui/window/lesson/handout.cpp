@@ -84,7 +84,7 @@ class HandoutMaker {
   std::vector<Block> make() {
     addHead();
     for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
-      if (options_.stop.stop_requested()) throw StudyStopped{};
+      throwIfStopped(options_.stop);
       addStep(static_cast<int>(i));
       if (options_.progress)
         options_.progress(static_cast<double>(i + 1) / static_cast<double>(lesson_.steps.size()));

@@ -80,7 +80,7 @@ void Session::setScene(const Scene& scene, Begin begin) {
   }
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
-  if (begin == Begin::Opened) friction_.beginAxesAnew();
+  if (begin == Begin::Opened && !sameCurve) friction_.beginAxesAnew();
   sceneNumber_ = begin == Begin::Opened ? runner_.open(scene_) : runner_.post(scene_);
   // Names of pinned curves contain their differences from the scene.
   if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
