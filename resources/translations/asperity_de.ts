@@ -3170,7 +3170,7 @@
     </message>
     <message>
         <source>velocity, friction, indentation and length per contact in time</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit, Reibung, Eindringung und Länge je Kontakt über der Zeit</translation>
     </message>
 </context>
 <context>
