@@ -72,6 +72,9 @@ void AssignmentList::showRows() {
   while (rows_ && before != add_ && (before == rows_ || rows_->isAncestorOf(before)))
     before = before->previousInFocusChain();
   if (rows_) {
+    // A field that loses the focus now ends its editing: its place may be that of another row, or
+    // of none.
+    for (QWidget* field : rows_->findChildren<QWidget*>()) field->disconnect(this);
     column_->removeWidget(rows_);
     rows_->setParent(nullptr);
     rows_->deleteLater();  // one of its buttons may have been pressed
