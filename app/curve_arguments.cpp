@@ -16,6 +16,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/accuracy/target_curve.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/chart/comparison.h"
@@ -182,10 +183,6 @@ std::vector<FamilyMember> familyOf(const CurveArguments& arguments, const Scene&
       throw InputError(kFamily, error.key(), error.message());
     }
   return members;
-}
-
-nlohmann::ordered_json numberOr(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 }  // namespace
@@ -398,8 +395,8 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
     auto points = nlohmann::ordered_json::array();
     for (const TheoryPoint& point : theory.points)
       points.push_back({{"velocity", point.velocity},
-                        {"mu", numberOr(point.mu)},
-                        {"contact_fraction", numberOr(point.contactFraction)},
+                        {"mu", numberOrNull(point.mu)},
+                        {"contact_fraction", numberOrNull(point.contactFraction)},
                         {"in_range", point.isInRange}});
     answer["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(entry.theory)]},
                                   {"name", entry.name},
@@ -410,10 +407,10 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
   auto points = nlohmann::ordered_json::array();
   for (const DifferencePoint& point : set.difference->points)
     points.push_back({{"velocity", point.velocity},
-                      {"mu", numberOr(point.mu)},
-                      {"mu_standard_error", numberOr(point.muStandardError)},
-                      {"relative_difference", numberOr(point.relative)},
-                      {"relative_difference_standard_error", numberOr(point.standardError)}});
+                      {"mu", numberOrNull(point.mu)},
+                      {"mu_standard_error", numberOrNull(point.muStandardError)},
+                      {"relative_difference", numberOrNull(point.relative)},
+                      {"relative_difference_standard_error", numberOrNull(point.standardError)}});
   answer["compared"] = {{"setting", nameOf(set.difference->setting).english()},
                         {"points", std::move(points)}};
 }

@@ -18,6 +18,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/run/contact_tables.h"
 #include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
@@ -126,7 +127,7 @@ class Rendering {
   Json json() const {
     Json answer = origin();
     const double mu = frictionOf(last_);
-    answer["mu"] = std::isfinite(mu) ? Json(mu) : Json();
+    answer["mu"] = numberOrNull(mu);
     if (std::isfinite(last_.muError)) answer["mu_discretization_error"] = last_.muError;
     if (last_.muInterface > 0) answer["mu_interface"] = last_.muInterface;
     answer["indentation"] = last_.indentation;

@@ -1,7 +1,6 @@
 #include "core/accuracy/map_cost.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "core/accuracy/pilot.h"
 #include "core/base/jobs.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "core/accuracy/pilot.h"
 #include "core/accuracy/target_curve.h"

@@ -442,7 +442,7 @@ FigureStyle readStyle(const std::string& nameOrFile) {
     const std::vector<std::string_view> names = shippedStyles();
     throw InputError("", "--style",
                      message("'{}' is neither a file nor one of {}", shortened(nameOrFile),
-                             Message::name(fmt::format("{}", fmt::join(names, ", ")))));
+                             namesWithCommas(names)));
   }
   return styleFromJson(readRegularFile(nameOrFile, kLargestStyle), nameOrFile);
 }

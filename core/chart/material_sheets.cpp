@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/units.h"
 #include "core/scene/columns.h"
@@ -387,7 +388,7 @@ nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& exci
           {"frequency_to", band ? Json(band->to) : Json()},
           {"measured_from", measured ? Json(measured->from) : Json()},
           {"measured_to", measured ? Json(measured->to) : Json()},
-          {"share_not_measured", std::isfinite(outside) ? Json(outside) : Json()}};
+          {"share_not_measured", numberOrNull(outside)}};
 }
 
 Message excitationInWords(const Scene& scene, const Excitation& excitation) {

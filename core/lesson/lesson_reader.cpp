@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/friction/curve_file.h"
@@ -82,8 +83,7 @@ std::vector<std::string> assignmentsIn(const Json& keys, const std::string& plac
     if (value.is_object() || value.is_null() || value.is_boolean())
       refuseMember(place + "." + key,
                    message("needs a value; allowed is {}", allowedText(knownParameter(key))));
-    assignments.push_back(key + "=" +
-                          (value.is_string() ? value.get<std::string>() : value.dump()));
+    assignments.push_back(key + "=" + assignedText(value));
   }
   return assignments;
 }

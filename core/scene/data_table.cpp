@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/base/input_error.h"
+#include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/base/text.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
@@ -19,15 +21,13 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kOption = "--columns";
 
 std::string textOf(const TableCell& cell) {
-  if (const auto* number = std::get_if<double>(&cell))
-    return std::isfinite(*number) ? fmt::format("{}", *number) : std::string();
+  if (const auto* number = std::get_if<double>(&cell)) return csvNumber(*number);
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
   return csvCell(std::get<std::string>(cell));
 }
 
 Json jsonCell(const TableCell& cell) {
-  if (const auto* number = std::get_if<double>(&cell))
-    return std::isfinite(*number) ? Json(*number) : Json();
+  if (const auto* number = std::get_if<double>(&cell)) return numberOrNull(*number);
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return *count;
   return std::get<std::string>(cell);
 }

@@ -75,10 +75,6 @@ double roundedBeside(double value, double largest) {
   return digits > 0 ? roundedToDigits(value, digits) : 0;
 }
 
-double partOf(std::int64_t i, std::int64_t points) {
-  return points > 1 ? static_cast<double>(i) / static_cast<double>(points - 1) : 0;
-}
-
 void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, double value) {
   const AllowedRange allowed = *allowedRange(parameter);
   if (value < allowed.minimum || value > allowed.maximum)
@@ -129,8 +125,10 @@ std::vector<double> logSpaced(double from, double to, std::int64_t points) {
 std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
   std::vector<double> values{from};
   const double largest = std::max(std::abs(from), std::abs(to));
-  for (std::int64_t i = 1; i + 1 < points; ++i)
-    values.push_back(roundedBeside(from + (to - from) * partOf(i, points), largest));
+  for (std::int64_t i = 1; i + 1 < points; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(points - 1);
+    values.push_back(roundedBeside(from + (to - from) * part, largest));
+  }
   if (points > 1) values.push_back(to);
   return values;
 }

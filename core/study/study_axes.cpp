@@ -6,6 +6,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/json_members.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
@@ -58,7 +59,7 @@ void addValue(StudyColumn& column, const Json& value, const std::string& where) 
   if (isNumber(row) || !(value.is_string() || (value.is_array() && isList(row))))
     refuseMember(where, message("{} is not allowed here; allowed is {}", shortened(value.dump()),
                                 allowedText(row)));
-  std::string word = value.is_string() ? value.get<std::string>() : value.dump();
+  std::string word = assignedText(value);
   checkValue(row, word, where);
   column.words.push_back(std::move(word));
 }

@@ -128,8 +128,7 @@ class StudyReader {
                            ? message("unknown key")
                            : message("unknown key; the nearest known one is {}", nearest));
         }
-        assignments.push_back(key + "=" +
-                              (value.is_string() ? value.get<std::string>() : value.dump()));
+        assignments.push_back(key + "=" + assignedText(value));
       }
     }
     const auto scene = root_.find("scene");

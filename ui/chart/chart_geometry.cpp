@@ -101,7 +101,7 @@ double ChartGeometry::yOf(double value) const {
 double ChartGeometry::valueAt(double pixel) const {
   const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
   const double place = x.from + part * x.size();
-  return xScale == AxisScale::Linear ? place : std::pow(10, place);
+  return axisValue(xScale, place);
 }
 
 bool hasPlace(const Diagram& diagram, const DiagramPoint& point) {

@@ -214,8 +214,8 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
   for (const DiagramLabel& label : diagram.labels) {
     const Place at = axes.place(label.x, label.y);
     const Place target = axes.place(label.arrowX, label.arrowY);
-    const bool hasArrow = std::isfinite(target.x) && std::isfinite(target.y);
-    if (!std::isfinite(at.x) || !std::isfinite(at.y)) continue;
+    const bool hasArrow = isFinite(target);
+    if (!isFinite(at)) continue;
     PlacedLabel out;
     out.lines = linesOf(label.text.text, size, 0.9F * map.area().width);
     float width = 0;
@@ -226,7 +226,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     std::vector<Place> targets;  // of the others
     for (const DiagramLabel& other : diagram.labels)
       if (const Place its = axes.place(other.arrowX, other.arrowY);
-          &other != &label && std::isfinite(its.x) && std::isfinite(its.y))
+          &other != &label && isFinite(its))
         targets.push_back(its);
     const Clearance clearance(placed, std::move(targets), 0.4F * size);
     const Place wanted = heldInside(inside, at, width, height);

@@ -434,13 +434,10 @@ std::optional<CurveSet> FrictionChartModel::shown(const std::optional<VisibleRan
   if (difference_ && haveSameCurve(*difference_->scene, *curve_->scene))
     set.difference = difference_;
   if (zoom) {
-    const auto valueOn = [](AxisScale scale, double place) {
-      return scale == AxisScale::Linear ? place : std::pow(10, place);
-    };
-    set.xFrom = valueOn(set.scaleOfX(), zoom->x.from);
-    set.xTo = valueOn(set.scaleOfX(), zoom->x.to);
-    set.yFrom = valueOn(set.scaleOfY(), zoom->y.from);
-    set.yTo = valueOn(set.scaleOfY(), zoom->y.to);
+    set.xFrom = axisValue(set.scaleOfX(), zoom->x.from);
+    set.xTo = axisValue(set.scaleOfX(), zoom->x.to);
+    set.yFrom = axisValue(set.scaleOfY(), zoom->y.from);
+    set.yTo = axisValue(set.scaleOfY(), zoom->y.to);
   }
   return set;
 }

@@ -14,7 +14,7 @@ namespace {
 /// Returns a formula with its words and the number of its equation in the present language:
 /// "in Kontakt", "Gl. (2)".
 QString formulaInLanguage(std::string_view formula) {
-  QString text = QString::fromUtf8(formula.data(), static_cast<qsizetype>(formula.size()));
+  QString text = fromUtf8(formula);
   text.replace(QLatin1String("in contact"), QString::fromStdString(Words::tr("in contact")));
   static const QRegularExpression equation(QStringLiteral("Eq\\. \\((\\d+)\\)"));
   return text.replace(equation,

@@ -105,13 +105,9 @@ void TextBox::commit() {
   emit textCommitted(text);
 }
 
-namespace {
-
 bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
-
-}  // namespace
 
 QColor faultColour(const QPalette& palette) {
   return isDark(palette) ? QColor(0xff, 0x7b, 0x72) : QColor(0xc6, 0x28, 0x28);

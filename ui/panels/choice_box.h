@@ -55,6 +55,8 @@ class TextBox : public QPlainTextEdit {
   QString accepted_;
 };
 
+bool isDark(const QPalette& palette);
+
 /// The colour of texts about a wrong value, legible on the palette's background.
 QColor faultColour(const QPalette& palette);
 

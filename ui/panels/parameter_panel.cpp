@@ -369,10 +369,9 @@ void ParameterPanel::focusFilter() {
 /// entry.
 void ParameterPanel::takeText(ParameterRow& row, const QString& text) {
   const Parameter& parameter = row.parameter();
-  const bool isNumber = allowedRange(parameter).has_value();
   const NumberRule rule = ruleOf(parameter);
-  const QString plain = isNumber ? plainNumberOf(text.trimmed(), rule) : text.trimmed();
-  const QString refusal = isNumber ? refusalOf(text, rule) : QString();
+  const QString plain = isNumber(parameter) ? plainNumberOf(text.trimmed(), rule) : text.trimmed();
+  const QString refusal = isNumber(parameter) ? refusalOf(text, rule) : QString();
   edit(
       row, [&](Scene& scene) { giveText(parameter, scene, plain.toStdString()); }, refusal);
 }

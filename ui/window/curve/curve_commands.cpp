@@ -14,6 +14,7 @@
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/panels/choice_box.h"
 #include "ui/window/curve/curve_files.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/session.h"
@@ -320,16 +321,13 @@ void CurveCommands::copyPicture() {
   const auto image = std::make_shared<QImage>();
   const double scale = view_.devicePixelRatioF();
   const QSize size = view_.size().expandedTo({900, 600}) * scale;
-  const bool isDark = view_.palette().color(QPalette::Window).lightness() < 128;
-  run_(
-      [set = *set, image, size, scale, isDark] {
-        *image =
-            imageOf(set, size.width(), size.height(), scale, isDark ? darkTheme() : lightTheme());
-      },
-      [this, image] {
-        QGuiApplication::clipboard()->setImage(*image);
-        emit exported({});
-      });
+  const Theme& theme = isDark(view_.palette()) ? darkTheme() : lightTheme();
+  run_([set = *set, image, size, scale,
+        &theme] { *image = imageOf(set, size.width(), size.height(), scale, theme); },
+       [this, image] {
+         QGuiApplication::clipboard()->setImage(*image);
+         emit exported({});
+       });
 }
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include "core/chart/curve_regions.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/friction_chart_model.h"
+#include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 
@@ -82,8 +83,7 @@ std::string regionAt(const CurveUpdate& curve, double velocity) {
 
 QString regionText(std::string_view name) {
   return CurveReadingText::tr("region %1, %2")
-      .arg(QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())),
-           translatedText(wordOfRegion(name)));
+      .arg(fromUtf8(name), translatedText(wordOfRegion(name)));
 }
 
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {

@@ -10,6 +10,7 @@
 #include "ui/chart/diagram_colours.h"
 #include "ui/draw/fonts.h"
 #include "ui/language/language.h"
+#include "ui/panels/choice_box.h"
 #include "ui/window/main/commands.h"
 
 namespace asperity {
@@ -35,7 +36,7 @@ QColor edge(const Theme& theme) {
 }  // namespace
 
 bool systemIsDark() {
-  static const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+  static const bool dark = isDark(QGuiApplication::palette());
   return dark;
 }
 

@@ -119,8 +119,7 @@ MapPanel::MapPanel(QWidget* parent)
   column->setSpacing(2);
   column->addLayout(row);
   column->addWidget(view_, 1);
-  for (const std::string_view name : mapQuantities())
-    quantity_->addItem(QString(), QString::fromUtf8(name.data(), std::ssize(name)));
+  for (const std::string_view name : mapQuantities()) quantity_->addItem(QString(), fromUtf8(name));
   quantity_->setCurrentIndex(quantity_->findData("mu"));
   keepTranslated(*this, [this] { showTexts(); });
   connect(x_, &QComboBox::currentIndexChanged, this, [this] { compute(); });
@@ -166,9 +165,7 @@ void MapPanel::fillChoosers() {
     const QString chosen = box->count() > 0 ? box->currentData().toString() : QString(usual);
     box->clear();
     for (const Parameter& row : parameters())
-      if (isMapParameter(row, scene_))
-        box->addItem(translatedText(row.label),
-                     QString::fromUtf8(row.key.data(), std::ssize(row.key)));
+      if (isMapParameter(row, scene_)) box->addItem(translatedText(row.label), fromUtf8(row.key));
     box->setCurrentIndex(std::max(0, box->findData(chosen)));
   }
   if (x_->currentIndex() == y_->currentIndex() && y_->count() > 1) {
