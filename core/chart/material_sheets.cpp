@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -148,6 +149,7 @@ Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
   Diagram diagram;
   diagram.x = along;
   diagram.y = {"residual", "%", AxisScale::Linear};
+  double largest = 0;
   for (const bool isLoss : {false, true}) {
     DiagramSeries series;
     series.name = isLoss ? "G''" : "G'";
@@ -158,8 +160,14 @@ Diagram residualDiagram(const Material& material, const DiagramAxis& along) {
       const double part =
           isLoss ? fitted.loss / point.modulus.loss : fitted.storage / point.modulus.storage;
       series.points.push_back({point.modulus.frequency, 100 * (part - 1)});
+      largest = std::max(largest, std::abs(series.points.back().y));
     }
     diagram.series.push_back(std::move(series));
+  }
+  if (std::isfinite(largest) && largest > 0) {
+    constexpr double kAir = 1.15;  // so that no mark is cut by the frame
+    diagram.y.from = -kAir * largest;
+    diagram.y.to = kAir * largest;
   }
   DiagramSeries zero;
   zero.isTheory = true;
@@ -195,6 +203,17 @@ NamedSheet masterSheet(const Material& material) {
   return {"master_curve", std::move(sheet)};
 }
 
+/// A logarithmic axis of less than a decade has hardly a number on it.
+AxisScale scaleOfPoints(const Diagram& diagram) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const DiagramSeries& series : diagram.series)
+    for (const DiagramPoint& point : series.points) {
+      smallest = std::min(smallest, point.y);
+      largest = std::max(largest, point.y);
+    }
+  return largest < 10 * smallest ? AxisScale::Linear : AxisScale::Logarithmic;
+}
+
 NamedSheet tangentSheet(const Material& material) {
   const FrequencyRange range = fittedRange(material);
   DiagramSheet sheet;
@@ -205,6 +224,7 @@ NamedSheet tangentSheet(const Material& material) {
   addMasterPoints(material, diagram, tangentOf, SeriesMark::Circle);
   diagram.series.push_back(
       fittedSeries(material, range.from, range.to, tangentOf, "Prony series", SeriesStroke::Solid));
+  diagram.y.scale = scaleOfPoints(diagram);
   diagram.ramp = temperatureRamp(material);
   sheet.diagrams = {std::move(diagram)};
   return {"loss_tangent", std::move(sheet)};

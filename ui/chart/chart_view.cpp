@@ -407,7 +407,9 @@ void ChartView::mouseReleaseEvent(QMouseEvent* event) {
 void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mouseDoubleClickEvent(event);
   const ChartTarget target = targetAt(frames_, sheet_, event->position() - corner());
-  if (!target.isPoint() && !target.isMarker) fit();
+  if (target.isPoint() || target.isMarker) return;
+  fit();
+  emit fitWanted();
 }
 
 void ChartView::wheelEvent(QWheelEvent* event) {
@@ -443,7 +445,10 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
   }
   if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoom(1 / kKeyZoom);
   if (event->key() == Qt::Key_Minus) return zoom(kKeyZoom);
-  if (event->key() == Qt::Key_Home) return fit();
+  if (event->key() == Qt::Key_Home) {
+    fit();
+    return emit fitWanted();
+  }
   QWidget::keyPressEvent(event);
 }
 
@@ -461,10 +466,8 @@ void ChartView::setZoom(const std::optional<VisibleRange>& wanted) {
   std::optional<VisibleRange> window = isZoomable ? wanted : std::nullopt;
   if (window) window = heldWithin(*window, whole());
   if (window == zoom_) return;
-  const bool was = isZoomed();
   zoom_ = window;
   showAll();
-  if (was != isZoomed()) emit zoomChanged(isZoomed());
 }
 
 /// Shows a reading of the object under the pointer, and the matching shape of the pointer.

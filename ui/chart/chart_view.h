@@ -76,7 +76,8 @@ class ChartView : public QWidget {
   void markerMoved(double x, bool finely);
   void pointChosen(int id, int row);
   void unpinWanted(int id);
-  void zoomChanged(bool isZoomed);
+  /// Emitted by a double click and the Home key, after everything is shown.
+  void fitWanted();
   /// The titles of the axes with their units, for the choosers.
   void titlesChanged(const QString& x, const QString& y);
 

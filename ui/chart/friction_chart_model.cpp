@@ -176,6 +176,11 @@ bool FrictionChartModel::mark(const Frame& frame) {
   return before == std::pair{velocities_, coefficients_};
 }
 
+void FrictionChartModel::fitAxes() {
+  coefficients_ = {};
+  fitRanges(true);
+}
+
 void FrictionChartModel::setAxes(CurveAxes axes) {
   if (axes == axes_) return;
   axes_ = axes;
@@ -187,15 +192,13 @@ void FrictionChartModel::setQuantity(CurveQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
   comparisons_ = {};  // those of the new quantity follow
-  coefficients_ = {};
-  fitRanges(true);
+  fitAxes();
 }
 
 void FrictionChartModel::setLinearY(bool isLinear) {
   if (isLinear == isLinearY_) return;
   isLinearY_ = isLinear;
-  coefficients_ = {};
-  fitRanges(true);
+  fitAxes();
 }
 
 bool FrictionChartModel::isOnThisAxis(const Scene& scene) const {

@@ -57,6 +57,8 @@ class FrictionChartModel {
   /// Lets the next curve choose the vertical axis: after another scene was opened, the decades of
   /// the one before are only empty.
   void beginAxesAnew() { beginsAxesAnew_ = true; }
+  /// Fits the vertical axis to what is shown now, without the decades of earlier curves.
+  void fitAxes();
   /// Fades the marker while it still belongs to the previous scene.
   void fadeMark(bool fades) { isMarkFaded_ = fades; }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/choice_box.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -60,7 +61,7 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
 
 namespace {
 
-constexpr int kLines = 4;
+constexpr int kFewestLines = 4, kMostLines = 10;
 
 }  // namespace
 
@@ -69,6 +70,8 @@ TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
+          &TextBox::updateGeometry);
 }
 
 void TextBox::showText(const QString& text) {
@@ -83,7 +86,9 @@ void TextBox::replaceText(const QString& text) {
 }
 
 QSize TextBox::sizeHint() const {
-  return {120, kLines * fontMetrics().lineSpacing() + 12};
+  // The height of a plain text's document counts lines, as they are broken at the present width.
+  const int lines = static_cast<int>(document()->size().height());
+  return {120, std::clamp(lines, kFewestLines, kMostLines) * fontMetrics().lineSpacing() + 12};
 }
 
 void TextBox::keyPressEvent(QKeyEvent* event) {

@@ -76,7 +76,7 @@ int SliderScale::positionOf(double value) const {
 
 namespace {
 
-constexpr double kHandleRadius = 6.5;
+constexpr double kHandleRadius = 6.5;  // at least
 constexpr double kGroove = 4;
 constexpr double kFinely = 0.1;  // of the pointer's way, with Shift
 
@@ -105,22 +105,26 @@ void ValueSlider::showValue(double value) {
 }
 
 QSize ValueSlider::sizeHint() const {
-  return {110, 20};
+  return {110, minimumSizeHint().height()};
 }
 
 QSize ValueSlider::minimumSizeHint() const {
-  return {40, 20};  // a smaller one would be a dot
+  return {40, static_cast<int>(2 * radius()) + 7};  // a smaller one would be a dot
+}
+
+double ValueSlider::radius() const {
+  return handleRadius(fontMetrics());
 }
 
 double ValueSlider::handleX() const {
-  const double room = width() - 2 * kHandleRadius - 2;
-  return kHandleRadius + 1 + room * sliderPosition() / std::max(1, maximum());
+  const double room = width() - 2 * radius() - 2;
+  return radius() + 1 + room * sliderPosition() / std::max(1, maximum());
 }
 
 int ValueSlider::positionAt(double x) const {
-  const double room = width() - 2 * kHandleRadius - 2;
-  return QStyle::sliderValueFromPosition(
-      minimum(), maximum(), static_cast<int>(x - kHandleRadius - 1), static_cast<int>(room));
+  const double room = width() - 2 * radius() - 2;
+  return QStyle::sliderValueFromPosition(minimum(), maximum(), static_cast<int>(x - radius() - 1),
+                                         static_cast<int>(room));
 }
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
@@ -146,7 +150,7 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
   }
   const double x = event->position().x();
   if (!fine_) fine_ = {sliderPosition(), x};
-  const double perPixel = maximum() / std::max(1.0, width() - 2 * kHandleRadius - 2);
+  const double perPixel = maximum() / std::max(1.0, width() - 2 * radius() - 2);
   setSliderPosition(fine_->position +
                     static_cast<int>(std::lround(kFinely * (x - fine_->x) * perPixel)));
 }
@@ -178,7 +182,11 @@ void ValueSlider::leaveEvent(QEvent* event) {
 void ValueSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   drawSlider(painter, rect(), handleX(), palette(),
-             {isEnabled(), underMouse(), hasFocus(), isSliderDown()});
+             {isEnabled(), underMouse(), hasFocus(), isSliderDown(), radius()});
+}
+
+double handleRadius(const QFontMetrics& letters) {
+  return std::max(kHandleRadius, 0.36 * letters.height());
 }
 
 void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette& colours,
@@ -186,7 +194,7 @@ void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const double middle = place.center().y();
-  const double radius = std::min(kHandleRadius, place.height() / 2 - 1);
+  const double radius = std::min(state.radius, place.height() / 2 - 1);
   const QColor rim = colours.color(state.isEnabled ? QPalette::Highlight : QPalette::Mid);
   const auto bar = [&](double from, double to, const QColor& colour) {
     painter.setPen(Qt::NoPen);

@@ -12,6 +12,7 @@
 
 #include "core/scene/parameters.h"
 
+class QFontMetrics;
 class QPainter;
 class QPalette;
 
@@ -67,6 +68,7 @@ class ValueSlider : public QSlider {
   void leaveEvent(QEvent* event) override;
 
  private:
+  double radius() const;
   double handleX() const;
   int positionAt(double x) const;
 
@@ -79,8 +81,12 @@ class ValueSlider : public QSlider {
   std::optional<Grip> fine_;
 };
 
+/// Returns the radius of a handle beside such letters, pixels.
+double handleRadius(const QFontMetrics& letters);
+
 struct SliderState {
   bool isEnabled = true, isUnderMouse = false, hasFocus = false, isDown = false;
+  double radius = 0;  // of the handle, pixels
 };
 
 /// Draws a horizontal slider with its handle at x.

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -165,6 +166,23 @@ TEST_F(ParameterPanelTest, SentencesHaveABox) {
   EXPECT_EQ(spy_.count(), 1);
   panel_.setScene({});
   EXPECT_EQ(box.toPlainText(), "");
+}
+
+TEST_F(ParameterPanelTest, ABoxIsAsHighAsItsSentences) {
+  auto& box = *control<TextBox>("text:description");
+  const auto describe = [&](int words) {
+    Scene scene;
+    for (int i = 0; i < words; ++i) scene.description += "roughness ";
+    panel_.setScene(scene);
+    QApplication::processEvents();
+    return box.height();
+  };
+  const int line = box.fontMetrics().lineSpacing(), low = describe(1);
+  const int high = describe(30);
+  EXPECT_GE(high, low + 2 * line);
+  EXPECT_EQ(box.verticalScrollBar()->maximum(), 0);
+  EXPECT_LE(describe(1000), low + 6 * line);  // a book is scrolled
+  EXPECT_EQ(describe(1), low);
 }
 
 TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {

@@ -18,6 +18,7 @@
 
 #include "core/run/steady_frames.h"
 #include "qt_application.h"
+#include "tests/ui/window/window_in.h"
 #include "ui/contact/contact_signs.h"
 #include "ui/language/explained.h"
 #include "ui/window/contact/contact_view_actions.h"
@@ -188,9 +189,7 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
 
 /// The legend of the colours and the labels have formula and sentence; the menu leads to the guide.
 TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
-  ContactPictureOptions options = canvas_.viewer().options();
-  options.width = canvas_.width();
-  options.height = canvas_.height();
+  const ContactPictureOptions options = shownOptions(canvas_);
   QStringList read;
   QObject::connect(&canvas_, &ContactCanvas::guideWanted, &canvas_,
                    [&](const QString& anchor) { read += anchor; });
@@ -198,9 +197,7 @@ TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
   for (const ContactSign& sign : contactSigns(*canvas_.frame(), options)) {
     if (sign.id != "contact pressure" && sign.id != "rigid body") continue;
     ++count;
-    const QPoint at =
-        QPointF(sign.place.x + 0.5 * sign.place.width, sign.place.y + 0.5 * sign.place.height)
-            .toPoint();
+    const QPoint at = middleOf(sign.place);
     QHelpEvent help(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
     QApplication::sendEvent(&canvas_, &help);
     const HoverExplanation explanation = *explanationOf(sign.id);
@@ -334,13 +331,8 @@ class DraggedCanvasTest : public ContactCanvasTest {
 
   /// The middle of the label or arrow that changes this.
   QPoint handle(ContactHandle wanted) {
-    ContactPictureOptions options = canvas_.viewer().options();
-    options.width = canvas_.width();
-    options.height = canvas_.height();
-    for (const HandlePlace& place : contactHandles(*canvas_.frame(), options))
-      if (place.handle == wanted)
-        return {static_cast<int>(place.box.x + place.box.width / 2),
-                static_cast<int>(place.box.y + place.box.height / 2)};
+    for (const HandlePlace& place : contactHandles(*canvas_.frame(), shownOptions(canvas_)))
+      if (place.handle == wanted) return middleOf(place.box);
     ADD_FAILURE() << "no handle";
     return {};
   }

@@ -17,11 +17,14 @@
 #include <QTimer>
 #include <QToolTip>
 #include <cstdio>
+#include <map>
+#include <optional>
 
 #include "core/run/frame.h"
 #include "tests/ui/window/window_in.h"
 #include "tests/ui/window/window_states.h"
 #include "ui/contact/contact_handles.h"
+#include "ui/contact/contact_signs.h"
 #include "ui/window/contact/motion_view.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/run_window.h"
@@ -125,56 +128,77 @@ void shootContextMenu(QWidget& widget, const std::string& name, Camera& camera) 
   QTest::qWait(700);
 }
 
+/// The middle of what a drag of this kind begins at; none where the picture has no such label.
+std::optional<QPoint> placeOf(const ContactCanvas& canvas, ContactHandle wanted) {
+  for (const HandlePlace& place : contactHandles(*canvas.frame(), shownOptions(canvas)))
+    if (place.handle == wanted) return middleOf(place.box);
+  return std::nullopt;
+}
+
 void shootHandles(MainWindow& window, Camera& camera) {
   ContactCanvas& canvas = window.canvas();
-  const QRectF plot = canvas.plotArea();
-  const auto at = [&](double x, double y) {
-    return QPoint(static_cast<int>(plot.left() + x * plot.width()),
-                  static_cast<int>(plot.top() + y * plot.height()));
-  };
   const struct {
     const char* name;
-    double x, y;
+    ContactHandle handle;
     QPoint drag;
-  } kPlaces[] = {{"handle_body", 0.3, 0.04, {0, 40}},
-                 {"handle_velocity", 0.5, 0.07, {60, 0}},
-                 {"handle_force", 0.975, 0.16, {0, 40}},
-                 {"contact_surface", 0.4, 0.6, {60, 0}}};
-  for (const auto& place : kPlaces) {
-    if (!camera.wants(place.name)) continue;
-    point(canvas, at(place.x, place.y));
-    camera.shoot(std::string(place.name) + "_tip");
-    QTest::mousePress(&canvas, Qt::LeftButton, {}, at(place.x, place.y));
+  } kDrags[] = {{"handle_body", ContactHandle::Body, {0, 40}},
+                {"handle_velocity", ContactHandle::Velocity, {60, 0}},
+                {"handle_force", ContactHandle::Force, {0, 40}},
+                {"contact_surface", ContactHandle::None, {60, 0}}};
+  for (const auto& wanted : kDrags) {
+    if (!camera.wants(wanted.name)) continue;
+    const QRectF plot = canvas.plotArea();
+    const std::optional<QPoint> at =
+        wanted.handle == ContactHandle::None
+            ? QPointF(plot.left() + 0.4 * plot.width(), plot.top() + 0.6 * plot.height()).toPoint()
+            : placeOf(canvas, wanted.handle);
+    if (!at) {
+      std::printf("%s: the picture has no such label\n", wanted.name);
+      continue;
+    }
+    point(canvas, *at);
+    camera.shoot(std::string(wanted.name) + "_tip");
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, *at);
     for (int step = 1; step <= 5; ++step) {
-      QTest::mouseMove(&canvas, at(place.x, place.y) + place.drag * step / 5);
+      QTest::mouseMove(&canvas, *at + wanted.drag * step / 5);
       QTest::qWait(60);
     }
     QTest::qWait(kSettled);
-    camera.shoot(std::string(place.name) + "_drag");
+    camera.shoot(std::string(wanted.name) + "_drag");
     QTest::keyClick(&canvas, Qt::Key_Escape);
-    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, at(place.x, place.y) + place.drag);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, *at + wanted.drag);
     QTest::qWait(kSettled);
-    camera.shoot(std::string(place.name) + "_taken_back");
+    camera.shoot(std::string(wanted.name) + "_taken_back");
   }
+}
+
+/// A place of each reading that the chart has, as the pointer finds them on a grid.
+std::vector<QPoint> placesOfReadings(ChartView& chart) {
+  std::map<QString, QPoint> places;
+  for (int y = 4; y < chart.height(); y += 12)
+    for (int x = 4; x < chart.width(); x += 12) {
+      QTest::mouseMove(&chart, {x, y});
+      if (!chart.reading().isEmpty()) places.try_emplace(chart.reading(), x, y);
+    }
+  std::vector<QPoint> found;
+  for (const auto& [text, place] : places) found.push_back(place);
+  return found;
 }
 
 void shootTips(MainWindow& window, Camera& camera) {
   if (!camera.wants("tip")) return;
-  ChartView& chart = window.plotView();
-  const auto in = [](const QWidget& widget, double x, double y) {
-    return QPoint(static_cast<int>(x * widget.width()), static_cast<int>(y * widget.height()));
-  };
-  int number = 0;
-  for (const auto& [x, y] :
-       {std::pair{0.3, 0.2}, {0.5, 0.3}, {0.5, 0.6}, {0.85, 0.85}, {0.9, 0.5}}) {
-    point(chart, in(chart, x, y));
-    camera.shoot("tip_chart_" + std::to_string(++number));
+  constexpr std::size_t kReadings = 6;
+  const std::vector<QPoint> places = placesOfReadings(window.plotView());
+  for (std::size_t i = 0; i < std::min(kReadings, places.size()); ++i) {
+    point(window.plotView(), places[i * places.size() / std::min(kReadings, places.size())]);
+    camera.shoot("tip_chart_" + std::to_string(i + 1));
   }
-  number = 0;
-  for (const auto& [x, y] :
-       {std::pair{0.06, 0.1}, {0.2, 0.1}, {0.35, 0.1}, {0.6, 0.97}, {0.9, 0.1}, {0.01, 0.5}})
-    point(window.canvas(), in(window.canvas(), x, y)),
-        camera.shoot("tip_contact_" + std::to_string(++number));
+  int number = 0;
+  for (const ContactSign& sign :
+       contactSigns(*window.canvas().frame(), shownOptions(window.canvas()))) {
+    point(window.canvas(), middleOf(sign.place));
+    camera.shoot("tip_contact_" + std::to_string(++number));
+  }
   for (const char* row :
        {"row:load.normal_force", "row:sliding.velocity", "slowMotion", "paceSlider", "factMu"})
     if (auto* widget = window.findChild<QWidget*>(row); widget && widget->isVisible()) {

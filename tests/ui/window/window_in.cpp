@@ -122,6 +122,17 @@ Texts leftOver(const Texts& shown, const Texts& other) {
   return left;
 }
 
+ContactPictureOptions shownOptions(const ContactCanvas& canvas) {
+  ContactPictureOptions options = canvas.viewer().options();
+  options.width = canvas.width();
+  options.height = canvas.height();
+  return options;
+}
+
+QPoint middleOf(const Clip& place) {
+  return QPointF(place.x + 0.5 * place.width, place.y + 0.5 * place.height).toPoint();
+}
+
 std::string cutOffIn(const QWidget& window) {
   static const std::set<QString> tooLong{"qt_toolbar_ext_button", "qt_menubar_ext_button"};
   std::string lines;

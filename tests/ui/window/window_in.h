@@ -46,6 +46,12 @@ Texts textsOf(const MainWindow& window);
 /// Words of one set that stand in the other, too, though they are not the same in both languages.
 Texts leftOver(const Texts& shown, const Texts& other);
 
+/// The options of the picture that a canvas shows, in the canvas's pixels.
+ContactPictureOptions shownOptions(const ContactCanvas& canvas);
+
+/// The middle of a label or an arrow, in pixels.
+QPoint middleOf(const Clip& place);
+
 /// What is cut off of everything in sight, one a line, once the layout has settled.
 std::string cutOffIn(const QWidget& window);
 

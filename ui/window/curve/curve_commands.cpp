@@ -50,13 +50,16 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
   linearY_->setCheckable(true);
   nearer_ = add("curveNearer", [this] { view_.zoom(1 / kZoom); });
   farther_ = add("curveFarther", [this] { view_.zoom(kZoom); });
-  fit_ = add("curveFit", [this] { view_.fit(); });
+  fit_ = add("curveFit", [this] {
+    view_.fit();
+    session_.editCurve([](FrictionChartModel& plot) { plot.fitAxes(); });
+  });
   save_ = add("saveCurve", [this] { askSave(); });
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   copy_ = add("copyCurvePicture", [this] { copyPicture(); });
   guide_ = add("aboutCurve", [this] { emit guideWanted(view_.guideAnchor()); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
-  connect(&view_, &ChartView::zoomChanged, this, &CurveCommands::showState);
+  connect(&view_, &ChartView::fitWanted, fit_, &QAction::trigger);
 }
 
 QAction* CurveCommands::add(const char* name, std::function<void()> run) {
@@ -157,7 +160,7 @@ void CurveCommands::showState() {
   if (!sweep.isOfVelocity() && dimensionless_->isChecked()) dimensionless_->setChecked(false);
   linearX_->setChecked(sweep.scale == SweepScale::Linear);
   linearX_->setEnabled(sweep.isOfVelocity() || (sweep.from > 0 && sweep.to > 0));
-  fit_->setEnabled(view_.isZoomed());
+  fit_->setEnabled(hasCurve);
   save_->setEnabled(hasCurve);
   copy_->setEnabled(hasCurve);
 }

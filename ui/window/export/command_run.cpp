@@ -45,16 +45,19 @@ void CommandRun::run(const QStringList& words, const QString& folder) {
   process->start();
 }
 
-/// Asks the call to end, as Ctrl+C does, and does not wait for it.
+/// Asks the call to end, as Ctrl+C does, and does not wait for it: only the program does, before it
+/// quits, so that the call can remove its temporary files.
 void CommandRun::cancel() {
   QProcess* process = process_;
   process_ = nullptr;
   if (!process) return;
   process->disconnect(this);
-  process->setParent(nullptr);
+  process->setParent(QCoreApplication::instance());
   connect(process, &QProcess::finished, process, &QObject::deleteLater);
   if (process->state() == QProcess::NotRunning) return process->deleteLater();
   process->terminate();
+  connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, process,
+          [process] { process->waitForFinished(kTimeToEnd); });
   QTimer::singleShot(kTimeToEnd, process, &QProcess::kill);
 }
 

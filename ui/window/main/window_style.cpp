@@ -84,7 +84,8 @@ void WindowStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
       QRectF(subControlRect(CC_Slider, slider, SC_SliderHandle, widget)).center();
   drawSlider(*painter, option->rect, handle.x(), option->palette,
              {state.testFlag(State_Enabled), state.testFlag(State_MouseOver),
-              state.testFlag(State_HasFocus), state.testFlag(State_Sunken)});
+              state.testFlag(State_HasFocus), state.testFlag(State_Sunken),
+              handleRadius(option->fontMetrics)});
 }
 
 }  // namespace asperity
