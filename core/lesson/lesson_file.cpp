@@ -21,7 +21,8 @@ const char* const kLessonFormat =
    "minutes": 15, "steps": [
      {"text": {"en": ["A paragraph.", "Another one."]}, "scene": "region_1.json",
       "set": {"load.normal_force": 0.01},
-      "show": {"tab": "curve", "curve": "hidden"}, "controls": {"free": ["sliding.velocity"]},
+      "show": {"tab": "curve", "scale": "log", "curve": "hidden"},
+      "controls": {"free": ["sliding.velocity"]},
       "prediction": {"kind": "number", "question": "...", "tolerance": 0.2,
         "answer": {"quantity": "mu", "set": {"sliding.velocity": 0.1}, "over": {"quantity": "mu"}}},
       "after": {"sliding.velocity": 0.1}, "reveal": "It is {answer} times as large."}]}

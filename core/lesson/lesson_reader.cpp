@@ -235,7 +235,7 @@ class StepReader {
     const auto show = json_.find("show");
     if (show == json_.end()) return;
     const std::string place = place_ + ".show";
-    checkMembers(*show, place, {"tab", "quantity", "curve", "hidden_range", "beside"});
+    checkMembers(*show, place, {"tab", "quantity", "scale", "curve", "hidden_range", "beside"});
     LessonView& view = step_.show;
     view.tab = textIn(*show, "tab", view.tab, place);
     if (std::ranges::find(kLessonTabs, view.tab) == std::end(kLessonTabs))
@@ -243,6 +243,7 @@ class StepReader {
     view.quantity = textIn(*show, "quantity", view.quantity, place);
     if (!quantityNamed(view.quantity))
       refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
+    view.isLinear = chosen(kVerticalScales, textIn(*show, "scale", "log", place), place + ".scale");
     const CurveHiding hiding =
         chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
     view.hidesCurve = hiding != CurveHiding::Never;

@@ -52,6 +52,15 @@ TEST(LessonFile, ACurveIsShownHiddenOrHiddenThroughout) {
   }
 }
 
+TEST(LessonFile, TheVerticalAxisIsLogarithmicOrLinear) {
+  Json json = sampleLesson();
+  EXPECT_FALSE(lessonOf(json).steps[0].show.isLinear);
+  json["steps"][0]["show"]["scale"] = "linear";
+  const Lesson lesson = lessonOf(json);
+  EXPECT_TRUE(lesson.steps[0].show.isLinear);
+  EXPECT_TRUE(readLesson(writeLesson(lesson), "again.json").steps[0].show.isLinear);
+}
+
 TEST(LessonFile, ControlsAreFreeLockedOrHidden) {
   const LessonStep step = lessonOf(sampleLesson()).steps[0];
   EXPECT_EQ(step.controls.of("sliding.velocity"), ControlState::Free);
@@ -121,6 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/steps/1/show/tab", "\"curves\"", "steps[1].show.tab", "curve"},
         Wrong{"/steps/1/show/quantity", "\"nu\"", "steps[1].show.quantity", "mu"},
         Wrong{"/steps/1/show/curve", "\"no\"", "steps[1].show.curve", "hidden"},
+        Wrong{"/steps/1/show/scale", "\"lin\"", "steps[1].show.scale", "linear"},
         Wrong{"/steps/1/show/hidden_range", "{\"from\": 1, \"to\": 1}",
               "steps[1].show.hidden_range", "larger"},
         Wrong{"/steps/1/show/beside",

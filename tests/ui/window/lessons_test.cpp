@@ -153,6 +153,22 @@ TEST_F(LessonsTest, ACurveStaysHiddenWhereTheStepSaysSo) {
   }
 }
 
+/// While it is hidden, the axis has the ends that the step gives it.
+TEST_F(LessonsTest, ACurveHasTheScaleOfItsStepOnceItIsShown) {
+  Json json = sampleLesson();
+  json["steps"][0]["show"]["curve"] = "hidden";
+  json["steps"][0]["show"]["scale"] = "linear";
+  lessons().start(lessonOf(json));
+  EXPECT_EQ(chart().y.scale, AxisScale::Logarithmic);
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  ASSERT_TRUE(waitFor([&] { return chart().y.scale == AxisScale::Linear; }));
+  EXPECT_TRUE(window_.findChild<QAction*>("linearQuantity")->isChecked());
+  lessons().end();
+  ASSERT_TRUE(waitFor([&] { return chart().y.scale == AxisScale::Logarithmic; }));
+  EXPECT_FALSE(window_.findChild<QAction*>("linearQuantity")->isChecked());
+}
+
 TEST_F(LessonsTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
   lessons().start(lessonOf(sampleLesson()));
   const Scene shown = session().scene();

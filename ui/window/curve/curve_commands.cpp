@@ -160,6 +160,7 @@ void CurveCommands::showState() {
   if (!sweep.isOfVelocity() && dimensionless_->isChecked()) dimensionless_->setChecked(false);
   linearX_->setChecked(sweep.scale == SweepScale::Linear);
   linearX_->setEnabled(sweep.isOfVelocity() || (sweep.from > 0 && sweep.to > 0));
+  linearY_->setChecked(session_.friction().isLinearY());
   fit_->setEnabled(hasCurve);
   save_->setEnabled(hasCurve);
   copy_->setEnabled(hasCurve);

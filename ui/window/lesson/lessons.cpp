@@ -220,7 +220,9 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
     step.scene = step.revealedScene = withWholePaths(parts_.document.scene());
     const auto tab = static_cast<std::size_t>(std::max(0, parts_.tabs.currentIndex()));
     if (tab < std::size(kLessonTabs)) step.show.tab = kLessonTabs[tab];
-    step.show.quantity = std::string(entryOf(parts_.session.friction().quantity()).word.text());
+    const FrictionChartModel& chart = parts_.session.friction();
+    step.show.quantity = std::string(entryOf(chart.quantity()).word.text());
+    step.show.isLinear = chart.isLinearY();
     return step;
   };
   auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
@@ -252,9 +254,9 @@ void Lessons::start(const Lesson& lesson, int step) {
   if (lesson.steps.empty()) return;
   end();
   parts_.document.endTrial();  // of the tour
-  Before before{{}, parts_.session.friction().quantity(), parts_.tabs.currentIndex(), false};
-  for (const PinnedCurve& pinned : parts_.session.friction().pinned())
-    before.pinned.push_back(pinned.curve);
+  const FrictionChartModel& chart = parts_.session.friction();
+  Before before{{}, chart.quantity(), chart.isLinearY(), parts_.tabs.currentIndex(), false};
+  for (const PinnedCurve& pinned : chart.pinned()) before.pinned.push_back(pinned.curve);
   if (auto* axes = parts_.window.findChild<QAction*>("dimensionlessAxes")) {
     before.hasDimensionlessAxes = axes->isChecked();
     axes->setChecked(false);
@@ -384,6 +386,7 @@ void Lessons::showChart() {
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.unpinAll();
     plot.setQuantity(*quantityNamed(view.quantity));
+    plot.setLinearY(view.isLinear && !hides);
     plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
   });
   if (!view.beside.empty()) {
@@ -544,6 +547,7 @@ void Lessons::comeBack() {
     plot.unpinAll();
     if (!before) return;
     plot.setQuantity(before->quantity);
+    plot.setLinearY(before->isLinear);
     for (const auto& curve : before->pinned) plot.pin(curve);
   });
   if (!before) return;
