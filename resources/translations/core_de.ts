@@ -2551,10 +2551,6 @@
         <translation>Kurve der vorigen Szene</translation>
     </message>
     <message>
-        <source>%1 of %2 realizations</source>
-        <translation>%1 von %2 Realisierungen</translation>
-    </message>
-    <message>
         <source>%1 of %2 lines</source>
         <translation>%1 von %2 Linien</translation>
     </message>

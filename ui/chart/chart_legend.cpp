@@ -122,7 +122,7 @@ double ChartLegend::statusWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(text.replace(number, longest));
 }
 
-/// Whether the status says that a curve is not complete: "37 of 200 realizations", "33 % of the
+/// Whether the status says that a curve is not complete: "37 of 200 lines", "33 % of the
 /// curve".
 bool ChartLegend::isUnfinished() const {
   static const QRegularExpression counts(QStringLiteral("(\\d+)\\D+(\\d+)"));

@@ -455,7 +455,7 @@ Message FrictionChartModel::status() const {
     if (!curve_->points.empty()) done = total = curve_->points.front().realizations;
   }
   if (total == 1) return {};
-  return message("{} of {} realizations", done, total);
+  return message("{} of {} lines", done, total);
 }
 
 void FrictionChartModel::fitRanges(bool newCurve) {

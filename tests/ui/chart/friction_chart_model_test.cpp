@@ -110,7 +110,7 @@ TEST(FrictionChartModelTest, KeepsErrorsAndStatesHowFarItIs) {
   const DiagramPoint shown = seriesOf(diagram, kPresentCurve).points.front();
   EXPECT_DOUBLE_EQ(shown.high - shown.y, 2e-4);
   EXPECT_DOUBLE_EQ(shown.y - shown.low, 2e-4);
-  EXPECT_EQ(diagram.sheet().status.english(), "37 of 200 realizations");
+  EXPECT_EQ(diagram.sheet().status.english(), "37 of 200 lines");
   EXPECT_DOUBLE_EQ(diagram.progress(), 37.0 / 200);
 }
 
@@ -378,7 +378,7 @@ TEST(FrictionChartModelTest, OneLineIsNoMean) {
 
   diagram.take(update({}, {point(1, 1e-3)}));
   EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.english().starts_with("mean"));
-  EXPECT_EQ(diagram.sheet().status.english(), "2 of 200 realizations");
+  EXPECT_EQ(diagram.sheet().status.english(), "2 of 200 lines");
 }
 
 /// Over another key each value has lines of its own; the legend speaks of those of one value.
@@ -398,7 +398,7 @@ TEST(FrictionChartModelTest, OverAnotherKeyStatusAndLegendCountTheSameLines) {
   curve.realizationsDone = 600;
   curve.isComplete = true;
   diagram.take(curve);
-  EXPECT_EQ(diagram.sheet().status.english(), "200 of 200 realizations");
+  EXPECT_EQ(diagram.sheet().status.english(), "200 of 200 lines");
   EXPECT_TRUE(seriesOf(diagram, kPresentCurve).name.english().starts_with("mean of 200 lines"));
 }
 

@@ -113,7 +113,7 @@ TEST_F(StatusTest, ACurveToATargetIsFinished) {
     ASSERT_TRUE(waitFor([&] { return fact("factRegime").startsWith("region"); }));
     const CurveUpdate& curve = *session().curve();
     EXPECT_EQ(session().friction().sheet().status.english(),
-              QStringLiteral("%1 of %1 realizations").arg(curve.realizationsTotal).toStdString());
+              QStringLiteral("%1 of %1 lines").arg(curve.realizationsTotal).toStdString());
     double squares = 0;
     for (const CurvePoint& point : curve.points)
       squares += std::pow(point.muStandardError / point.mu, 2);
