@@ -95,8 +95,7 @@ TEST_F(MainWindowTest, RefusedTextReachesNobody) {
 }
 
 TEST_F(MainWindowTest, TheCurveFillsInBesideTheAnimation) {
-  ASSERT_TRUE(
-      waitFor([&] { return window_.plotView().sheet().status.text == "3 of 3 lines"; }));
+  ASSERT_TRUE(waitFor([&] { return window_.plotView().sheet().status.text == "3 of 3 lines"; }));
   // The curve may be there before the first frame, and the diagram is painted anew after a pause.
   ASSERT_TRUE(waitFor([&] { return chart().marker.has_value(); }));
   ASSERT_EQ(chart().series.size(), 2U);
