@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "ui/chart/diagram_colours.h"
 #include "ui/draw/fonts.h"
@@ -84,6 +85,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     spans_ = diagram.spans;
     shades_ = diagram.shades;
     map_ = map;
+    drawn_ = drawnPlaces(diagram, map);
     look_ = look;
     xAxis_ = xAxis;
     yAxis_ = yAxis;
@@ -124,7 +126,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   QList<QRectF> namesInside() const {
     QList<QRectF> places;
     for (const DiagramSpan& shade : shades_)
-      if (const QRectF place = placeOfName(shade); !place.isEmpty()) places += place;
+      if (const QRectF place = nameOf(shade).place; !place.isEmpty()) places += place;
     return places;
   }
 
@@ -135,6 +137,14 @@ class ChartPanel::UnderItem : public QGraphicsItem {
 
  private:
   static constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
+  static constexpr int kHead = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
+
+  /// Where the name of a shade stands.
+  struct Name {
+    QRectF room;
+    int alignment = kFoot;
+    QRectF place{};  // empty where it does not fit
+  };
 
   QRectF columnOf(const DiagramSpan& span) const {
     const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
@@ -164,38 +174,70 @@ class ChartPanel::UnderItem : public QGraphicsItem {
 
   void paintShadeNames(QPainter& painter) const {
     for (const DiagramSpan& shade : shades_) {
-      const QRectF room = roomOfName(shade);
-      if (placeOfName(shade).isEmpty()) continue;
+      const Name name = nameOf(shade);
+      if (name.place.isEmpty()) continue;
       painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
       painter.setPen(look_.faintText());
-      painter.drawText(room, kFoot, QString::fromStdString(shade.label.text));
+      painter.drawText(name.room, name.alignment, QString::fromStdString(shade.label.text));
     }
     painter.setOpacity(1);
   }
 
-  /// The room of a name: the whole shade, or its wider side where the line of the marker would go
-  /// through the name.
-  QRectF roomOfName(const DiagramSpan& shade) const {
-    const QRectF whole = columnOf(shade).adjusted(kAside, 0, -kAside, -kAside);
-    const QRectF place = placeIn(whole, shade);
-    if (!(line_ > place.left() - kAside && line_ < place.right() + kAside)) return whole;
+  /// Places a name at the foot of its shade, or at its head where fewer curves go through it there;
+  /// in the whole width, or on the wider side where the line of the marker would go through it.
+  Name nameOf(const DiagramSpan& shade) const {
+    const QRectF whole = columnOf(shade).adjusted(kAside, kAside, -kAside, -kAside);
+    const auto placed = [&](const QRectF& room) {
+      const Name foot{room, kFoot, placeIn(room, kFoot, shade)};
+      const Name head{room, kHead, placeIn(room, kHead, shade)};
+      return drawnIn(head.place) < drawnIn(foot.place) ? head : foot;
+    };
+    const Name name = placed(whole);
+    if (!(line_ > name.place.left() - kAside && line_ < name.place.right() + kAside)) return name;
     QRectF side = whole;
     if (line_ < whole.center().x())
       side.setLeft(line_ + 2 * kAside);
     else
       side.setRight(line_ - 2 * kAside);
-    return placeIn(side, shade).isEmpty() ? whole : side;
+    const Name beside = placed(side);
+    return beside.place.isEmpty() ? name : beside;
   }
 
   /// The place of a name in a room; empty where it does not fit.
-  QRectF placeIn(const QRectF& room, const DiagramSpan& shade) const {
-    const QRectF place = QFontMetricsF(look_.font)
-                             .boundingRect(room, kFoot, QString::fromStdString(shade.label.text));
+  QRectF placeIn(const QRectF& room, int alignment, const DiagramSpan& shade) const {
+    const QRectF place =
+        QFontMetricsF(look_.font)
+            .boundingRect(room, alignment, QString::fromStdString(shade.label.text));
     return room.contains(place) ? place : QRectF();
   }
 
-  /// The place of a shade's name; empty where it does not fit.
-  QRectF placeOfName(const DiagramSpan& shade) const { return placeIn(roomOfName(shade), shade); }
+  /// How much of the curves goes through a place.
+  qsizetype drawnIn(const QRectF& place) const {
+    return std::ranges::count_if(drawn_, [&](QPointF at) { return place.contains(at); });
+  }
+
+  /// Places a few pixels apart along all curves.
+  static QList<QPointF> drawnPlaces(const Diagram& diagram, const ChartGeometry& map) {
+    constexpr double kStep = 5;  // pixels
+    QList<QPointF> places;
+    if (diagram.shades.empty()) return places;
+    for (const DiagramSeries& series : diagram.series) {
+      std::optional<QPointF> before;
+      for (const DiagramPoint& point : series.points) {
+        if (!hasPlace(diagram, point)) {
+          before.reset();
+          continue;
+        }
+        const QPointF at = map.at(point.x, point.y);
+        const double way = before ? QLineF(*before, at).length() : 0;
+        const int steps = static_cast<int>(std::clamp(way / kStep, 1.0, 1000.0));
+        for (int i = 1; i <= steps; ++i)
+          places += before ? *before + (at - *before) * i / steps : at;
+        before = at;
+      }
+    }
+    return places;
+  }
 
   /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
   /// the time that painting a diagram takes.
@@ -262,6 +304,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   std::vector<DiagramSpan> spans_, shades_;
+  QList<QPointF> drawn_;  // along the curves
   ChartGeometry map_;
   ChartLook look_;
   TickedAxis xAxis_, yAxis_;

@@ -1,10 +1,10 @@
 #include "ui/panels/choice_box.h"
 
-#include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QScrollBar>
 #include <QWheelEvent>
 #include <algorithm>
 
@@ -70,8 +70,9 @@ TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  connect(document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
-          &TextBox::updateGeometry);
+  // Both say that the lines are another number: one of a text, one of a width.
+  connect(this, &QPlainTextEdit::textChanged, this, &TextBox::updateGeometry);
+  connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &TextBox::updateGeometry);
 }
 
 void TextBox::showText(const QString& text) {

@@ -21,6 +21,7 @@ Material materialWith(double arm) {
   }
   MaterialChoices choices;
   choices.columns.temperature = 293.15;
+  choices.columns.modulus = ModulusKind::Shear;
   return makeMaterial(table, "solid.csv", choices);
 }
 
