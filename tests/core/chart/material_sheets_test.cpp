@@ -1,4 +1,4 @@
-// A measured rubber as charts, from one isotherm of a standard solid.
+// A measured rubber as charts, from one isotherm.
 #include "core/chart/material_sheets.h"
 
 #include <gtest/gtest.h>
@@ -6,23 +6,39 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace asperity {
 namespace {
 
-/// Moduli of G = 1 MPa and an arm of `arm` MPa at 1 s, with a deviation that no series follows.
-Material materialWith(double arm) {
+using Moduli = std::pair<double, double>;  // storage, loss, MPa
+
+/// A standard solid with an arm of 1 s: its loss tangent falls by decades beside its peak.
+Moduli solid(double frequency) {
+  const double x = 2 * M_PI * frequency, share = x * x / (1 + x * x);
+  return {1 + share, share / x};
+}
+
+/// Moduli that grow alike: their loss tangent is the same at each frequency.
+Moduli powerLaw(double frequency) {
+  const double storage = std::pow(frequency, 0.2);
+  return {storage, std::tan(0.1 * M_PI) * storage};
+}
+
+/// One isotherm, with deviations that no series follows.
+Material materialOf(Moduli moduli(double)) {
   std::string table = "frequency (Hz),storage modulus (MPa),loss modulus (MPa)\n";
   for (int i = -10; i <= 10; ++i) {
-    const double frequency = std::pow(10, 0.1 * i), x = 2 * M_PI * frequency;
-    const double share = x * x / (1 + x * x), deviation = i % 2 == 0 ? 1.01 : 0.99;
-    table += std::to_string(frequency) + "," + std::to_string(deviation * (1 + arm * share)) + "," +
-             std::to_string(arm * share / x) + "\n";
+    const double frequency = std::pow(10, 0.1 * i);
+    const auto [storage, loss] = moduli(frequency);
+    table += std::to_string(frequency) + "," +
+             std::to_string((i % 2 == 0 ? 1.01 : 0.99) * storage) + "," + std::to_string(loss) +
+             "\n";
   }
   MaterialChoices choices;
   choices.columns.temperature = 293.15;
   choices.columns.modulus = ModulusKind::Shear;
-  return makeMaterial(table, "solid.csv", choices);
+  return makeMaterial(table, "rubber.csv", choices);
 }
 
 const DiagramSheet& sheetOf(const std::vector<NamedSheet>& sheets, const std::string& name) {
@@ -30,7 +46,7 @@ const DiagramSheet& sheetOf(const std::vector<NamedSheet>& sheets, const std::st
 }
 
 TEST(MaterialSheets, NoResidualIsCutByTheFrame) {
-  const std::vector<NamedSheet> sheets = materialSheets(materialWith(1));
+  const std::vector<NamedSheet> sheets = materialSheets(materialOf(solid));
   const Diagram& residuals = sheetOf(sheets, "master_curve").diagrams.at(1);
   double largest = 0;
   for (const DiagramSeries& series : residuals.series)
@@ -42,9 +58,9 @@ TEST(MaterialSheets, NoResidualIsCutByTheFrame) {
 
 /// Of less than a decade on a logarithmic axis, hardly one tick has a round number.
 TEST(MaterialSheets, TheLossTangentIsLogarithmicWhereItHasDecades) {
-  EXPECT_EQ(sheetOf(materialSheets(materialWith(0.1)), "loss_tangent").diagrams.at(0).y.scale,
+  EXPECT_EQ(sheetOf(materialSheets(materialOf(powerLaw)), "loss_tangent").diagrams.at(0).y.scale,
             AxisScale::Linear);
-  EXPECT_EQ(sheetOf(materialSheets(materialWith(100)), "loss_tangent").diagrams.at(0).y.scale,
+  EXPECT_EQ(sheetOf(materialSheets(materialOf(solid)), "loss_tangent").diagrams.at(0).y.scale,
             AxisScale::Logarithmic);
 }
 

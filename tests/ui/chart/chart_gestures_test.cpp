@@ -248,7 +248,7 @@ TEST_F(ChartGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
 
 /// A curve through the foot of a shade would go through its name there.
 TEST_F(ChartGestures, TheNameOfAShadeKeepsAwayFromCurves) {
-  const std::string name = "few summits carry the load";
+  const Message name = "few summits carry the load";
   const QString explained = anchorText(*explanationOf(name));
   for (const double height : {1.2e-4, 0.8}) {
     DiagramSheet sheet = sampleSheet();
