@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 
 namespace asperity {
 
@@ -87,9 +88,12 @@ void TextBox::replaceText(const QString& text) {
 }
 
 QSize TextBox::sizeHint() const {
+  constexpr int kAround = 16;  // pixels, margins and frame
   // The height of a plain text's document counts lines, as they are broken at the present width.
   const int lines = static_cast<int>(document()->size().height());
-  return {120, std::clamp(lines, kFewestLines, kMostLines) * fontMetrics().lineSpacing() + 12};
+  const double text =
+      std::clamp(lines, kFewestLines, kMostLines) * QFontMetricsF(font()).lineSpacing();
+  return {120, static_cast<int>(std::ceil(text)) + kAround};
 }
 
 void TextBox::keyPressEvent(QKeyEvent* event) {
