@@ -128,8 +128,14 @@ void shootContextMenu(QWidget& widget, const std::string& name, Camera& camera) 
   QTest::qWait(700);
 }
 
-/// The middle of what a drag of this kind begins at; none where the picture has no such label.
+/// Where a drag of this kind begins: the middle of its label; of the body, which is large, a place
+/// in it; else a place of the line. None where the picture has no such label.
 std::optional<QPoint> placeOf(const ContactCanvas& canvas, ContactHandle wanted) {
+  const QRectF plot = canvas.plotArea();
+  if (wanted == ContactHandle::Body || wanted == ContactHandle::None) {
+    const QPointF part = wanted == ContactHandle::Body ? QPointF(0.3, 0.04) : QPointF(0.4, 0.6);
+    return (plot.topLeft() + QPointF(part.x() * plot.width(), part.y() * plot.height())).toPoint();
+  }
   for (const HandlePlace& place : contactHandles(*canvas.frame(), shownOptions(canvas)))
     if (place.handle == wanted) return middleOf(place.box);
   return std::nullopt;
@@ -147,11 +153,7 @@ void shootHandles(MainWindow& window, Camera& camera) {
                 {"contact_surface", ContactHandle::None, {60, 0}}};
   for (const auto& wanted : kDrags) {
     if (!camera.wants(wanted.name)) continue;
-    const QRectF plot = canvas.plotArea();
-    const std::optional<QPoint> at =
-        wanted.handle == ContactHandle::None
-            ? QPointF(plot.left() + 0.4 * plot.width(), plot.top() + 0.6 * plot.height()).toPoint()
-            : placeOf(canvas, wanted.handle);
+    const std::optional<QPoint> at = placeOf(canvas, wanted.handle);
     if (!at) {
       std::printf("%s: the picture has no such label\n", wanted.name);
       continue;
