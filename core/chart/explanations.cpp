@@ -70,7 +70,7 @@ constexpr std::array kTable{
                      "foundation"},
     HoverExplanation{"rms_slope_contact", "∇z_cont = √(∫ z'² dx/L_c)",
                      "Rms slope of the line where it touches the elastomer.", "eq-15"},
-    HoverExplanation{"indentation", "d",
+    HoverExplanation{"indentation", "u = z − d (p > 0)",
                      "How deep the lowest point of the line lies below the undeformed surface.",
                      "foundation"},
     HoverExplanation{"tangential_force", "F_x = −4 ∫ z' [G (d − z) + η v z'] dx, Eq. (4)",

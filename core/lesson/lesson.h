@@ -106,10 +106,11 @@ struct LessonControls {
 struct LessonView {
   std::string tab = "curve";     // a word of lessonTabs()
   std::string quantity = "mu";   // of the vertical axis of the friction curve
-  bool isLinear = false;         // that axis, while the curve is shown
+  bool isLinear = false;         // that axis
   bool hidesCurve = false;       // until the prediction is made
   bool hidesCurveAfter = false;  // and then, too; a step to come asks for what it shows
-  /// Ends of the vertical axis while the curve is hidden, which must not give the answer away.
+  /// Ends of the vertical axis while the curve is hidden, which must not give the answer away; a
+  /// linear one may begin at 0.
   double hiddenFrom = 1e-4, hiddenTo = 10;
   /// Curves to compare with: each is the step's scene with other keys, KEY=VALUE.
   std::vector<std::vector<std::string>> beside{};

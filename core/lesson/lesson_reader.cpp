@@ -253,7 +253,8 @@ class StepReader {
       checkMembers(*range, where, {"from", "to"});
       view.hiddenFrom = numberIn(*range, where, "from");
       view.hiddenTo = numberIn(*range, where, "to");
-      if (!(view.hiddenFrom > 0 && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
+      const bool canBegin = view.hiddenFrom > 0 || (view.isLinear && view.hiddenFrom == 0);
+      if (!(canBegin && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
         refuseMember(where, "needs two values above 0, of which to is the larger one");
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {

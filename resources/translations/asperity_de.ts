@@ -563,8 +563,8 @@
         <translation>gemessen: %1 Rechenzeit, Fehler der Reibung %2</translation>
     </message>
     <message>
-        <source>measured: %1 to compute, standard error %2</source>
-        <translation>gemessen: %1 Rechenzeit, Standardfehler %2</translation>
+        <source>measured: %1 to compute, standard error %2 over the curve</source>
+        <translation>gemessen: %1 Rechenzeit, Standardfehler der Kurve %2</translation>
     </message>
     <message>
         <source>predicted motion: %1 to compute %2 steps, error of friction %3 (time step %4, resolution %5, settling %6)</source>
@@ -572,7 +572,7 @@
     </message>
     <message>
         <source>predicted: %1 to compute, error of friction %2 (resolution %3, realizations %4)</source>
-        <translation>vorhergesagt: %1 Rechenzeit, Fehler der Reibung %2 (Auflösung %3, Realisierungen %4)</translation>
+        <translation>vorhergesagt: %1 Rechenzeit, Fehler der Reibung %2 (Auflösung %3, Linien %4)</translation>
     </message>
 </context>
 <context>
@@ -3653,8 +3653,8 @@
         <translation>Warmes Gummi braucht für dieselbe Reibung eine höhere Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Thirteen arms spread the rise of friction over twelve decades of velocity.</source>
-        <translation>Dreizehn Arme verteilen den Anstieg der Reibung über zwölf Dekaden der Geschwindigkeit.</translation>
+        <source>Thirteen arms spread the rise of friction over ten decades of velocity.</source>
+        <translation>Dreizehn Arme verteilen den Anstieg der Reibung über zehn Dekaden der Geschwindigkeit.</translation>
     </message>
     <message>
         <source>Friction vanishes for slow and for fast sliding: there the rubber is elastic.</source>

@@ -5994,8 +5994,8 @@
         <translation>Bereich IV: Die Reibung fällt wieder</translation>
     </message>
     <message>
-        <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over twelve decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
-        <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zwölf Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
+        <source>An example without a published source, relaxation times from 100 s to 10⁻¹⁰ s, a third of the measured tensile moduli each: friction climbs over ten decades of velocity. The glassy side is cut at 10⁻¹⁰ s, so the fall beyond about 10⁵ m/s belongs to the fit and not to the rubber.</source>
+        <translation>Ein Beispiel ohne veröffentlichte Quelle, Relaxationszeiten von 100 s bis 10⁻¹⁰ s, je ein Drittel der gemessenen Zugmoduln: Die Reibung steigt über zehn Dekaden der Geschwindigkeit. Die Glasseite ist bei 10⁻¹⁰ s abgeschnitten, daher gehört der Abfall oberhalb von etwa 10⁵ m/s zur Anpassung und nicht zum Gummi.</translation>
     </message>
     <message>
         <source>Reversal</source>
@@ -6046,8 +6046,8 @@
         <translation>Das Gummi kommt nicht mehr ganz nach, und der Kontakt beginnt die Rückseiten der Gipfel zu verlassen. Innerhalb einer Dekade der Geschwindigkeit biegt die Gerade in das Plateau ein.</translation>
     </message>
     <message>
-        <source>The rubber slides down a straight flank, so pressure is even on it and falls off behind the tip. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
-        <translation>Das Gummi gleitet eine gerade Flanke hinab, daher ist der Druck auf ihr gleichmäßig und fällt hinter der Spitze ab. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
+        <source>A straight flank presses the rubber down at one speed: pressure begins with a jump, grows to the tip and drops behind it; at high velocity it is even. Friction reaches the slope itself once nothing touches the trailing flank, and stays there.</source>
+        <translation>Eine gerade Flanke drückt das Gummi überall gleich schnell ein: Der Druck beginnt mit einem Sprung, wächst bis zur Spitze und fällt dahinter ab; bei hoher Geschwindigkeit ist er gleichmäßig. Die Reibungszahl erreicht die Steigung selbst, sobald nichts mehr die hintere Flanke berührt, und bleibt dort.</translation>
     </message>
     <message>
         <source>The series, an example without a published source, holds at 343 K; by the shift of another filled rubber (Hentschke and Plagge 2021) every arm is about 140 times as slow at 298 K, and friction at walking speed is that of a stiffer rubber. Move the temperature: the curve slides along the velocity without changing.</source>

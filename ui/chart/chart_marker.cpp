@@ -51,17 +51,17 @@ QRectF MarkerItem::placeOfLabel(const QList<QRectF>& taken) const {
       return text.adjusted(-away / 2, 0, away / 2, 0).intersects(place);
     });
   };
-  if (fitsRight && isFree(right)) return right;
-  if (fitsLeft && isFree(left)) return left;
+  const double dot = geometry_.at(marker_->x, marker_->y).y(), around = kDot * geometry_.scale;
+  const auto isOnCurve = [&](const QRectF& place) {
+    return place.top() < dot + around && place.bottom() > dot - around;
+  };
+  if (fitsRight && isFree(right) && !isOnCurve(right)) return right;
+  if (fitsLeft && isFree(left) && !isOnCurve(left)) return left;
   QRectF lifted = fitsRight ? right : left;
   for (const QRectF& text : taken)
     if (text.adjusted(-away / 2, 0, away / 2, 0).intersects(lifted)) lifted.moveBottom(text.top());
   QRectF head = fitsRight ? right : left;
   head.moveTop(area.top() + away - 3);
-  const double dot = geometry_.at(marker_->x, marker_->y).y(), around = kDot * geometry_.scale;
-  const auto isOnCurve = [&](const QRectF& place) {
-    return place.top() < dot + around && place.bottom() > dot - around;
-  };
   if (isOnCurve(lifted) && !isOnCurve(head) && isFree(head)) return head;
   return lifted.top() >= area.top() ? lifted : fitsRight ? right : left;
 }

@@ -183,14 +183,20 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     painter.setOpacity(1);
   }
 
-  /// Places a name at the foot of its shade, or at its head where fewer curves go through it there;
-  /// in the whole width, or on the wider side where the line of the marker would go through it.
+  /// Places a name at the foot of its shade, or at the highest place where least of the curves goes
+  /// through it; in the whole width, or on the wider side where the line of the marker would go
+  /// through it.
   Name nameOf(const DiagramSpan& shade) const {
     const QRectF whole = columnOf(shade).adjusted(kAside, kAside, -kAside, -kAside);
     const auto placed = [&](const QRectF& room) {
-      const Name foot{room, kFoot, placeIn(room, kFoot, shade)};
-      const Name head{room, kHead, placeIn(room, kHead, shade)};
-      return drawnIn(head.place) < drawnIn(foot.place) ? head : foot;
+      Name best{room, kFoot, placeIn(room, kFoot, shade)};
+      const double step = QFontMetricsF(look_.font).height() / 2;
+      for (QRectF part = room; drawnIn(best.place) > 0; part.setTop(part.top() + step)) {
+        const Name other{part, kHead, placeIn(part, kHead, shade)};
+        if (other.place.isEmpty()) break;
+        if (drawnIn(other.place) < drawnIn(best.place)) best = other;
+      }
+      return best;
     };
     const Name name = placed(whole);
     if (!(line_ > name.place.left() - kAside && line_ < name.place.right() + kAside)) return name;
@@ -460,8 +466,10 @@ void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const A
   for (const AxisTick& tick : ticked.ticks) labels += QString::fromStdString(tick.label);
   if (axis.categoriesLabels() == labels && axis.min() == range.from && axis.max() == range.to)
     return;
-  for (const QString& label : axis.categoriesLabels()) axis.remove(label);
+  // The library lays the axis out at once where its range changes, and later where its labels do:
+  // without labels in between, a range that changes in every frame would never show any.
   axis.setRange(range.from, range.to);
+  for (const QString& label : axis.categoriesLabels()) axis.remove(label);
   axis.setStartValue(range.from - range.size());
   for (std::size_t i = 0; i < ticked.ticks.size(); ++i)
     axis.append(labels[static_cast<qsizetype>(i)], ticked.ticks[i].value);

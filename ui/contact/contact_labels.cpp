@@ -236,7 +236,10 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   const std::vector<Tag> tags = elastomerTags(frame);
   const Theme& t = layout.theme;
   const Rgba plate = t.isPaper ? t.elastomer : mix(t.elastomer, {0, 0, 0, 1}, 0.2F);
-  const float top = layout.plot.bottom() - margin - painter.height();
+  // In a low view the name stands lower, so that the surface does not cross its letters.
+  const float air = std::round(2 * layout.sizes.unit);
+  const float lowest = layout.plot.bottom() - painter.height();
+  const float top = std::clamp(std::round(layout.py(0)) + air, lowest - margin, lowest - air);
   const auto fits = [&](const Tag& tag) {
     return painter.width(tag) + 2 * margin <= layout.plot.width;
   };

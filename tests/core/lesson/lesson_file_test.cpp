@@ -56,8 +56,10 @@ TEST(LessonFile, TheVerticalAxisIsLogarithmicOrLinear) {
   Json json = sampleLesson();
   EXPECT_FALSE(lessonOf(json).steps[0].show.isLinear);
   json["steps"][0]["show"]["scale"] = "linear";
+  json["steps"][0]["show"]["hidden_range"] = {{"from", 0}, {"to", 1}};
   const Lesson lesson = lessonOf(json);
   EXPECT_TRUE(lesson.steps[0].show.isLinear);
+  EXPECT_EQ(lesson.steps[0].show.hiddenFrom, 0);
   EXPECT_TRUE(readLesson(writeLesson(lesson), "again.json").steps[0].show.isLinear);
 }
 
@@ -131,6 +133,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/steps/1/show/quantity", "\"nu\"", "steps[1].show.quantity", "mu"},
         Wrong{"/steps/1/show/curve", "\"no\"", "steps[1].show.curve", "hidden"},
         Wrong{"/steps/1/show/scale", "\"lin\"", "steps[1].show.scale", "linear"},
+        Wrong{"/steps/1/show/hidden_range", "{\"from\": 0, \"to\": 1}",
+              "steps[1].show.hidden_range", "above 0"},
         Wrong{"/steps/1/show/hidden_range", "{\"from\": 1, \"to\": 1}",
               "steps[1].show.hidden_range", "larger"},
         Wrong{"/steps/1/show/beside",

@@ -153,13 +153,16 @@ TEST_F(LessonsTest, ACurveStaysHiddenWhereTheStepSaysSo) {
   }
 }
 
-/// While it is hidden, the axis has the ends that the step gives it.
-TEST_F(LessonsTest, ACurveHasTheScaleOfItsStepOnceItIsShown) {
+/// While it is hidden, the axis has the ends that the step gives it, too.
+TEST_F(LessonsTest, ACurveHasTheScaleOfItsStep) {
   Json json = sampleLesson();
   json["steps"][0]["show"]["curve"] = "hidden";
   json["steps"][0]["show"]["scale"] = "linear";
+  json["steps"][0]["show"]["hidden_range"] = {{"from", 0}, {"to", 0.002}};
   lessons().start(lessonOf(json));
-  EXPECT_EQ(chart().y.scale, AxisScale::Logarithmic);
+  ASSERT_TRUE(waitFor([&] { return chart().y.scale == AxisScale::Linear; }));
+  EXPECT_EQ(chart().y.from, 0);
+  EXPECT_EQ(chart().y.to, 0.002);
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
   ASSERT_TRUE(waitFor([&] { return chart().y.scale == AxisScale::Linear; }));

@@ -16,6 +16,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QToolTip>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -153,13 +154,15 @@ void shootHandles(MainWindow& window, Camera& camera) {
                 {"contact_surface", ContactHandle::None, {60, 0}}};
   for (const auto& wanted : kDrags) {
     if (!camera.wants(wanted.name)) continue;
-    const std::optional<QPoint> at = placeOf(canvas, wanted.handle);
+    std::optional<QPoint> at = placeOf(canvas, wanted.handle);
     if (!at) {
       std::printf("%s: the picture has no such label\n", wanted.name);
       continue;
     }
     point(canvas, *at);
     camera.shoot(std::string(wanted.name) + "_tip");
+    // Labels move with the line: the drag begins where this one is by now.
+    at = placeOf(canvas, wanted.handle).value_or(*at);
     QTest::mousePress(&canvas, Qt::LeftButton, {}, *at);
     for (int step = 1; step <= 5; ++step) {
       QTest::mouseMove(&canvas, *at + wanted.drag * step / 5);
@@ -196,9 +199,16 @@ void shootTips(MainWindow& window, Camera& camera) {
     camera.shoot("tip_chart_" + std::to_string(i + 1));
   }
   int number = 0;
-  for (const ContactSign& sign :
-       contactSigns(*window.canvas().frame(), shownOptions(window.canvas()))) {
-    point(window.canvas(), middleOf(sign.place));
+  const auto signs = [&] {
+    return contactSigns(*window.canvas().frame(), shownOptions(window.canvas()));
+  };
+  for (const ContactSign& sign : signs()) {
+    // Labels move with the line: the pointer goes where this one is by now.
+    const std::vector<ContactSign> now = signs();
+    const auto same = std::ranges::find_if(now, [&](const ContactSign& one) {
+      return one.id == sign.id && one.place.y == sign.place.y;
+    });
+    point(window.canvas(), middleOf(same == now.end() ? sign.place : same->place));
     camera.shoot("tip_contact_" + std::to_string(++number));
   }
   for (const char* row :

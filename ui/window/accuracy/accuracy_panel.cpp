@@ -200,7 +200,7 @@ void AccuracyPanel::showMeasured(double time, double standardError, double inter
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
   measured_->setText(isSingle ? tr("measured: %1 to compute, error of friction %2")
                                     .arg(seconds(time), percent(interval))
-                              : tr("measured: %1 to compute, standard error %2")
+                              : tr("measured: %1 to compute, standard error %2 over the curve")
                                     .arg(seconds(time), percent(standardError)));
 }
 

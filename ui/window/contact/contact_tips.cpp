@@ -4,6 +4,7 @@
 #include "ui/contact/contact_signs.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/explained.h"
+#include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/contact/contact_canvas.h"
 #include "ui/window/main/commands.h"
@@ -29,7 +30,7 @@ QString whatADragDoes(ContactHandle handle, const Scene& scene) {
 
 /// Returns what a sign means: its explanation, or what it says where it has none.
 ContactTip tipOf(const ContactSign& sign) {
-  const QString sentence = QString::fromStdString(sign.tip);
+  const QString sentence = keptTogether(QString::fromStdString(sign.tip));
   const auto explanation = explanationOf(sign.id);
   if (!explanation) return {wrappedTip(sentence), {}};
   return {explanationHtml(*explanation, QString::fromStdString(sign.name), sentence),

@@ -106,7 +106,7 @@ constexpr std::array kCards{
     SceneCard{"tread_compound", SceneView::Curve,
               QT_TRANSLATE_NOOP(
                   "asperity::SceneCardText",
-                  "Thirteen arms spread the rise of friction over twelve decades of velocity.")},
+                  "Thirteen arms spread the rise of friction over ten decades of velocity.")},
     SceneCard{"wedge_standard_solid", SceneView::Curve,
               QT_TRANSLATE_NOOP(
                   "asperity::SceneCardText",

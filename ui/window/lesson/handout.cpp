@@ -193,7 +193,7 @@ class HandoutMaker {
     CurveSet set;
     set.present = {{}, untitled(scene), curveOf(scene)};
     set.y = *quantityNamed(step.show.quantity);
-    if (step.show.isLinear && !isHidden) set.yScale = AxisScale::Linear;
+    if (step.show.isLinear) set.yScale = AxisScale::Linear;
     for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
       const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
       set.pinned.push_back({differencesInWords(other, untitled(step.scene)), other, curveOf(other),

@@ -386,7 +386,7 @@ void Lessons::showChart() {
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.unpinAll();
     plot.setQuantity(*quantityNamed(view.quantity));
-    plot.setLinearY(view.isLinear && !hides);
+    plot.setLinearY(view.isLinear);
     plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
   });
   if (!view.beside.empty()) {
