@@ -196,10 +196,14 @@ class ChartPanel::UnderItem : public QGraphicsItem {
         if (other.place.isEmpty()) break;
         if (drawnIn(other.place) < drawnIn(best.place)) best = other;
       }
+      // In a low frame a name over the curves hides them.
+      if (3 * best.place.height() > room.height() && drawnIn(best.place) > 0) best.place = {};
       return best;
     };
     const Name name = placed(whole);
-    if (!(line_ > name.place.left() - kAside && line_ < name.place.right() + kAside)) return name;
+    if (name.place.isEmpty() || line_ <= name.place.left() - kAside ||
+        line_ >= name.place.right() + kAside || std::isnan(line_))
+      return name;
     QRectF side = whole;
     if (line_ < whole.center().x())
       side.setLeft(line_ + 2 * kAside);

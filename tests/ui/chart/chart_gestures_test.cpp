@@ -244,24 +244,49 @@ TEST_F(ChartGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
   EXPECT_EQ(fitted.count(), 1);
 }
 
-/// A curve through the foot of a shade would go through its name there.
-TEST_F(ChartGestures, TheNameOfAShadeKeepsAwayFromCurves) {
-  for (const double height : {1.2e-4, 0.8}) {
+class NamesOfShades : public ChartGestures {
+ protected:
+  void show(std::vector<DiagramPoint> points) {
     DiagramSheet sheet = sampleSheet();
     Diagram& diagram = sheet.diagrams[0];
     diagram.marker.reset();
     diagram.spans.clear();
     diagram.shades = {{1, 1e3, "few summits carry the load"}};
-    diagram.series = {DiagramSeries{.points = {{1e-2, height}, {1e3, height}}}};
+    diagram.series = {DiagramSeries{.points = std::move(points)}};
     view_->setSheet(sheet);
     QTest::qWait(1);
-    const auto isNameAt = [&](double y, int down) {
-      QTest::mouseMove(view_.get(), at(std::sqrt(1e3), y) + QPoint(0, down));
-      return view_->reading().contains("single summits");
-    };
+  }
+  bool isNameAt(double y, int down) {
+    QTest::mouseMove(view_.get(), at(std::sqrt(1e3), y) + QPoint(0, down));
+    return view_->reading().contains("single summits");
+  }
+};
+
+/// A curve through the foot of a shade would go through its name there.
+TEST_F(NamesOfShades, KeepAwayFromCurves) {
+  for (const double height : {1.2e-4, 0.8}) {
+    show({{1e-2, height}, {1e3, height}});
     EXPECT_EQ(isNameAt(1, 10), height < 0.01);
     EXPECT_EQ(isNameAt(1e-4, -10), height > 0.01);
   }
+}
+
+/// A curve that is everywhere in a low frame leaves no room.
+TEST_F(NamesOfShades, AreLeftOutOfLowFramesThatTheyWouldFill) {
+  std::vector<DiagramPoint> zigzag;
+  for (int i = 0; i <= 60; ++i) zigzag.push_back({std::pow(10, 0.05 * i), i % 2 == 0 ? 1e-4 : 1});
+  const auto frameHeight = [&] { return (at(1, 1e-4) - at(1, 1)).y(); };
+  const auto isAnywhere = [&] {
+    bool isThere = false;
+    for (int down = 2; down < frameHeight(); down += 4) isThere |= isNameAt(1, down);
+    return isThere;
+  };
+  show(zigzag);
+  EXPECT_TRUE(isAnywhere());
+  const int line = QFontMetrics(view_->font()).lineSpacing();
+  view_->resize(800, view_->height() - frameHeight() + 2 * line);
+  QTest::qWait(1);
+  EXPECT_FALSE(isAnywhere());
 }
 
 TEST_F(ChartGestures, DraggingBesideTheMarkerPans) {
