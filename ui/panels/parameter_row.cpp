@@ -255,10 +255,15 @@ void ParameterRow::showEntry(const ParameterValue& value,
                              const std::optional<Placeholder>& placeholder, bool replace) {
   const UnitText shown = shownText(parameter_, value);
   const QString text = placeholder ? QString() : shown.number;
-  if (browse_)  // the button has a text until a file name needs the space
+  if (browse_) {
+    // The button has a text until a file name needs the space, which may not show all of it.
     browse_->setText(text.isEmpty() ? tr("choose file…") : QStringLiteral("…"));
-  else
+    entry_->setToolTip(text.isEmpty()
+                           ? description()
+                           : QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped()) + description());
+  } else {
     entry_->setPlaceholderText(placeholder ? placeholder->text : QString());
+  }
   const QString unit = !placeholder                  ? shown.unit
                        : placeholder->unit.isEmpty() ? fromUtf8(parameter_.unit)
                                                      : placeholder->unit;

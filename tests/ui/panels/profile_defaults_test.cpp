@@ -109,6 +109,7 @@ TEST_F(ParameterPanelTest, AButtonFindsTheFile) {
   browse->click();
   EXPECT_EQ(panel_.scene().surface.file, "today/line.csv");
   EXPECT_EQ(entry("surface.file").text(), "today/line.csv");
+  EXPECT_TRUE(entry("surface.file").toolTip().contains("today/line.csv")) << "it may be cut";
   answer = "/measured/hereafter/line.csv";
   browse->click();
   EXPECT_EQ(folder, "/measured/here/today");
