@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "core/material/element_law.h"
@@ -57,6 +58,18 @@ Known knownPart(std::span<const CurvePoint> points) {
 // In region I the exponent is 1; where Eq. (12) has reached 95 % of its plateau it is 0.1.
 constexpr double kLinear = 0.9, kFlat = 0.1;
 
+/// Returns where the parabola through the highest points is above 95 % of its maximum. It serves
+/// where the maximum lies so high between two points that none of them is.
+std::pair<double, double> plateauOfParabola(const Known& known, const CurveMaximum& top) {
+  const auto i = static_cast<std::size_t>(std::max_element(known.mu.begin(), known.mu.end()) -
+                                          known.mu.begin());
+  const double bend = 2 * known.mu[i] - known.mu[i - 1] - known.mu[i + 1];
+  const double step = known.velocities[i + 1] / known.velocities[i];
+  const double factor =
+      std::pow(step, std::sqrt(2 * (1 - BorderRule{}.ofMaximum) * top.value / bend));
+  return {top.velocity / factor, top.velocity * factor};
+}
+
 /// Collects regions from the curve's first velocity on, each beginning where the previous one ends.
 class Regions {
  public:
@@ -79,9 +92,12 @@ class Regions {
 
 std::vector<CurveRegion> regionsOf(const Known& known) {
   enum { kI, kII, kIII, kIV };
-  const RegionBorders borders = regionBorders(known.velocities, known.mu);
+  RegionBorders borders = regionBorders(known.velocities, known.mu);
   const std::size_t last = known.size() - 1;
   const CurveMaximum top = curveMaximum(known.velocities, known.mu);
+  // Only a maximum between two points, higher than both, is so high.
+  if (*std::max_element(known.mu.begin(), known.mu.end()) < BorderRule{}.ofMaximum * top.value)
+    std::tie(borders.toPlateau, borders.offPlateau) = plateauOfParabola(known, top);
   Regions regions(known);
   if (top.velocity == known.velocities[0] && known.exponent(0) < -kFlat) {
     regions.add(kIV, known.velocities[last]);
@@ -90,10 +106,7 @@ std::vector<CurveRegion> regionsOf(const Known& known) {
   if (known.mu[0] < BorderRule{}.ofMaximum * top.value) {
     const bool isRising =
         top.velocity == known.velocities[last] && known.exponent(last - 1) > kFlat;
-    // Between few points the maximum may lie so high above them that none reaches its
-    // neighbourhood.
-    const double reached = std::isfinite(borders.toPlateau) ? borders.toPlateau : top.velocity;
-    const double toPlateau = isRising ? known.velocities[last] : reached;
+    const double toPlateau = isRising ? known.velocities[last] : borders.toPlateau;
     if (known.exponent(0) > kLinear)
       regions.add(kI, std::isfinite(borders.endOfLinear) ? std::min(borders.endOfLinear, toPlateau)
                                                          : toPlateau);

@@ -111,10 +111,11 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
 }
 
 Claim exponentClaim(const std::vector<Coefficients>& all) {
-  Claim claim{"alpha_is_H_over_1_plus_H", "p. 3, Eq. (7), Fig. 5",
-              "For 0.2 < H < 0.8 the exponent alpha = H/(1+H) fits the numerical data very well",
-              "largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without "
-              "the ends; F\u2099 / G h L from 0.001 to 0.1"};
+  Claim claim{
+      "alpha_is_H_over_1_plus_H", "p. 3, Eq. (7), Fig. 5",
+      "For 0.2 < H < 0.8 the exponent \u03B1 = H/(1 + H) fits the numerical data very well",
+      "largest |\u03B1 - H/(1 + H)| at the five Hurst exponents between 0.2 and 0.8, without "
+      "the ends; F\u2099 / G h L from 0.001 to 0.1"};
   const auto deviation = [](const Coefficients& one, const Estimate& alpha) {
     return Estimate{std::abs(alpha.value - forceExponent(one.hurst)), alpha.standardError};
   };

@@ -139,7 +139,7 @@ Claim fullContactClaim(std::span<const Study> studies) {
   decideExactly(claim, all.points > 0 ? all.toResolved : kNotApplicable, below(1e-9));
   claim.note = message(
       "{} points of complete contact. Against the slope of the spectrum the difference is {:.1e}: "
-      "the resolution of the line, which falls with accuracy.oversampling.",
+      "the resolution of the line, which falls with the oversampling.",
       all.points, all.toSpectral);
   return claim;
 }

@@ -199,7 +199,7 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
   result.claim = {"temperature_shift", "p. 4, after Eq. (17)",
                   "Curves are shifted by changes of temperature, which influences the relaxation "
                   "time (the master curve procedure)",
-                  "largest |\u03BC(v, T) / \u03BC(v a_T, T_r) - 1|, 10 to 100 degrees Celsius"};
+                  "largest |\u03BC(v, T) / \u03BC(v a_T, T_r) - 1|, 10 to 100 \u00B0C"};
   result.claim.expected = 0;
   result.claim.criterion = message("below {}", plain(1e-9));
   decideExactly(result.claim, worst, below(1e-9));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/number_text.h"
 #include "core/chart/curve_regions.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
@@ -129,6 +130,10 @@ std::vector<Study> studiesOfLengths(const Study& study, FigureWork& work) {
   return studies;
 }
 
+PrintedNumber lengthText(const Study& study) {
+  return {printedQuantity(study.scene().surface.length, "m")};
+}
+
 Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& lengths) {
   Claim claim{
       "region_4_begins_at_few_summits", "p. 4, after Eq. (15)",
@@ -152,8 +157,7 @@ Claim borderClaim(const std::vector<Study>& forces, const std::vector<Study>& le
     each.push_back(message("F\u2099 / G h L = {:.2g}: {:.3f}",
                            dimensionlessForce(study.lawInput(0, 0)), heightAtBorder(study)));
   for (const Study& study : lengths)
-    each.push_back(
-        message("L = {:.2g} m: {:.3f}", study.scene().surface.length, heightAtBorder(study)));
+    each.push_back(message("L = {}: {:.3f}", lengthText(study), heightAtBorder(study)));
   claim.note = message("{}.", listed(each));
   return claim;
 }
@@ -176,8 +180,8 @@ Claim lengthClaim(const std::vector<Study>& studies) {
   decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.5));
   std::vector<Message> each;
   for (const Study& study : studies)
-    each.push_back(message("L = {:.2g} m: {:.2g} m/s", study.scene().surface.length,
-                           regionBorders(study, 0).offPlateau));
+    each.push_back(
+        message("L = {}: {:.2g} m/s", lengthText(study), regionBorders(study, 0).offPlateau));
   claim.note = message(
       "{}. Region IV belongs to the finite period: an endless line should keep its plateau.",
       listed(each));

@@ -49,8 +49,8 @@ Claim zone1Claim(Claim claim, const Study& study, double expected, const Read& r
 Claim zone1FrictionClaim(const Study& study) {
   return zone1Claim(
       {"zone_1_power", "p. 3, Eqs. (5) and (7)",
-       "In zone 1 the coefficient of friction is a power of the force, "
-       "\u03BC \u221D F\u2099^(-H/(1+H))",
+       "In zone 1 the coefficient of friction is a power of the force, with exponent "
+       "\u2212H/(1 + H)",
        "exponent of \u03BC over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
       study, -forceExponent(study.scene().surface.hurst),
       [&](std::size_t j, int out) { return study.mu(j, 0, out); });

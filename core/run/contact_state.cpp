@@ -55,9 +55,10 @@ Message touchInWords(const Frame& frame, const ContactState& state) {
   for (const ContactStretch& contact : contacts) longest = std::max(longest, contact.length);
   const PrintedNumber part = percent(state.contactFraction), period = printed(frame.length, "m"),
                       length = printed(longest, "m");
+  // Between two nodes the picture may have a point more or fewer than the steady state.
   if (contacts.size() == 1)
-    return message("They touch at one contact of {}, which is {} % of the period of {}.", length,
-                   part, period);
+    return message("They touch at one contact of {}, which is {} % of the period of {}.",
+                   printed(state.contactFraction * frame.length, "m"), part, period);
   return message("They touch at {} contacts, {} % of the period of {}; the longest contact is {}.",
                  contacts.size(), part, period, length);
 }

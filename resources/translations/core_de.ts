@@ -679,8 +679,8 @@
         <translation>%1 braucht stationäres Gleiten, nicht %2</translation>
     </message>
     <message>
-        <source>%1 points of complete contact. Against the slope of the spectrum the difference is %2: the resolution of the line, which falls with accuracy.oversampling.</source>
-        <translation>%1 Punkte im Vollkontakt. Gegenüber der Steigung des Spektrums ist der Unterschied %2: die Auflösung der Linie; er fällt mit accuracy.oversampling.</translation>
+        <source>%1 points of complete contact. Against the slope of the spectrum the difference is %2: the resolution of the line, which falls with the oversampling.</source>
+        <translation>%1 Punkte im Vollkontakt. Gegenüber der Steigung des Spektrums ist der Unterschied %2: die Auflösung der Linie; er fällt mit der Überabtastung.</translation>
     </message>
     <message>
         <source>%1 time steps would give %2 rows, more than %3; each %4th step gives fewer</source>
@@ -1827,8 +1827,8 @@
         <translation>Für 0,2 &lt; H &lt; 0,8 und nicht zu kleine Kräfte ist das Plateau fast konstant, etwa √2 mal die RMS-Steigung</translation>
     </message>
     <message>
-        <source>For 0.2 &lt; H &lt; 0.8 the exponent alpha = H/(1+H) fits the numerical data very well</source>
-        <translation>Für 0,2 &lt; H &lt; 0,8 passt der Exponent alpha = H/(1+H) sehr gut zu den numerischen Daten</translation>
+        <source>For 0.2 &lt; H &lt; 0.8 the exponent α = H/(1 + H) fits the numerical data very well</source>
+        <translation>Für 0,2 &lt; H &lt; 0,8 passt der Exponent α = H/(1 + H) sehr gut zu den numerischen Daten</translation>
     </message>
     <message>
         <source>For separate elements Fₙ(d) jumps where an element enters; see Fig. 2's claims.</source>
@@ -1851,8 +1851,8 @@
         <translation>Im Vollkontakt ist μ = 4 L η grad² v / Fₙ, exakt bestätigt</translation>
     </message>
     <message>
-        <source>In zone 1 the coefficient of friction is a power of the force, μ ∝ Fₙ^(-H/(1+H))</source>
-        <translation>In Zone 1 ist die Reibungszahl eine Potenz der Kraft, μ ∝ Fₙ^(-H/(1+H))</translation>
+        <source>In zone 1 the coefficient of friction is a power of the force, with exponent −H/(1 + H)</source>
+        <translation>In Zone 1 ist die Reibungszahl eine Potenz der Kraft mit dem Exponenten −H/(1 + H)</translation>
     </message>
     <message>
         <source>Largest at H = %1.</source>
@@ -1955,8 +1955,8 @@
         <translation>Fₙ/GhL = %1.</translation>
     </message>
     <message>
-        <source>largest |alpha - H/(1+H)| at the five Hurst exponents between 0.2 and 0.8, without the ends; Fₙ / G h L from 0.001 to 0.1</source>
-        <translation>größtes |alpha - H/(1+H)| an den fünf Hurst-Exponenten zwischen 0,2 und 0,8, ohne die Enden; Fₙ / G h L von 0,001 bis 0,1</translation>
+        <source>largest |α - H/(1 + H)| at the five Hurst exponents between 0.2 and 0.8, without the ends; Fₙ / G h L from 0.001 to 0.1</source>
+        <translation>größtes |α - H/(1 + H)| an den fünf Hurst-Exponenten zwischen 0,2 und 0,8, ohne die Enden; Fₙ / G h L von 0,001 bis 0,1</translation>
     </message>
     <message>
         <source>The points share their random lines and are correlated: neighbours in α by %1 on average.</source>
@@ -2219,8 +2219,8 @@
         <translation>größtes |μ / Gl. (8) - 1| im Vollkontakt, mit der Steigung der aufgelösten Linie</translation>
     </message>
     <message>
-        <source>largest |μ(v, T) / μ(v a_T, T_r) - 1|, 10 to 100 degrees Celsius</source>
-        <translation>größtes |μ(v, T) / μ(v a_T, T_r) - 1|, 10 bis 100 Grad Celsius</translation>
+        <source>largest |μ(v, T) / μ(v a_T, T_r) - 1|, 10 to 100 °C</source>
+        <translation>größtes |μ(v, T) / μ(v a_T, T_r) - 1|, 10 bis 100 °C</translation>
     </message>
     <message>
         <source>largest |n - 1| of μ ∝ vⁿ over the five lowest velocities</source>
@@ -4136,7 +4136,7 @@
     </message>
     <message>
         <source>reduced frequency f aᴛ %1</source>
-        <translation>reduzierte Frequenz f aᴛ %1</translation>
+        <translation>red. Frequenz f aᴛ %1</translation>
     </message>
     <message>
         <source>%1: isotherms</source>
@@ -4575,8 +4575,8 @@
         <translation>&apos;%1&apos; hat keine Einheit; dahinter steht C, K oder F</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a temperature such as 20C, 293.15K or 68F</source>
-        <translation>&apos;%1&apos; ist keine Temperatur wie 20C, 293.15K oder 68F</translation>
+        <source>&apos;%1&apos; is not a temperature such as 20 °C, 293.15 K or 68 °F</source>
+        <translation>„%1“ ist keine Temperatur wie 20 °C, 293,15 K oder 68 °F</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a modulus such as 2.3MPa</source>

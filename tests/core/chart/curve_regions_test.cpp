@@ -55,6 +55,25 @@ TEST(CurveRegions, ACurveThatIsCutHasOnlyThoseItShows) {
   EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e5, 1e6, 1e4))), ElementsAre("IV"));
 }
 
+// The maximum is between the two highest points, and neither has 95 % of it.
+TEST(CurveRegions, APlateauBetweenTwoPointsEndsBeforeTheSecond) {
+  std::vector<CurvePoint> points;
+  for (const auto& [velocity, mu] : std::vector<std::pair<double, double>>{
+           {1e-3, 5e-5}, {1e-2, 5e-4}, {1e-1, 2.9e-3}, {1, 2.7e-3}, {10, 1.1e-3}, {100, 3.6e-4}}) {
+    CurvePoint point;
+    point.velocity = velocity;
+    point.mu = mu;
+    point.realizations = 1;
+    points.push_back(point);
+  }
+  const auto regions = regionsOfCurve({}, points);
+  ASSERT_THAT(namesOf(regions), ElementsAre("I", "II", "III", "IV"));
+  // Parabola in steps of a decade: maximum 3.133e-3 at 0.423, 0.347 to both sides.
+  EXPECT_NEAR(std::log10(regions[2].from), -0.924, 0.01);
+  EXPECT_NEAR(std::log10(regions[2].to), -0.230, 0.01);
+  EXPECT_EQ(regions[3].to, 100);
+}
+
 TEST(CurveRegions, NeedAKelvinBodyAndFriction) {
   const auto points = lawBetween(1e-4, 1e6, 1e4);
   Scene solid;

@@ -60,7 +60,8 @@ TEST(ContactState, NamesVelocityForceContactsAndFriction) {
 TEST(ContactState, SpeaksOfOneContactInTheSingular) {
   const Frame frame = frameOf([](Scene& scene) { scene.surface.kind = SurfaceKind::Parabola; });
   ASSERT_EQ(stretchesOf(frame, false).size(), 1U);
-  EXPECT_TRUE(says(said(frame), "at one contact of "));
+  const std::string length = printedQuantity(frame.contactFraction * frame.length, "m");
+  EXPECT_TRUE(says(said(frame), "at one contact of " + length + ", which is ")) << said(frame);
 }
 
 TEST(ContactState, SpeaksOfRestAndOfFullContact) {

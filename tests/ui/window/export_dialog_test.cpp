@@ -122,6 +122,9 @@ TEST_F(ExportDialogTest, VectorsAndStylesHaveTheBytesOfTheirCommands) {
   choose("exportFormat", ".pdf");
   choose("exportStyle", "journal");
   EXPECT_EQ(in<QComboBox>("exportPreset").currentData(), "style");
+  EXPECT_EQ(in<QLineEdit>("exportWidth").text(), "86");
+  EXPECT_EQ(in<QLineEdit>("exportDensity").text(), "600");
+  EXPECT_EQ(in<QComboBox>("exportTheme").currentData(), "");
   EXPECT_TRUE(command().contains("--style journal"));
   EXPECT_FALSE(command().contains("--size"));
   expectSameBytes("curve.pdf");

@@ -159,6 +159,7 @@ QWidget* ExportDialog::makeBottom() {
   progress_->setAccessibleName(tr("progress of the export"));
   progress_->setTextVisible(true);
   auto* row = new QHBoxLayout;
+  row->addStrut(failure_->minimumHeight());  // so that nothing moves while the bar is shown
   row->addWidget(failure_, 1);
   row->addWidget(progress_, 1);
   write_ = new QPushButton(tr("&Export"));

@@ -8,7 +8,7 @@
 #include <QProcess>
 #include <array>
 #include <cmath>
-#include <exception>
+#include <optional>
 #include <utility>
 
 #include "core/chart/figure_style.h"
@@ -48,6 +48,18 @@ QString machineNumber(const QLineEdit& entry) {
 
 void choose(QComboBox& box, const QString& word) {
   if (const int index = box.findData(word); index >= 0) box.setCurrentIndex(index);
+}
+
+/// Returns the size of a style.
+std::optional<SizePreset> sizeOfStyle(const QString& name) {
+  const FigureStyle style = readStyle(name.toStdString());
+  const auto size = pictureSizeFrom(style.size);
+  if (!size) return {};
+  const bool isOnPaper = size->isOnPaper();
+  const double inUnit = isOnPaper ? kInch / size->perInch : 1;
+  const double usual = isOnPaper ? kPaper : kScreen;
+  return SizePreset{kOfStyle, inUnit * size->width, inUnit * size->height, isOnPaper,
+                    style.dotsPerInch > 0 ? style.dotsPerInch : usual};
 }
 
 /// Returns "Figure 2: Typical dependence of friction on velocity".
@@ -153,6 +165,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       if (box == style_) {
         fillSizes();
         choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
+        if (!chosen(*style_).isEmpty()) choose(*theme_, "");  // that of the style
       }
       if (box == preset_ || box == style_ || box == content_ || box == kind_) takePreset();
       if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
@@ -308,8 +321,9 @@ void ExportForm::fillSizes() {
 /// Shows the numbers of the named size.
 void ExportForm::takePreset() {
   const QString word = chosen(*preset_);
-  if (word == kOwn || word == kOfStyle) return;
-  if (isOfOwnSize()) {  // which the figure chooses
+  if (word == kOwn) return;
+  const auto ofStyle = word == kOfStyle ? sizeOfStyle(chosen(*style_)) : std::nullopt;
+  if (isOfOwnSize() && !ofStyle) {  // which the command chooses
     for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
     return;
   }
@@ -321,6 +335,7 @@ void ExportForm::takePreset() {
     size = {kUsual, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
   for (const SizePreset& each : kSizes)
     if (word == each.word) size = each;
+  if (ofStyle) size = *ofStyle;
   isFilling_ = true;
   width_->setText(QString::number(size.width));
   height_->setText(QString::number(size.height));
@@ -434,24 +449,8 @@ QString ExportForm::complaintOfSize() const {
 }
 
 QSizeF ExportForm::pixels() const {
-  if (isOfOwnSize() && chosen(*preset_) != kOfStyle) return {};
-  QSizeF size(machineNumber(*width_).toDouble(), machineNumber(*height_).toDouble());
-  double density = machineNumber(*density_).toDouble();
-  bool onPaper = isOnPaper();
-  if (chosen(*preset_) == kOfStyle) {
-    try {
-      const FigureStyle style = readStyle(chosen(*style_).toStdString());
-      const auto given = pictureSizeFrom(style.size);
-      if (!given) return {};
-      onPaper = given->isOnPaper();
-      size = {given->width, given->height};
-      if (onPaper) size *= kInch / given->perInch;
-      density = style.dotsPerInch > 0 ? style.dotsPerInch : kPaper;
-    } catch (const std::exception&) {
-      return {};
-    }
-  }
-  return onPaper ? size * (density / kInch) : size;
+  const QSizeF size(machineNumber(*width_).toDouble(), machineNumber(*height_).toDouble());
+  return isOnPaper() ? size * (machineNumber(*density_).toDouble() / kInch) : size;
 }
 
 }  // namespace asperity

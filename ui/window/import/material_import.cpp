@@ -57,9 +57,9 @@ double kelvins(const QString& text, const char* option) {
                      message("'{}' has no unit; C, K or F stands behind it", text.toStdString()));
   const auto temperature = temperatureFrom(withPoint(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
-    throw InputError(
-        "", option,
-        message("'{}' is not a temperature such as 20C, 293.15K or 68F", text.toStdString()));
+    throw InputError("", option,
+                     message("'{}' is not a temperature such as 20 \u00B0C, 293.15 K or 68 \u00B0F",
+                             text.toStdString()));
   return *temperature;
 }
 

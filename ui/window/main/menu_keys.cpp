@@ -7,11 +7,14 @@
 #include <QMap>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSet>
 #include <algorithm>
 #include <iterator>
 #include <vector>
+
+#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
@@ -251,6 +254,7 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   for (qsizetype i = 0; i < groups.size(); ++i)
     columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
   for (QVBoxLayout* column : columns) {
+    column->setSpacing(12);  // else that of the row
     column->addStretch(1);
     row->addLayout(column);
   }
@@ -271,9 +275,9 @@ QSize ShortcutSheet::neededSize() const {
 }
 
 /// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
-/// smaller where the window is too small.
+/// smaller where window and screen are too small.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  const QSize most = parentWidget() ? parentWidget()->size() : neededSize();
+  const QSize most = sizeOfPage(parentWidget() ? parentWidget()->size() : neededSize(), *screen());
   const auto isTooLarge = [&](const QSize& size) {
     return size.width() > most.width() || size.height() > most.height();
   };
