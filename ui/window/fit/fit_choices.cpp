@@ -125,7 +125,7 @@ void FitChoices::fillKeys() {
   keys_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   for (const int limit : {kLow, kHigh}) {
     keys_->horizontalHeader()->setSectionResizeMode(limit, QHeaderView::Fixed);
-    keys_->setColumnWidth(limit, 9 * fontMetrics().averageCharWidth());
+    keys_->setColumnWidth(limit, 7 * fontMetrics().averageCharWidth());
   }
   keys_->setSelectionMode(QAbstractItemView::SingleSelection);
   keys_->setShowGrid(false);

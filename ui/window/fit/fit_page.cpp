@@ -35,7 +35,7 @@ namespace asperity {
 namespace {
 
 constexpr QSize kUsual(1180, 760);  // pixels
-constexpr int kChoicesWidth = 370;  // pixels
+constexpr int kChoicesWidth = 342;  // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
 
