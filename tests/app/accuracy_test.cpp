@@ -182,7 +182,8 @@ TEST_F(AccuracyCommandTest, AnElasticSceneHasNothingToReach) {
       " s.json --json --set elastomer.rheology=elastic --set accuracy.target_relative_error=0.01";
   const Said curve = program.run("curve" + elastic);
   EXPECT_EQ(curve.status, 0) << curve.err;
-  for (const Json& point : Json::parse(curve.out)["points"]) {
+  const Json answer = Json::parse(curve.out);
+  for (const Json& point : answer["points"]) {
     EXPECT_LE(point["mu_low"], 0);
     EXPECT_GE(point["mu_high"], 0);
     EXPECT_LE(point["realizations"], 32);

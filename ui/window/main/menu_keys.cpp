@@ -7,14 +7,11 @@
 #include <QMap>
 #include <QMenu>
 #include <QMenuBar>
-#include <QScreen>
 #include <QScrollArea>
 #include <QSet>
 #include <algorithm>
 #include <iterator>
 #include <vector>
-
-#include "ui/window/main/window_layout.h"
 
 namespace asperity {
 
@@ -275,9 +272,10 @@ QSize ShortcutSheet::neededSize() const {
 }
 
 /// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
-/// smaller where window and screen are too small.
+/// smaller where the window, within which its frame stays, is too small.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  const QSize most = sizeOfPage(parentWidget() ? parentWidget()->size() : neededSize(), *screen());
+  const QSize frame(40, 80);  // pixels, of most window managers less
+  const QSize most = parentWidget() ? parentWidget()->size() - frame : neededSize();
   const auto isTooLarge = [&](const QSize& size) {
     return size.width() > most.width() || size.height() > most.height();
   };
