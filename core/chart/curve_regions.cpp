@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include "core/material/element_law.h"
@@ -58,18 +57,6 @@ Known knownPart(std::span<const CurvePoint> points) {
 // In region I the exponent is 1; where Eq. (12) has reached 95 % of its plateau it is 0.1.
 constexpr double kLinear = 0.9, kFlat = 0.1;
 
-/// Returns where the parabola through the highest points is above 95 % of its maximum. It serves
-/// where the maximum lies so high between two points that none of them is.
-std::pair<double, double> plateauOfParabola(const Known& known, const CurveMaximum& top) {
-  const auto i = static_cast<std::size_t>(std::max_element(known.mu.begin(), known.mu.end()) -
-                                          known.mu.begin());
-  const double bend = 2 * known.mu[i] - known.mu[i - 1] - known.mu[i + 1];
-  const double step = known.velocities[i + 1] / known.velocities[i];
-  const double factor =
-      std::pow(step, std::sqrt(2 * (1 - BorderRule{}.ofMaximum) * top.value / bend));
-  return {top.velocity / factor, top.velocity * factor};
-}
-
 /// Collects regions from the curve's first velocity on, each beginning where the previous one ends.
 class Regions {
  public:
@@ -92,12 +79,9 @@ class Regions {
 
 std::vector<CurveRegion> regionsOf(const Known& known) {
   enum { kI, kII, kIII, kIV };
-  RegionBorders borders = regionBorders(known.velocities, known.mu);
+  const RegionBorders borders = regionBorders(known.velocities, known.mu);
   const std::size_t last = known.size() - 1;
   const CurveMaximum top = curveMaximum(known.velocities, known.mu);
-  // Only a maximum between two points, higher than both, is so high.
-  if (*std::max_element(known.mu.begin(), known.mu.end()) < BorderRule{}.ofMaximum * top.value)
-    std::tie(borders.toPlateau, borders.offPlateau) = plateauOfParabola(known, top);
   Regions regions(known);
   if (top.velocity == known.velocities[0] && known.exponent(0) < -kFlat) {
     regions.add(kIV, known.velocities[last]);

@@ -70,9 +70,11 @@ constexpr std::array kTable{
                      "foundation"},
     HoverExplanation{"rms_slope_contact", "∇z_cont = √(∫ z'² dx/L_c)",
                      "Rms slope of the line where it touches the elastomer.", "eq-15"},
-    HoverExplanation{"indentation", "u = z − d (p > 0)",
-                     "How deep the lowest point of the line lies below the undeformed surface.",
-                     "foundation"},
+    HoverExplanation{
+        "indentation", "u = z − d (p > 0)",
+        "How deep the lowest point of the line lies below the undeformed surface (d); z is "
+        "the height of the line, u that of the surface.",
+        "foundation"},
     HoverExplanation{"tangential_force", "F_x = −4 ∫ z' [G (d − z) + η v z'] dx, Eq. (4)",
                      "The force that sliding takes, on one period of the line.", "eq-4"},
     HoverExplanation{"power", "P = |F_x| v", "Power that sliding turns into heat.", "steady"},

@@ -31,6 +31,23 @@ std::size_t highest(std::span<const double> values) {
   return static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
 }
 
+/// The parabola through the highest point and its neighbours, over steps between points.
+struct Peak {
+  CurveMaximum maximum;
+  double bend = 0;  // second difference, below 0; 0 at an end of the curve
+  double step = 1;  // ratio of neighbouring velocities
+};
+
+Peak peakOf(std::span<const double> velocities, std::span<const double> values) {
+  const std::size_t top = highest(values);
+  if (top == 0 || top + 1 == values.size()) return {{velocities[top], values[top]}};
+  const double bend = values[top - 1] - 2 * values[top] + values[top + 1];
+  const double lean = values[top - 1] - values[top + 1];
+  const double shift = bend < 0 ? 0.5 * lean / bend : 0;
+  const double step = velocities[top + 1] / velocities[top];
+  return {{velocities[top] * std::pow(step, shift), values[top] - 0.25 * lean * shift}, bend, step};
+}
+
 }  // namespace
 
 LineFit fitLine(std::span<const double> x, std::span<const double> y) {
@@ -59,23 +76,25 @@ LineFit fitPower(std::span<const double> x, std::span<const double> y) {
 }
 
 CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values) {
-  const std::size_t top = highest(values);
-  if (top == 0 || top + 1 == values.size()) return {velocities[top], values[top]};
-  const double bend = values[top - 1] - 2 * values[top] + values[top + 1];
-  const double lean = values[top - 1] - values[top + 1];
-  const double shift = bend < 0 ? 0.5 * lean / bend : 0;
-  return {velocities[top] * std::pow(velocities[top + 1] / velocities[top], shift),
-          values[top] - 0.25 * lean * shift};
+  return peakOf(velocities, values).maximum;
 }
 
 RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
                             const BorderRule& rule) {
   const double perVelocity = values[0] / velocities[0];
-  const double reached = rule.ofMaximum * curveMaximum(velocities, values).value;
+  const Peak peak = peakOf(velocities, values);
+  const double reached = rule.ofMaximum * peak.maximum.value;
+  const std::size_t top = highest(values);
   const auto overLine = [&](std::size_t i) { return values[i] / (perVelocity * velocities[i]); };
   const auto value = [&](std::size_t i) { return values[i]; };
-  return {crossing(velocities, 0, rule.ofLine, overLine), crossing(velocities, 0, reached, value),
-          crossing(velocities, highest(values), reached, value)};
+  const double endOfLinear = crossing(velocities, 0, rule.ofLine, overLine);
+  if (values[top] < reached) {
+    const double steps = std::sqrt(2 * (peak.maximum.value - reached) / -peak.bend);
+    const double factor = std::pow(peak.step, steps);
+    return {endOfLinear, peak.maximum.velocity / factor, peak.maximum.velocity * factor};
+  }
+  return {endOfLinear, crossing(velocities, 0, reached, value),
+          crossing(velocities, top, reached, value)};
 }
 
 std::vector<CurveRegion> regionsWithin(const RegionBorders& borders, double from, double to) {

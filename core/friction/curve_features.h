@@ -25,7 +25,8 @@ LineFit fitLine(std::span<const double> x, std::span<const double> y);
 LineFit fitPower(std::span<const double> x, std::span<const double> y);
 
 /// The velocities at which the curve passes from one region to the next (m/s); NaN where it never
-/// does.
+/// does. Where the maximum lies so high between two points that none of them reaches its
+/// neighbourhood, the parabola through the highest points says where the plateau is.
 struct RegionBorders {
   double endOfLinear = 0;  // I to II: this far below its line through region I
   double toPlateau = 0;    // II to III: this part of the maximum reached

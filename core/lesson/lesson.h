@@ -106,7 +106,7 @@ struct LessonControls {
 struct LessonView {
   std::string tab = "curve";     // a word of lessonTabs()
   std::string quantity = "mu";   // of the vertical axis of the friction curve
-  bool isLinear = false;         // that axis
+  bool isLinearY = false;        // whether that axis is linear
   bool hidesCurve = false;       // until the prediction is made
   bool hidesCurveAfter = false;  // and then, too; a step to come asks for what it shows
   /// Ends of the vertical axis while the curve is hidden, which must not give the answer away; a

@@ -243,7 +243,8 @@ class StepReader {
     view.quantity = textIn(*show, "quantity", view.quantity, place);
     if (!quantityNamed(view.quantity))
       refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
-    view.isLinear = chosen(kVerticalScales, textIn(*show, "scale", "log", place), place + ".scale");
+    view.isLinearY =
+        chosen(kVerticalScales, textIn(*show, "scale", "log", place), place + ".scale");
     const CurveHiding hiding =
         chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
     view.hidesCurve = hiding != CurveHiding::Never;
@@ -253,9 +254,12 @@ class StepReader {
       checkMembers(*range, where, {"from", "to"});
       view.hiddenFrom = numberIn(*range, where, "from");
       view.hiddenTo = numberIn(*range, where, "to");
-      const bool canBegin = view.hiddenFrom > 0 || (view.isLinear && view.hiddenFrom == 0);
+      const bool canBegin = view.hiddenFrom > 0 || (view.isLinearY && view.hiddenFrom == 0);
       if (!(canBegin && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
-        refuseMember(where, "needs two values above 0, of which to is the larger one");
+        refuseMember(where,
+                     view.isLinearY
+                         ? message("needs a value from 0 on and a larger one, to")
+                         : message("needs two values above 0, of which to is the larger one"));
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {
       if (!beside->is_array() || beside->size() > kMostBeside)

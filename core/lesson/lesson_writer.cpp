@@ -64,7 +64,7 @@ Json jsonOf(const LessonView& view) {
   Json json = Json::object();
   if (view.tab != usual.tab) json["tab"] = view.tab;
   if (view.quantity != usual.quantity) json["quantity"] = view.quantity;
-  if (view.isLinear) json["scale"] = wordOf(kVerticalScales, true);
+  if (view.isLinearY) json["scale"] = wordOf(kVerticalScales, true);
   if (view.hidesCurve)
     json["curve"] = wordOf(
         kCurveStates, view.hidesCurveAfter ? CurveHiding::Throughout : CurveHiding::UntilAnswered);

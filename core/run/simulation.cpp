@@ -62,6 +62,13 @@ std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
   return same ? known : std::make_shared<RigidLine>(scene);
 }
 
+/// Whether two scenes of the same line slide alike: texts, sweep, realizations and comparisons may
+/// differ.
+bool slideAlike(const Scene& a, const Scene& b) {
+  return a.elastomer == b.elastomer && a.load == b.load && a.sliding == b.sliding &&
+         a.interface == b.interface;
+}
+
 }  // namespace
 
 struct Simulation::Ready {
@@ -109,6 +116,12 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                       next->line().nodes() == ready_->line().nodes() &&
                       next->line().length == ready_->line().length;
   const bool isSameLine = next->rigid == ready_->rigid;
+  const bool mayGoOn = shape == Shape::Present || !next->isSteady || showsSteadyState();
+  if (isSameLine && mayGoOn && slideAlike(*next->scene, *ready_->scene)) {
+    ready_ = next;
+    still_.reset();
+    return;
+  }
   if (goesOn && showsSteadyState()) settle(march_->distance());  // continues with the visible state
   ready_ = next;
   still_.reset();

@@ -29,7 +29,7 @@ class Simulation {
 
   /// Continues with a new scene from the present shape (which then relaxes), or in the scene's
   /// steady state, with the line at its present place; other elements always begin in the steady
-  /// state at time 0.
+  /// state at time 0. What does not slide (texts, the sweep, comparisons) changes no picture.
   void update(std::shared_ptr<const Scene> scene, std::uint64_t number,
               Shape shape = Shape::Present);
 

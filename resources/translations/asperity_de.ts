@@ -563,7 +563,7 @@
         <translation>gemessen: %1 Rechenzeit, Fehler der Reibung %2</translation>
     </message>
     <message>
-        <source>measured: %1 to compute, standard error %2 over the curve</source>
+        <source>measured: %1 to compute, standard error of the curve %2</source>
         <translation>gemessen: %1 Rechenzeit, Standardfehler der Kurve %2</translation>
     </message>
     <message>
@@ -571,7 +571,7 @@
         <translation>vorhergesagte Bewegung: %1 Rechenzeit für %2 Schritte, Fehler der Reibung %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
     </message>
     <message>
-        <source>predicted: %1 to compute, error of friction %2 (resolution %3, realizations %4)</source>
+        <source>predicted: %1 to compute, error of friction %2 (resolution %3, lines %4)</source>
         <translation>vorhergesagt: %1 Rechenzeit, Fehler der Reibung %2 (Auflösung %3, Linien %4)</translation>
     </message>
 </context>
@@ -4629,8 +4629,8 @@
         <translation>Eindringung d</translation>
     </message>
     <message>
-        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
-        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
+        <source>How deep the lowest point of the line lies below the undeformed surface (d); z is the height of the line, u that of the surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt (d); z ist die Höhe der Linie, u die der Oberfläche.</translation>
     </message>
     <message>
         <source>in contact</source>

@@ -4136,7 +4136,7 @@
     </message>
     <message>
         <source>reduced frequency f aᴛ %1</source>
-        <translation>red. Frequenz f aᴛ %1</translation>
+        <translation>Frequenz f aᴛ %1</translation>
     </message>
     <message>
         <source>%1: isotherms</source>
@@ -4571,8 +4571,8 @@
         <translation>&apos;%1&apos; ist keine Zahl von 0 bis 0,5</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has no unit; C, K or F stands behind it</source>
-        <translation>&apos;%1&apos; hat keine Einheit; dahinter steht C, K oder F</translation>
+        <source>&apos;%1&apos; has no unit; °C, K or °F stands behind it</source>
+        <translation>„%1“ hat keine Einheit; dahinter steht °C, K oder °F</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a temperature such as 20 °C, 293.15 K or 68 °F</source>
@@ -6222,8 +6222,8 @@
         <translation>RMS-Steigung der Linie, wo sie das Elastomer berührt.</translation>
     </message>
     <message>
-        <source>How deep the lowest point of the line lies below the undeformed surface.</source>
-        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt.</translation>
+        <source>How deep the lowest point of the line lies below the undeformed surface (d); z is the height of the line, u that of the surface.</source>
+        <translation>Wie tief der tiefste Punkt der Linie unter der unverformten Oberfläche liegt (d); z ist die Höhe der Linie, u die der Oberfläche.</translation>
     </message>
     <message>
         <source>The force that sliding takes, on one period of the line.</source>

@@ -232,6 +232,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     QList<QPointF> places;
     if (diagram.shades.empty()) return places;
     for (const DiagramSeries& series : diagram.series) {
+      if (series.isBand) continue;
       std::optional<QPointF> before;
       for (const DiagramPoint& point : series.points) {
         if (!hasPlace(diagram, point)) {
@@ -243,7 +244,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
         const int steps = static_cast<int>(std::clamp(way / kStep, 1.0, 1000.0));
         for (int i = 1; i <= steps; ++i)
           places += before ? *before + (at - *before) * i / steps : at;
-        before = at;
+        if (series.stroke != SeriesStroke::None) before = at;
       }
     }
     return places;

@@ -176,7 +176,7 @@ bool FrictionChartModel::mark(const Frame& frame) {
   return before == std::pair{velocities_, coefficients_};
 }
 
-void FrictionChartModel::fitAxes() {
+void FrictionChartModel::fitVerticalAxis() {
   coefficients_ = {};
   fitRanges(true);
 }
@@ -192,13 +192,13 @@ void FrictionChartModel::setQuantity(CurveQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
   comparisons_ = {};  // those of the new quantity follow
-  fitAxes();
+  fitVerticalAxis();
 }
 
 void FrictionChartModel::setLinearY(bool isLinear) {
   if (isLinear == isLinearY_) return;
   isLinearY_ = isLinear;
-  fitAxes();
+  fitVerticalAxis();
 }
 
 bool FrictionChartModel::isOnThisAxis(const Scene& scene) const {

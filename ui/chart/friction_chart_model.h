@@ -58,7 +58,7 @@ class FrictionChartModel {
   /// the one before are only empty.
   void beginAxesAnew() { beginsAxesAnew_ = true; }
   /// Fits the vertical axis to what is shown now, without the decades of earlier curves.
-  void fitAxes();
+  void fitVerticalAxis();
   /// Fades the marker while it still belongs to the previous scene.
   void fadeMark(bool fades) { isMarkFaded_ = fades; }
 

@@ -101,12 +101,13 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                       3,
                       Words::tr("Force that presses one period of the line into the elastomer."),
                       "load.normal_force"});
-  readings.push_back(
-      {{{Words::tr("indentation d")}},
-       quantity(state.indentation, "m"),
-       5,
-       Words::tr("How deep the lowest point of the line lies below the undeformed surface."),
-       "indentation"});
+  readings.push_back({{{Words::tr("indentation d")}},
+                      quantity(state.indentation, "m"),
+                      5,
+                      Words::tr("How deep the lowest point of the line lies below the undeformed "
+                                "surface (d); z is the height of the line, "
+                                "u that of the surface."),
+                      "indentation"});
   readings.push_back({{{Words::tr("in contact")}},
                       percent(state.contactFraction),
                       4,

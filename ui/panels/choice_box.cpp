@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QWheelEvent>
 #include <algorithm>
@@ -71,7 +72,7 @@ TextBox::TextBox(QWidget* parent) : QPlainTextEdit(parent) {
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  // Both say that the lines are another number: one of a text, one of a width.
+  // Another text, another width and a scroll bar change the number of lines.
   connect(this, &QPlainTextEdit::textChanged, this, &TextBox::updateGeometry);
   connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &TextBox::updateGeometry);
 }
@@ -94,6 +95,11 @@ QSize TextBox::sizeHint() const {
   const double text =
       std::clamp(lines, kFewestLines, kMostLines) * QFontMetricsF(font()).lineSpacing();
   return {120, static_cast<int>(std::ceil(text)) + kAround};
+}
+
+void TextBox::resizeEvent(QResizeEvent* event) {
+  QPlainTextEdit::resizeEvent(event);
+  if (event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
 void TextBox::keyPressEvent(QKeyEvent* event) {

@@ -54,13 +54,13 @@ TEST(LessonFile, ACurveIsShownHiddenOrHiddenThroughout) {
 
 TEST(LessonFile, TheVerticalAxisIsLogarithmicOrLinear) {
   Json json = sampleLesson();
-  EXPECT_FALSE(lessonOf(json).steps[0].show.isLinear);
+  EXPECT_FALSE(lessonOf(json).steps[0].show.isLinearY);
   json["steps"][0]["show"]["scale"] = "linear";
   json["steps"][0]["show"]["hidden_range"] = {{"from", 0}, {"to", 1}};
   const Lesson lesson = lessonOf(json);
-  EXPECT_TRUE(lesson.steps[0].show.isLinear);
+  EXPECT_TRUE(lesson.steps[0].show.isLinearY);
   EXPECT_EQ(lesson.steps[0].show.hiddenFrom, 0);
-  EXPECT_TRUE(readLesson(writeLesson(lesson), "again.json").steps[0].show.isLinear);
+  EXPECT_TRUE(readLesson(writeLesson(lesson), "again.json").steps[0].show.isLinearY);
 }
 
 TEST(LessonFile, ControlsAreFreeLockedOrHidden) {

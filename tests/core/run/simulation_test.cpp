@@ -313,6 +313,32 @@ TEST(Simulation, ALiveChangeGoesOnFromThePresentShape) {
 }
 
 /// Paused, a new scene is shown as it will be: shape, pressures and facts of one and the same
+/// A title, a sweep or a table beside the curve moves nothing.
+TEST(Simulation, WhatDoesNotSlideLeavesThePictureAlone) {
+  for (const SlidingKind kind : {SlidingKind::Steady, SlidingKind::Oscillation}) {
+    auto scene = someScene();
+    scene->sliding.kind = kind;
+    scene->sliding.amplitude = 0.5;
+    scene->sliding.frequency = 100;
+    scene->sliding.duration = 0.01;
+    Simulation simulation(scene, 1);
+    for (int i = 0; i < 7; ++i) simulation.advance(1e-2, 1.0 / 60);
+    const Frame before = simulation.frame();
+    EXPECT_GT(before.distance, 0);
+    auto other = std::make_shared<Scene>(*scene);
+    other->title = "Another title";
+    other->sweep.points = 7;
+    simulation.update(other, 2);
+    const Frame after = simulation.frame();
+    EXPECT_EQ(after.sceneNumber, 2U);
+    EXPECT_EQ(after.scene->title, "Another title");
+    EXPECT_EQ(after.time, before.time);
+    EXPECT_EQ(after.distance, before.distance);
+    EXPECT_EQ(after.lineHeight, before.lineHeight);
+    EXPECT_EQ(after.surfaceHeight, before.surfaceHeight);
+  }
+}
+
 /// state.
 TEST(Simulation, AChangeWhilePausedShowsTheNewSteadyState) {
   Simulation simulation(someScene(), 1);

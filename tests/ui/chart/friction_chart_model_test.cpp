@@ -297,7 +297,7 @@ TEST(FrictionChartModelTest, AnotherSceneBeginsTheAxesAnew) {
     // Also where the curve came before the first picture of the scene.
     diagram.mark(frame(other, 1e-4));
     EXPECT_EQ(yRange(diagram).from, isOpened ? -6 : -7);
-    diagram.fitAxes();
+    diagram.fitVerticalAxis();
     EXPECT_EQ(yRange(diagram), (AxisRange{-6, -2}));
   }
 }

@@ -191,6 +191,8 @@ TEST_F(ParameterPanelTest, ABoxIsAsHighAsItsSentences) {
   const int across = box.viewport()->width() / box.fontMetrics().horizontalAdvance("roughness ");
   describe(6 * across);
   EXPECT_TRUE(growsBy(2, true) || growsBy(3, true)) << box.height();
+  panel_.resize(3 * panel_.width(), panel_.height());
+  EXPECT_TRUE(growsBy(0, true)) << "in a wide panel";
 }
 
 TEST_F(ParameterPanelTest, NamesAndSymbolsAreAsPeopleWriteThem) {

@@ -65,6 +65,27 @@ TEST_F(CurveCommandsTest, DraggingTheMarkerSetsTheVelocityAndIsOneStepBack) {
   EXPECT_EQ(velocity(), before);
 }
 
+/// The axis keeps a decade that a change of the scene leaves empty, until somebody fits it.
+TEST_F(CurveCommandsTest, HomeAndADoubleClickTakeEmptyDecadesAway) {
+  for (const bool isByKey : {true, false}) {
+    ASSERT_TRUE(waitForCurve());
+    const AxisRange fitted = plot().visibleRange().y;
+    const Scene scene = session().scene();
+    Scene flat = scene;
+    flat.surface.rmsHeight *= 0.1;
+    window_.document().edit(flat);
+    ASSERT_TRUE(waitForCurve());
+    window_.document().edit(scene);
+    ASSERT_TRUE(waitForCurve());
+    ASSERT_LT(plot().visibleRange().y.from, fitted.from);
+    if (isByKey)
+      QTest::keyClick(&plot(), Qt::Key_Home);
+    else
+      QTest::mouseDClick(&plot(), Qt::LeftButton, {}, at(velocity() / 37, middle()));
+    EXPECT_TRUE(waitFor([&] { return plot().visibleRange().y == fitted; }));
+  }
+}
+
 /// By hand nobody means all digits of a place on the axis; with Shift some more.
 TEST_F(CurveCommandsTest, VelocitiesSetByHandAreRound) {
   ASSERT_TRUE(waitForCurve());

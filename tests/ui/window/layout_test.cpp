@@ -23,6 +23,7 @@
 #include "ui/window/figures/gallery_page.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/session.h"
+#include "ui/window/main/window_style.h"
 
 namespace asperity {
 namespace {
@@ -200,6 +201,30 @@ TEST_F(LayoutTest, APresentationShowsLittleInLargeLettersUntilEscape) {
   EXPECT_EQ(QApplication::font().pointSizeF(), before);
   EXPECT_TRUE(window_.menuBar()->isVisible());
   EXPECT_TRUE(dock().isVisible());
+}
+
+/// Handles are as large as the letters, and all of what is drawn is the handle.
+TEST_F(LayoutTest, HandlesOfSlidersGrowWithTheLetters) {
+  WindowStyle style;
+  const Parameter& row = knownParameter("sliding.velocity");
+  ValueSlider slider{SliderScale(row)};
+  slider.setStyle(&style);
+  QFont font = slider.font();
+  font.setPixelSize(30);
+  slider.setFont(font);
+  slider.resize(300, slider.sizeHint().height());
+  slider.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&slider));
+  slider.setValue(slider.minimum());
+  const int radius = static_cast<int>(handleRadius(slider.fontMetrics()));
+  EXPECT_GT(radius, 9);
+  EXPECT_GE(slider.height(), 2 * radius);
+  for (const int x : {3, radius + 1, 2 * radius - 1}) {
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, {x, slider.height() / 2});
+    EXPECT_EQ(slider.value(), slider.minimum()) << x;
+  }
+  QTest::mouseClick(&slider, Qt::LeftButton, {}, {150, slider.height() / 2});
+  EXPECT_GT(slider.value(), slider.minimum());
 }
 
 TEST_F(LayoutTest, WhatEndsAPresentationIsAsItWasBefore) {

@@ -766,6 +766,18 @@ TEST(Handouts, AnEmptyChartStandsWhereAPointIsDrawn) {
   EXPECT_FALSE(html.contains("alt=\"the friction curve"));
 }
 
+/// The same curve on another axis is another picture.
+TEST(Handouts, ACurveIsPrintedAgainOnALinearAxis) {
+  Json json = sampleLesson();
+  json["steps"][1] = {{"text", "Again."}};
+  const auto charts = [&json] {
+    return handoutHtml(lessonOf(json), {}).count("alt=\"the friction curve");
+  };
+  const qsizetype before = charts();
+  json["steps"][1]["show"]["scale"] = "linear";
+  EXPECT_EQ(charts(), before + 1);
+}
+
 TEST(Handouts, PdfIsWholeAndTheSameEveryTime) {
   const Lesson lesson = lessonOf(sampleLesson());
   const QByteArray pdf = handoutPdf(lesson);

@@ -200,7 +200,7 @@ void AccuracyPanel::showMeasured(double time, double standardError, double inter
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
   measured_->setText(isSingle ? tr("measured: %1 to compute, error of friction %2")
                                     .arg(seconds(time), percent(interval))
-                              : tr("measured: %1 to compute, standard error %2 over the curve")
+                              : tr("measured: %1 to compute, standard error of the curve %2")
                                     .arg(seconds(time), percent(standardError)));
 }
 
@@ -262,10 +262,10 @@ void AccuracyPanel::showPrediction(const Prediction& prediction) {
             .arg(prediction.steps, 0, 'f', 0)
             .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
                  percent(prediction.error.resolution), percent(prediction.error.settling)));
-  predicted_->setText(
-      tr("predicted: %1 to compute, error of friction %2 (resolution %3, realizations %4)")
-          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
-               percent(prediction.error.resolution), percent(prediction.error.standardError)));
+  predicted_->setText(tr("predicted: %1 to compute, error of friction %2 (resolution %3, lines %4)")
+                          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
+                               percent(prediction.error.resolution),
+                               percent(prediction.error.standardError)));
 }
 
 /// Drops the diagram of another scene. A different way to compute the curve does not matter to it.

@@ -52,7 +52,7 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
   farther_ = add("curveFarther", [this] { view_.zoom(kZoom); });
   fit_ = add("curveFit", [this] {
     view_.fit();
-    session_.editCurve([](FrictionChartModel& plot) { plot.fitAxes(); });
+    session_.editCurve([](FrictionChartModel& plot) { plot.fitVerticalAxis(); });
   });
   save_ = add("saveCurve", [this] { askSave(); });
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
@@ -161,7 +161,7 @@ void CurveCommands::showState() {
   linearX_->setChecked(sweep.scale == SweepScale::Linear);
   linearX_->setEnabled(sweep.isOfVelocity() || (sweep.from > 0 && sweep.to > 0));
   linearY_->setChecked(session_.friction().isLinearY());
-  fit_->setEnabled(hasCurve);
+  linearY_->setEnabled(!session_.friction().isConcealed());  // its ends hide an answer
   save_->setEnabled(hasCurve);
   copy_->setEnabled(hasCurve);
 }

@@ -45,8 +45,8 @@ void CommandRun::run(const QStringList& words, const QString& folder) {
   process->start();
 }
 
-/// Asks the call to end, as Ctrl+C does, and does not wait for it: only the program does, before it
-/// quits, so that the call can remove its temporary files.
+/// Asks the call to end, as Ctrl+C does, and does not wait for it. While the program quits, it
+/// waits a few seconds for such calls, so that they can remove their temporary files.
 void CommandRun::cancel() {
   QProcess* process = process_;
   process_ = nullptr;

@@ -165,7 +165,10 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       if (box == style_) {
         fillSizes();
         choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
-        if (!chosen(*style_).isEmpty()) choose(*theme_, "");  // that of the style
+        if (!chosen(*style_).isEmpty())
+          choose(*theme_, "");  // that of the style
+        else if (shown_.dark && kind() != ExportKind::Figure)
+          choose(*theme_, "dark");
       }
       if (box == preset_ || box == style_ || box == content_ || box == kind_) takePreset();
       if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
@@ -323,6 +326,7 @@ void ExportForm::takePreset() {
   const QString word = chosen(*preset_);
   if (word == kOwn) return;
   const auto ofStyle = word == kOfStyle ? sizeOfStyle(chosen(*style_)) : std::nullopt;
+  if (word == kOfStyle && !ofStyle) return;
   if (isOfOwnSize() && !ofStyle) {  // which the command chooses
     for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
     return;

@@ -183,7 +183,10 @@ void FitChoices::take(QTableWidgetItem& cell) {
   cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(faultColour(palette())));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
-  if (limit) cell.setText(quantity(*limit, row));
+  if (limit) {
+    cell.setText(quantity(*limit, row));
+    cell.setToolTip(cell.text() + '\n' + cell.toolTip());  // the cell may cut it
+  }
   // Whoever sets a limit wants to vary.
   if (limit) keys_->item(cell.row(), kName)->setCheckState(Qt::Checked);
 }

@@ -53,8 +53,9 @@ double kelvins(const QString& text, const char* option) {
   bool isBare = false;
   (void)withPoint(text.trimmed()).toDouble(&isBare);
   if (isBare)  // the page shows degrees Celsius, the command takes kelvins
-    throw InputError("", option,
-                     message("'{}' has no unit; C, K or F stands behind it", text.toStdString()));
+    throw InputError(
+        "", option,
+        message("'{}' has no unit; \u00B0C, K or \u00B0F stands behind it", text.toStdString()));
   const auto temperature = temperatureFrom(withPoint(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError("", option,

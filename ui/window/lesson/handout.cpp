@@ -176,7 +176,8 @@ class HandoutMaker {
     const auto shownOf = [&](const Scene& of) {
       return step.show.tab == "curve" ? sceneOfCurve(of) : untitled(of);
     };
-    const std::string key = step.show.tab + " " + step.show.quantity;
+    const std::string key =
+        step.show.tab + " " + step.show.quantity + (step.show.isLinearY ? " linear" : "");
     const bool isNew = !chart_ || key != chartKey_ || !(shownOf(*chart_) == shownOf(scene));
     chart_ = scene;
     chartKey_ = key;
@@ -193,7 +194,7 @@ class HandoutMaker {
     CurveSet set;
     set.present = {{}, untitled(scene), curveOf(scene)};
     set.y = *quantityNamed(step.show.quantity);
-    if (step.show.isLinear) set.yScale = AxisScale::Linear;
+    if (step.show.isLinearY) set.yScale = AxisScale::Linear;
     for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
       const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
       set.pinned.push_back({differencesInWords(other, untitled(step.scene)), other, curveOf(other),

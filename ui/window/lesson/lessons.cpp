@@ -222,7 +222,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
     if (tab < std::size(kLessonTabs)) step.show.tab = kLessonTabs[tab];
     const FrictionChartModel& chart = parts_.session.friction();
     step.show.quantity = std::string(entryOf(chart.quantity()).word.text());
-    step.show.isLinear = chart.isLinearY();
+    step.show.isLinearY = chart.isLinearY();
     return step;
   };
   auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
@@ -386,7 +386,7 @@ void Lessons::showChart() {
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.unpinAll();
     plot.setQuantity(*quantityNamed(view.quantity));
-    plot.setLinearY(view.isLinear);
+    plot.setLinearY(view.isLinearY);
     plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
   });
   if (!view.beside.empty()) {
@@ -547,7 +547,7 @@ void Lessons::comeBack() {
     plot.unpinAll();
     if (!before) return;
     plot.setQuantity(before->quantity);
-    plot.setLinearY(before->isLinear);
+    plot.setLinearY(before->isLinearY);
     for (const auto& curve : before->pinned) plot.pin(curve);
   });
   if (!before) return;

@@ -124,7 +124,7 @@ class Lessons : public QObject {
   struct Before {
     std::vector<std::shared_ptr<const CurveUpdate>> pinned;
     CurveQuantity quantity;
-    bool isLinear;
+    bool isLinearY;
     int tab;
     bool hasDimensionlessAxes;
   };

@@ -59,13 +59,24 @@ void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
   painter->restore();
 }
 
-/// Lets check boxes grow with the letters: in a presentation these are more than twice as high.
+/// Lets check boxes and handles of sliders grow with the letters: in a presentation these are more
+/// than twice as high.
 int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                              const QWidget* widget) const {
   const int usual = QProxyStyle::pixelMetric(metric, option, widget);
-  if ((metric != PM_IndicatorWidth && metric != PM_IndicatorHeight) || !widget) return usual;
+  if (!widget) return usual;
   constexpr double kOfLetters = 0.85;
-  return std::max(usual, static_cast<int>(kOfLetters * widget->fontMetrics().height()));
+  switch (metric) {
+    case PM_IndicatorWidth:
+    case PM_IndicatorHeight:
+      return std::max(usual, static_cast<int>(kOfLetters * widget->fontMetrics().height()));
+    case PM_SliderLength:
+    case PM_SliderThickness:
+    case PM_SliderControlThickness:
+      return std::max(usual, static_cast<int>(2 * handleRadius(widget->fontMetrics())) + 2);
+    default:
+      return usual;
+  }
 }
 
 /// Draws sliders like those of the panel (value_slider.h), and spin boxes like other entries.
