@@ -79,6 +79,21 @@ int WindowStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
   }
 }
 
+/// The handle of a slider is as large as it is drawn; that of Fusion has one size.
+QRect WindowStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option,
+                                  SubControl part, const QWidget* widget) const {
+  const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  if (control != CC_Slider || part != SC_SliderHandle || !slider ||
+      slider->orientation != Qt::Horizontal)
+    return QProxyStyle::subControlRect(control, option, part, widget);
+  const QRect all = slider->rect;
+  const int length = pixelMetric(PM_SliderLength, option, widget);
+  const int x = sliderPositionFromValue(slider->minimum, slider->maximum, slider->sliderPosition,
+                                        all.width() - length, slider->upsideDown);
+  const int height = std::min(length, all.height());
+  return {all.x() + x, all.y() + (all.height() - height) / 2, length, height};
+}
+
 /// Draws sliders like those of the panel (value_slider.h), and spin boxes like other entries.
 void WindowStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                      QPainter* painter, const QWidget* widget) const {
