@@ -135,6 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"/steps/1/show/scale", "\"lin\"", "steps[1].show.scale", "linear"},
         Wrong{"/steps/1/show/hidden_range", "{\"from\": 0, \"to\": 1}",
               "steps[1].show.hidden_range", "above 0"},
+        Wrong{"/steps/1/show", R"({"scale": "linear", "hidden_range": {"from": -1, "to": 1}})",
+              "steps[1].show.hidden_range", "from 0 on"},
         Wrong{"/steps/1/show/hidden_range", "{\"from\": 1, \"to\": 1}",
               "steps[1].show.hidden_range", "larger"},
         Wrong{"/steps/1/show/beside",
