@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -20,23 +22,13 @@ constexpr double kSmallestModulus = 1e-6;  // Pa, that is not 0
 /// within the range of a double.
 constexpr double kShortestTime = 1e-150;  // s
 
-/// Arms of no modulus never carry, arms of (nearly) no time never remember; equal times are one
-/// arm.
+/// Arms of no modulus never carry, arms of (nearly) no time never remember.
 std::vector<Arm> withStrength(const std::vector<Arm>& given, double shift) {
   std::vector<Arm> arms;
   for (const Arm& arm : given)
     if (arm.modulus > 0 && arm.relaxationTime * shift >= kShortestTime)
       arms.push_back({arm.modulus, arm.relaxationTime * shift});
-  std::stable_sort(arms.begin(), arms.end(),
-                   [](const Arm& a, const Arm& b) { return a.relaxationTime > b.relaxationTime; });
-  std::vector<Arm> merged;
-  for (const Arm& arm : arms) {
-    if (!merged.empty() && merged.back().relaxationTime == arm.relaxationTime)
-      merged.back().modulus += arm.modulus;
-    else
-      merged.push_back(arm);
-  }
-  return merged;
+  return joinedArms(std::move(arms));
 }
 
 void checkModulus(double modulus, const std::string& key) {
@@ -92,6 +84,18 @@ double tableDecades(const TemperatureShift& shift, double temperature) {
 }
 
 }  // namespace
+
+std::vector<Arm> joinedArms(std::vector<Arm> arms) {
+  std::ranges::stable_sort(arms, std::greater<>(), &Arm::relaxationTime);
+  std::vector<Arm> joined;
+  for (const Arm& arm : arms) {
+    if (!joined.empty() && joined.back().relaxationTime == arm.relaxationTime)
+      joined.back().modulus += arm.modulus;
+    else
+      joined.push_back(arm);
+  }
+  return joined;
+}
 
 double ElementLaw::springModulus() const {
   double modulus = equilibriumModulus;

@@ -33,6 +33,10 @@ struct ElementLaw {
   bool operator==(const ElementLaw&) const = default;
 };
 
+/// Returns the arms by falling relaxation time. Arms of equal times are joined into one with the
+/// sum of their moduli, which is the same element.
+std::vector<Arm> joinedArms(std::vector<Arm> arms);
+
 /// Decades beyond which a shift says nothing any more.
 inline constexpr double kMostDecades = 30;
 

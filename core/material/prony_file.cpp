@@ -13,6 +13,7 @@
 #include "core/base/text_number.h"
 #include "core/base/units.h"
 #include "core/material/dma_columns.h"
+#include "core/material/element_law.h"
 
 namespace asperity {
 namespace {
@@ -353,7 +354,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
     if (term.weight > 0)
       file.arms.push_back({term.weight * (series.isRelative ? instantaneous : unit), term.time});
   if (file.arms.empty()) throw InputError(name, "", "has no arm with a modulus above 0");
-  std::ranges::stable_sort(file.arms, std::greater<>(), &Arm::relaxationTime);
+  file.arms = joinedArms(std::move(file.arms));
   if (std::isfinite(equilibrium))
     file.equilibriumModulus = equilibrium;
   else if (series.isRelative)

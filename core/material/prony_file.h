@@ -28,7 +28,7 @@ struct PronyChoices {
 
 struct PronyFile {
   double equilibriumModulus = 0;  // Pa, of shear
-  std::vector<Arm> arms;          // of shear, falling relaxation times
+  std::vector<Arm> arms;          // of shear, strictly falling relaxation times
   std::optional<TemperatureShift> shift{};
   Message format;  // "keywords of Abaqus"
 };

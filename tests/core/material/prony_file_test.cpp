@@ -84,6 +84,13 @@ TEST(PronyFile, ASeriesNeedsAnArm) {
               HasSubstr("has no arm with a modulus above 0"));
 }
 
+/// Random input found two terms of one time, which came back as two arms.
+TEST(PronyFile, TermsOfEqualTimesAreOneArm) {
+  expectSeries(
+      read("*ELASTIC, MODULI=INSTANTANEOUS\n12e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n"
+           "0.3, 0., 0.1\n0.25, 0., 10.\n0.2, 0., 0.1\n"));
+}
+
 TEST(PronyFile, ATableOfFrequenciesIsNone) {
   EXPECT_FALSE(read("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,2e5\n").has_value());
 }
