@@ -40,8 +40,6 @@ constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
 constexpr const char *kOver = "--over", *kY = "--y", *kXScale = "--x-scale", *kYScale = "--y-scale",
                      *kFamily = "--family";
 constexpr std::int64_t kMostOfFamily = 100;
-constexpr NamedChoices<AxisScale, 2> kScaleNames{
-    {{"log", AxisScale::Logarithmic}, {"linear", AxisScale::Linear}}};
 constexpr std::int64_t kMostOversampling = 64;
 constexpr NamedChoices<CurveAxes, 2> kAxesNames{
     {{"physical", CurveAxes::Physical}, {"dimensionless", CurveAxes::Dimensionless}}};
@@ -114,8 +112,8 @@ void setAxes(CurveSet& set, const CurveArguments& arguments) {
     throw InputError(
         "", kAxes,
         message("dimensionless goes over velocities, not over {}", set.present.scene.sweep.key));
-  if (!arguments.xScale.empty()) set.xScale = chosenFrom(kScaleNames, arguments.xScale, kXScale);
-  if (!arguments.yScale.empty()) set.yScale = chosenFrom(kScaleNames, arguments.yScale, kYScale);
+  if (!arguments.xScale.empty()) set.xScale = chosenFrom(kAxisScales, arguments.xScale, kXScale);
+  if (!arguments.yScale.empty()) set.yScale = chosenFrom(kAxisScales, arguments.yScale, kYScale);
   if (!arguments.xRange.empty()) {
     const NumberRange range = axisRange(kXRange, arguments.xRange, set.scaleOfX());
     set.xFrom = range.from;

@@ -6,11 +6,14 @@
 // translates.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/message.h"
@@ -18,6 +21,10 @@
 namespace asperity {
 
 enum class AxisScale { Linear, Logarithmic };
+
+/// The scales by their names in options and files.
+inline constexpr std::array<std::pair<std::string_view, AxisScale>, 2> kAxisScales{
+    {{"log", AxisScale::Logarithmic}, {"linear", AxisScale::Linear}}};
 
 /// Returns the value itself or its decimal logarithm; NaN where it has no place on the axis.
 inline double axisPlace(AxisScale scale, double value) {

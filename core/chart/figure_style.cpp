@@ -39,8 +39,6 @@ Message choose(const Words<Value, N>& words, const std::string& word, Target& ta
 }
 
 constexpr Words<bool, 2> kOnOff{{{"on", true}, {"off", false}}};
-constexpr Words<AxisScale, 2> kScales{
-    {{"log", AxisScale::Logarithmic}, {"linear", AxisScale::Linear}}};
 constexpr Words<LegendMode, 4> kLegends{{{"auto", LegendMode::Automatic},
                                          {"none", LegendMode::None},
                                          {"inside", LegendMode::Inside},
@@ -184,11 +182,11 @@ constexpr std::array<FigureOption, 18> kOptions{{
      [](FigureStyle& style, const std::string& text) { return choose(kTicks, text, style.ticks); }},
     {"x-scale", "SCALE", "x-axis log or linear", FigurePart::Chart,
      [](FigureStyle& style, const std::string& text) {
-       return choose(kScales, text, style.xScale);
+       return choose(kAxisScales, text, style.xScale);
      }},
     {"y-scale", "SCALE", "y-axis log or linear", FigurePart::Chart,
      [](FigureStyle& style, const std::string& text) {
-       return choose(kScales, text, style.yScale);
+       return choose(kAxisScales, text, style.yScale);
      }},
     {"labels", "KEY=TEXT",
      "Another text: KEY is x, y (of the second panel x2, y2), the number of a curve in the legend, "

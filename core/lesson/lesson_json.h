@@ -25,9 +25,6 @@ inline constexpr NamedChoices<CurveHiding, 3> kCurveStates{
      {"hidden", CurveHiding::UntilAnswered},
      {"hidden_throughout", CurveHiding::Throughout}}};
 
-/// The vertical axis of the friction curve: false is logarithmic.
-inline constexpr NamedChoices<bool, 2> kVerticalScales{{{"log", false}, {"linear", true}}};
-
 /// The members of the three kinds of a value that name its column.
 inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
     {{"quantity", LessonValue::Kind::State},

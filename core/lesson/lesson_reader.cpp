@@ -10,6 +10,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
+#include "core/chart/diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_quantity.h"
 #include "core/lesson/lesson_json.h"
@@ -243,8 +244,8 @@ class StepReader {
     view.quantity = textIn(*show, "quantity", view.quantity, place);
     if (!quantityNamed(view.quantity))
       refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
-    view.isLinearY =
-        chosen(kVerticalScales, textIn(*show, "scale", "log", place), place + ".scale");
+    view.isLinearY = chosen(kAxisScales, textIn(*show, "scale", "log", place), place + ".scale") ==
+                     AxisScale::Linear;
     const CurveHiding hiding =
         chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
     view.hidesCurve = hiding != CurveHiding::Never;
@@ -258,7 +259,7 @@ class StepReader {
       if (!(canBegin && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
         refuseMember(where,
                      view.isLinearY
-                         ? message("needs a value from 0 on and a larger one, to")
+                         ? message("needs two values from 0 on, of which to is the larger one")
                          : message("needs two values above 0, of which to is the larger one"));
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/chart/diagram.h"
 #include "core/lesson/lesson_json.h"
 #include "core/scene/parameters.h"
 #include "core/scene/range.h"
@@ -64,7 +65,7 @@ Json jsonOf(const LessonView& view) {
   Json json = Json::object();
   if (view.tab != usual.tab) json["tab"] = view.tab;
   if (view.quantity != usual.quantity) json["quantity"] = view.quantity;
-  if (view.isLinearY) json["scale"] = wordOf(kVerticalScales, true);
+  if (view.isLinearY) json["scale"] = wordOf(kAxisScales, AxisScale::Linear);
   if (view.hidesCurve)
     json["curve"] = wordOf(
         kCurveStates, view.hidesCurveAfter ? CurveHiding::Throughout : CurveHiding::UntilAnswered);

@@ -116,15 +116,13 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
                       next->line().nodes() == ready_->line().nodes() &&
                       next->line().length == ready_->line().length;
   const bool isSameLine = next->rigid == ready_->rigid;
-  const bool mayGoOn = shape == Shape::Present || !next->isSteady || showsSteadyState();
-  if (isSameLine && mayGoOn && slideAlike(*next->scene, *ready_->scene)) {
-    ready_ = next;
-    still_.reset();
-    return;
-  }
-  if (goesOn && showsSteadyState()) settle(march_->distance());  // continues with the visible state
+  const bool hasThatShape = shape == Shape::Present || !next->isSteady || showsSteadyState();
+  const bool isSamePicture = isSameLine && hasThatShape && slideAlike(*next->scene, *ready_->scene);
+  // A march continues with the visible state.
+  if (!isSamePicture && goesOn && showsSteadyState()) settle(march_->distance());
   ready_ = next;
   still_.reset();
+  if (isSamePicture) return;
   if (!goesOn) return reset();
   if (shape == Shape::Steady) return settle(march_->distance());
   TimeMarch march(ready_->rigid->line, ready_->rigid->prepared.lowestHeight,

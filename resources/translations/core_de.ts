@@ -5319,8 +5319,8 @@
         <translation>spricht von einem Wert %1, den der Schritt nicht hat; bekannt sind %2</translation>
     </message>
     <message>
-        <source>needs a value from 0 on and a larger one, to</source>
-        <translation>braucht einen Wert ab 0 und einen größeren, to</translation>
+        <source>needs two values from 0 on, of which to is the larger one</source>
+        <translation>braucht zwei Werte ab 0, von denen to der größere ist</translation>
     </message>
     <message>
         <source>needs two values above 0, of which to is the larger one</source>

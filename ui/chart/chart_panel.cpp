@@ -14,10 +14,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "ui/chart/diagram_colours.h"
+#include "ui/chart/diagram_series.h"
 #include "ui/draw/fonts.h"
+#include "ui/draw/occupancy_grid.h"
 
 namespace asperity {
 
@@ -29,6 +30,7 @@ constexpr double kUnderDepth = 1.5, kOverDepth = 3.5;
 constexpr double kMarkSize = 8, kSmallestMark = 3;  // pixels across, times the scale
 constexpr double kBar = 1.3;                        // width of an error bar
 constexpr double kCap = 3.5;                        // half the width of an error bar's caps
+constexpr float kCell = 4;                          // pixels, resolution of what curves cover
 constexpr double kAside = 4;                        // pixels between a shade's edges and its name
 constexpr double kLeft = 6;                         // from the edge to a title on the left
 constexpr double kBelow = 8;   // from the frame to the title below it, including the labels
@@ -67,6 +69,11 @@ QImage imageOf(SeriesMark mark, double size, const QColor& colour, const QColor&
   return image;
 }
 
+Box boxOf(const QRectF& place) {
+  return {static_cast<float>(place.x()), static_cast<float>(place.y()),
+          static_cast<float>(place.width()), static_cast<float>(place.height())};
+}
+
 QPointF placeOf(const Diagram& diagram, double x, double y) {
   return {axisPlace(diagram.x.scale, x), axisPlace(diagram.y.scale, y)};
 }
@@ -85,8 +92,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     spans_ = diagram.spans;
     shades_ = diagram.shades;
     map_ = map;
-    drawn_ = drawnPlaces(diagram, map);
     look_ = look;
+    covered_ = coveredBy(diagram, {boxOf(map.area), xAxis, yAxis});
     xAxis_ = xAxis;
     yAxis_ = yAxis;
     hasXLabels_ = hasXLabels;
@@ -143,7 +150,8 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   struct Name {
     QRectF room;
     int alignment = kFoot;
-    QRectF place{};  // empty where it does not fit
+    QRectF place{};     // empty where it does not fit
+    float covered = 0;  // the part of the place that curves cover
   };
 
   QRectF columnOf(const DiagramSpan& span) const {
@@ -188,29 +196,35 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   /// through it.
   Name nameOf(const DiagramSpan& shade) const {
     const QRectF whole = columnOf(shade).adjusted(kAside, kAside, -kAside, -kAside);
-    const auto placed = [&](const QRectF& room) {
-      Name best{room, kFoot, placeIn(room, kFoot, shade)};
-      const double step = QFontMetricsF(look_.font).height() / 2;
-      for (QRectF part = room; drawnIn(best.place) > 0; part.setTop(part.top() + step)) {
-        const Name other{part, kHead, placeIn(part, kHead, shade)};
-        if (other.place.isEmpty()) break;
-        if (drawnIn(other.place) < drawnIn(best.place)) best = other;
-      }
-      // In a low frame a name over the curves hides them.
-      if (3 * best.place.height() > room.height() && drawnIn(best.place) > 0) best.place = {};
-      return best;
-    };
-    const Name name = placed(whole);
-    if (name.place.isEmpty() || line_ <= name.place.left() - kAside ||
-        line_ >= name.place.right() + kAside || std::isnan(line_))
-      return name;
+    const Name name = nameIn(whole, shade);
+    const bool isCrossed = !name.place.isEmpty() && line_ > name.place.left() - kAside &&
+                           line_ < name.place.right() + kAside;
+    if (!isCrossed) return name;
     QRectF side = whole;
     if (line_ < whole.center().x())
       side.setLeft(line_ + 2 * kAside);
     else
       side.setRight(line_ - 2 * kAside);
-    const Name beside = placed(side);
+    const Name beside = nameIn(side, shade);
     return beside.place.isEmpty() ? name : beside;
+  }
+
+  /// Places a name in a room, as nameOf() says.
+  Name nameIn(const QRectF& room, const DiagramSpan& shade) const {
+    const auto placed = [&](const QRectF& part, int alignment) {
+      const QRectF place = placeIn(part, alignment, shade);
+      return Name{part, alignment, place, coveredIn(place)};
+    };
+    Name best = placed(room, kFoot);
+    const double step = QFontMetricsF(look_.font).height() / 2;
+    for (QRectF part = room; best.covered > 0; part.setTop(part.top() + step)) {
+      const Name other = placed(part, kHead);
+      if (other.place.isEmpty()) break;
+      if (other.covered < best.covered) best = other;
+    }
+    // In a low frame a name over the curves hides them.
+    if (3 * best.place.height() > room.height() && best.covered > 0) best.place = {};
+    return best;
   }
 
   /// The place of a name in a room; empty where it does not fit.
@@ -221,33 +235,16 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     return room.contains(place) ? place : QRectF();
   }
 
-  /// How much of the curves goes through a place.
-  qsizetype drawnIn(const QRectF& place) const {
-    return std::ranges::count_if(drawn_, [&](QPointF at) { return place.contains(at); });
-  }
+  /// Returns the part of a place that curves and marks cover.
+  float coveredIn(const QRectF& place) const { return covered_.under(boxOf(place)); }
 
-  /// Places a few pixels apart along all curves.
-  static QList<QPointF> drawnPlaces(const Diagram& diagram, const ChartGeometry& map) {
-    constexpr double kStep = 5;  // pixels
-    QList<QPointF> places;
-    if (diagram.shades.empty()) return places;
-    for (const DiagramSeries& series : diagram.series) {
-      if (series.isBand) continue;
-      std::optional<QPointF> before;
-      for (const DiagramPoint& point : series.points) {
-        if (!hasPlace(diagram, point)) {
-          before.reset();
-          continue;
-        }
-        const QPointF at = map.at(point.x, point.y);
-        const double way = before ? QLineF(*before, at).length() : 0;
-        const int steps = static_cast<int>(std::clamp(way / kStep, 1.0, 1000.0));
-        for (int i = 1; i <= steps; ++i)
-          places += before ? *before + (at - *before) * i / steps : at;
-        if (series.stroke != SeriesStroke::None) before = at;
-      }
-    }
-    return places;
+  /// Returns where the series are, if there are names to keep away from them.
+  OccupancyGrid coveredBy(const Diagram& diagram, const DiagramAxes& axes) const {
+    OccupancyGrid covered(axes.box, kCell);
+    if (!shades_.empty())
+      coverSeries(covered, diagram, stylesOf(diagram, sizesOf(look_), look_.theme, axes.box.width),
+                  axes);
+    return covered;
   }
 
   /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
@@ -315,7 +312,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   std::vector<DiagramSpan> spans_, shades_;
-  QList<QPointF> drawn_;  // along the curves
+  OccupancyGrid covered_{{}, 1};  // by the series
   ChartGeometry map_;
   ChartLook look_;
   TickedAxis xAxis_, yAxis_;

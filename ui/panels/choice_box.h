@@ -56,6 +56,7 @@ class TextBox : public QPlainTextEdit {
   QString accepted_;
 };
 
+/// Whether the windows of a palette are dark.
 bool isDark(const QPalette& palette);
 
 /// The colour of texts about a wrong value, legible on the palette's background.

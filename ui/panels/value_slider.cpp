@@ -76,7 +76,7 @@ int SliderScale::positionOf(double value) const {
 
 namespace {
 
-constexpr double kHandleRadius = 6.5;  // at least
+constexpr double kSmallestHandle = 6.5;  // radius, pixels
 constexpr double kGroove = 4;
 constexpr double kFinely = 0.1;  // of the pointer's way, with Shift
 
@@ -186,7 +186,7 @@ void ValueSlider::paintEvent(QPaintEvent*) {
 }
 
 double handleRadius(const QFontMetrics& letters) {
-  return std::max(kHandleRadius, 0.36 * letters.height());
+  return std::max(kSmallestHandle, 0.36 * letters.height());
 }
 
 void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette& colours,

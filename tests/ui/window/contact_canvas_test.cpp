@@ -333,10 +333,9 @@ class DraggedCanvasTest : public ContactCanvasTest {
 
   /// The middle of the label or arrow that changes this.
   QPoint handle(ContactHandle wanted) {
-    for (const HandlePlace& place : contactHandles(*canvas_.frame(), shownOptions(canvas_)))
-      if (place.handle == wanted) return middleOf(place.box);
-    ADD_FAILURE() << "no handle";
-    return {};
+    const std::optional<QPoint> place = handleIn(canvas_, wanted);
+    EXPECT_TRUE(place) << "no handle";
+    return place.value_or(QPoint());
   }
 
   void drag(QPoint from, QPoint by) {

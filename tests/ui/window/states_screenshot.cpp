@@ -137,9 +137,7 @@ std::optional<QPoint> placeOf(const ContactCanvas& canvas, ContactHandle wanted)
     const QPointF part = wanted == ContactHandle::Body ? QPointF(0.3, 0.04) : QPointF(0.4, 0.6);
     return (plot.topLeft() + QPointF(part.x() * plot.width(), part.y() * plot.height())).toPoint();
   }
-  for (const HandlePlace& place : contactHandles(*canvas.frame(), shownOptions(canvas)))
-    if (place.handle == wanted) return middleOf(place.box);
-  return std::nullopt;
+  return handleIn(canvas, wanted);
 }
 
 void shootHandles(MainWindow& window, Camera& camera) {
@@ -192,10 +190,10 @@ std::vector<QPoint> placesOfReadings(ChartView& chart) {
 
 void shootTips(MainWindow& window, Camera& camera) {
   if (!camera.wants("tip")) return;
-  constexpr std::size_t kReadings = 6;
   const std::vector<QPoint> places = placesOfReadings(window.plotView());
-  for (std::size_t i = 0; i < std::min(kReadings, places.size()); ++i) {
-    point(window.plotView(), places[i * places.size() / std::min(kReadings, places.size())]);
+  const std::size_t readings = std::min<std::size_t>(6, places.size());
+  for (std::size_t i = 0; i < readings; ++i) {
+    point(window.plotView(), places[i * places.size() / readings]);
     camera.shoot("tip_chart_" + std::to_string(i + 1));
   }
   int number = 0;

@@ -133,6 +133,12 @@ QPoint middleOf(const Clip& place) {
   return QPointF(place.x + 0.5 * place.width, place.y + 0.5 * place.height).toPoint();
 }
 
+std::optional<QPoint> handleIn(const ContactCanvas& canvas, ContactHandle wanted) {
+  for (const HandlePlace& place : contactHandles(*canvas.frame(), shownOptions(canvas)))
+    if (place.handle == wanted) return middleOf(place.box);
+  return std::nullopt;
+}
+
 std::string cutOffIn(const QWidget& window) {
   static const std::set<QString> tooLong{"qt_toolbar_ext_button", "qt_menubar_ext_button"};
   std::string lines;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -51,6 +52,9 @@ ContactPictureOptions shownOptions(const ContactCanvas& canvas);
 
 /// The middle of a label or an arrow, in pixels.
 QPoint middleOf(const Clip& place);
+
+/// The middle of the label or arrow of a canvas that changes this; none where there is none.
+std::optional<QPoint> handleIn(const ContactCanvas& canvas, ContactHandle wanted);
 
 /// What is cut off of everything in sight, one a line, once the layout has settled.
 std::string cutOffIn(const QWidget& window);

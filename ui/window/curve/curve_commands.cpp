@@ -161,7 +161,8 @@ void CurveCommands::showState() {
   linearX_->setChecked(sweep.scale == SweepScale::Linear);
   linearX_->setEnabled(sweep.isOfVelocity() || (sweep.from > 0 && sweep.to > 0));
   linearY_->setChecked(session_.friction().isLinearY());
-  linearY_->setEnabled(!session_.friction().isConcealed());  // its ends hide an answer
+  // The ends of the axis hide the answer of a lesson.
+  linearY_->setEnabled(!session_.friction().isConcealed());
   save_->setEnabled(hasCurve);
   copy_->setEnabled(hasCurve);
 }

@@ -13,6 +13,8 @@
 #include <iterator>
 #include <vector>
 
+#include "ui/window/main/window_layout.h"
+
 namespace asperity {
 
 // ---- Letters of menu entries
@@ -251,7 +253,7 @@ ShortcutSheet::ShortcutSheet(const QMainWindow& window, QWidget* parent) : QDial
   for (qsizetype i = 0; i < groups.size(); ++i)
     columns[columnOf[i]]->addWidget(groupWidget(groups[i]));
   for (QVBoxLayout* column : columns) {
-    column->setSpacing(12);  // else that of the row
+    column->setSpacing(12);  // otherwise it takes the spacing of the row
     column->addStretch(1);
     row->addLayout(column);
   }
@@ -274,8 +276,7 @@ QSize ShortcutSheet::neededSize() const {
 /// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
 /// smaller where the window, within which its frame stays, is too small.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  const QSize frame(40, 80);  // pixels, of most window managers less
-  const QSize most = parentWidget() ? parentWidget()->size() - frame : neededSize();
+  const QSize most = parentWidget() ? parentWidget()->size() - kFrameRoom : neededSize();
   const auto isTooLarge = [&](const QSize& size) {
     return size.width() > most.width() || size.height() > most.height();
   };

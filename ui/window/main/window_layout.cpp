@@ -277,9 +277,8 @@ void WindowLayout::fitToScreen() {
 
 QSize sizeOfPage(QSize usual, const QScreen& screen) {
   constexpr double kOfScreen = 0.7;  // of a large one
-  constexpr int kAround = 40;        // pixels of the screen that stay free
   const QSize room = screen.availableSize();
-  return usual.expandedTo(kOfScreen * room).boundedTo(room - QSize(kAround, 2 * kAround));
+  return usual.expandedTo(kOfScreen * room).boundedTo(room - kFrameRoom);
 }
 
 }  // namespace asperity

@@ -32,6 +32,9 @@ class SceneTabs;
 /// permanently.
 inline constexpr QSize kLeastWindow{900, 560};
 
+/// Pixels that stay free around a page for the frame that a window manager draws.
+inline constexpr QSize kFrameRoom{40, 80};
+
 /// Returns the size of a page over the window: the usual one, more on a large screen, and never
 /// more than a small one has.
 QSize sizeOfPage(QSize usual, const QScreen& screen);
