@@ -231,8 +231,44 @@
         <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
     </message>
     <message>
-        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom</source>
-        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden</translation>
+        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom; the errors of the values are computed from errors of the points that are %3 times as large</source>
+        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
+    </message>
+    <message>
+        <source>the fit has not found the points: computed and measured friction differ by more than a factor of two on average, and the values and their errors say nothing; begin from other values, or vary further ones</source>
+        <translation>die Anpassung hat die Punkte nicht gefunden: berechnete und gemessene Reibung unterscheiden sich im Mittel um mehr als den Faktor zwei, und die Werte und ihre Fehler sagen nichts; mit anderen Werten beginnen oder weitere verändern</translation>
+    </message>
+    <message>
+        <source>times are shifted to the temperatures of the points by the general WLF constants, C1 = %1 and C2 = %2 K, which the scene does not replace by those of its rubber</source>
+        <translation>die Zeiten werden mit den allgemeinen WLF-Konstanten, C1 = %1 und C2 = %2 K, auf die Temperaturen der Punkte verschoben; die Szene ersetzt sie nicht durch die ihres Gummis</translation>
+    </message>
+    <message>
+        <source>the data state it in each row, so that there is nothing to fit</source>
+        <translation>die Daten geben es in jeder Zeile an, sodass nichts anzupassen ist</translation>
+    </message>
+    <message>
+        <source>the scene has no friction at row %1</source>
+        <translation>die Szene hat keine Reibung bei Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1 has no errors of the coefficient of friction, and %2 has; give it a column mu_error, or leave the errors out of all tables</source>
+        <translation>%1 hat keine Fehler der Reibungszahl, %2 aber hat welche; eine Spalte mu_error ergänzen oder die Fehler in allen Tabellen weglassen</translation>
+    </message>
+    <message>
+        <source>ranges: one standard error to each side, by the points' errors and the spread of the lines</source>
+        <translation>Bereiche: ein Standardfehler zu jeder Seite, aus den Fehlern der Punkte und der Streuung der Linien</translation>
+    </message>
+    <message>
+        <source>the points have no errors; they scatter by %1 % about the fit, with %2 degrees of freedom</source>
+        <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung, bei %2 Freiheitsgraden</translation>
+    </message>
+    <message>
+        <source>chi squared %1 for %2 degrees of freedom</source>
+        <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
+    </message>
+    <message>
+        <source>%1 (± standard error)</source>
+        <translation>%1 (± Standardfehler)</translation>
     </message>
     <message>
         <source>a temperature of %1 K is too cold for rubber; name the unit, as in "temperature (C)"</source>
@@ -347,8 +383,8 @@
         <translation>Was die Daten über jeden Parameter sagen</translation>
     </message>
     <message>
-        <source>The least sum of squares with one parameter held: flat where the data leave it open.</source>
-        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen.</translation>
+        <source>The least sum of squares with one parameter held: flat where the data leave it open. Its points are at most one standard error apart, which holds the spread of the lines, too; the sum of squares does not.</source>
+        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen. Ihre Punkte liegen höchstens einen Standardfehler auseinander, der auch die Streuung der Linien enthält; die Summe der Quadrate enthält sie nicht.</translation>
     </message>
     <message>
         <source>chi squared above its least</source>
