@@ -16,13 +16,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The covariance of the mean over the lines, which all points share, [point][point].
-MatrixXd covarianceOfLines(const FrictionWithDerivatives& found) {
+/// A root of the covariance of the mean over the lines, which all points share, [point][line]: the
+/// covariance is it times its transpose.
+MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
   std::size_t lines = found.muOfLines.front().size();
   for (const std::vector<double>& mu : found.muOfLines) lines = std::min(lines, mu.size());
-  MatrixXd covariance = MatrixXd::Zero(n, n);
-  if (lines < 2) return covariance;
+  if (lines < 2) return MatrixXd::Zero(n, 1);
   MatrixXd about(n, static_cast<Eigen::Index>(lines));
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
@@ -30,7 +30,7 @@ MatrixXd covarianceOfLines(const FrictionWithDerivatives& found) {
     for (std::size_t line = 0; line < lines; ++line)
       about(i, static_cast<Eigen::Index>(line)) = mu[line] - mean;
   }
-  return about * about.transpose() / (static_cast<double>(lines) * static_cast<double>(lines - 1));
+  return about / std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
 }
 
 /// What the points know of the parameters, a symmetric matrix, by its principal directions.
@@ -146,16 +146,17 @@ class Fitting {
     return minimize(objective_, start, all_, kIterations, Distance::Logarithm).places;
   }
 
-  /// Errors hold unless chi squared is three of its standard deviations beyond its mean. Errors
-  /// that do not hold, and the 100 % in place of those that are not given, are scaled to what the
-  /// fit leaves. kept: chi squared of errors e is e' kept e.
-  void compareWithErrors(const MatrixXd& kept, const MatrixXd& ofPoints, const MatrixXd& ofLines) {
+  /// Errors hold unless chi squared is three of its standard deviations beyond its mean: a fit
+  /// leaves the degrees of freedom of the points' errors, and of the lines' scatter what no
+  /// parameter follows. Errors that do not hold, and the 100 % in place of those that are not
+  /// given, are scaled to what the fit leaves. left: of the scatter of the lines, over the points'
+  /// errors.
+  void compareWithErrors(const MatrixXd& left) {
     const auto freedom = static_cast<double>(fit_.freedom);
-    const MatrixXd each = kept * (ofPoints + ofLines);
-    const double spread = std::sqrt(2 * (each * each).trace());
-    fit_.missesPoints = hasErrors_ && fit_.chiSquared > each.trace() + 3 * spread;
-    if (fit_.missesPoints)
-      fit_.errorScale = std::sqrt((fit_.chiSquared - (kept * ofLines).trace()) / freedom);
+    const double ofLines = left.squaredNorm();
+    const double variance = 2 * (freedom + 2 * ofLines + (left.transpose() * left).squaredNorm());
+    fit_.missesPoints = hasErrors_ && fit_.chiSquared > freedom + ofLines + 3 * std::sqrt(variance);
+    if (fit_.missesPoints) fit_.errorScale = std::sqrt((fit_.chiSquared - ofLines) / freedom);
     if (!hasErrors_) fit_.errorScale = fit_.relativeScatter = std::sqrt(fit_.chiSquared / freedom);
   }
 
@@ -173,19 +174,19 @@ class Fitting {
       for (Eigen::Index k = 0; k < count; ++k)
         slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
-    const MatrixXd lines = covarianceOfLines(found);
+    const MatrixXd lines = scatterOfLines(found);
     const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
     const MatrixXd response = information.inverse() * slopes.transpose() * weights.asDiagonal();
-    const MatrixXd points = weights.cwiseInverse().asDiagonal();
-    const MatrixXd left = MatrixXd::Identity(n, n) - slopes * response;
-    compareWithErrors(left.transpose() * weights.asDiagonal() * left, points, lines);
-    const MatrixXd ofErrors = fit_.errorScale * fit_.errorScale * points + lines;
-    covariance_ = response * ofErrors * response.transpose() + information.openCovariance();
+    const MatrixXd ofLines = response * lines;
+    compareWithErrors(weights.cwiseSqrt().asDiagonal() * (lines - slopes * ofLines));
+    const VectorXd ofPoints = fit_.errorScale * fit_.errorScale * weights.cwiseInverse();
+    covariance_ = response * ofPoints.asDiagonal() * response.transpose() +
+                  ofLines * ofLines.transpose() + information.openCovariance();
     fit_.computed = found.points;
-    const MatrixXd band = slopes * covariance_ * slopes.transpose();
     for (Eigen::Index i = 0; i < n; ++i) {
-      fit_.computedErrors.push_back(std::sqrt(lines(i, i)));
-      fit_.bandErrors.push_back(std::sqrt(std::max(0.0, band(i, i))));
+      fit_.computedErrors.push_back(lines.row(i).norm());
+      const double variance = slopes.row(i) * covariance_ * slopes.row(i).transpose();
+      fit_.bandErrors.push_back(std::sqrt(std::max(0.0, variance)));
     }
   }
 
