@@ -24,8 +24,8 @@ constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those a key can say
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
 constexpr std::string_view kReadable =
-    "text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and "
-    "Surfer files are read";
+    "text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, "
+    "Zygo and Surfer files are read";
 
 // ---- Kinds -------------------------------------------------------------------------------------
 
@@ -187,7 +187,7 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "profile") return "a profile as text";
   if (facts.format == "matrix") return "a matrix of heights as text";
   if (facts.format == "points") return "points x, y, z as text";
-  if (facts.format == "zygo") return "a text file of Zygo";
+  if (facts.format == "zygo") return "a file of Zygo";
   if (facts.format == "wyko") return "a text file of Wyko";
   if (facts.format == "surfer") return "a grid of Surfer";
   if (facts.format == "gwyddion") return "a file that Gwyddion has converted";

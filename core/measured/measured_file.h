@@ -1,6 +1,6 @@
 // Reads measured profiles and topographies of every kind: text in many forms, X3P (ISO 25178-72),
 // SDF (ISO 25178-71), SMD and PRF (ISO 5436-2), SUR and PRO (Digital Surf), GSF and GWY (Gwyddion),
-// the text files of Zygo and Wyko, grids of Surfer, and what else an installed Gwyddion can read.
+// files of Zygo, text files of Wyko, grids of Surfer, and what else an installed Gwyddion can read.
 // The kind is told from the content of a file, never from its name.
 //
 // Whatever the reader finds out by itself (kind, columns, units) stands in the facts, and each of

@@ -3275,6 +3275,18 @@
         <translation>eine Periode der Linie ist %1 lang, zweimal das Profil</translation>
     </message>
     <message>
+        <source>the long-wave cut-off of %1 is longer than the profile of %2: hardly any wave is removed, and the values are no roughness parameters of ISO 21920-2</source>
+        <translation>die lange Grenzwellenlänge von %1 ist länger als das Profil von %2: kaum eine Welle wird entfernt, und die Werte sind keine Rauheitskenngrößen nach ISO 21920-2</translation>
+    </message>
+    <message>
+        <source>the spectrum is a power law between each two of its points</source>
+        <translation>zwischen je zwei seiner Punkte ist das Spektrum ein Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>the wave numbers are whole multiples of one step, as of a periodogram: each value of the spectrum is its mean over a step</source>
+        <translation>die Wellenzahlen sind ganze Vielfache eines Schritts, wie die eines Periodogramms: jeder Wert des Spektrums ist sein Mittel über einen Schritt</translation>
+    </message>
+    <message>
         <source>one period of the line is %1 long</source>
         <translation>eine Periode der Linie ist %1 lang</translation>
     </message>
@@ -3471,8 +3483,8 @@
         <translation>lässt sich nicht umwandeln: es gibt keinen Ordner für Zwischendateien</translation>
     </message>
     <message>
-        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files are read without it</source>
-        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko und Surfer werden ohne es gelesen</translation>
+        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and Surfer files are read without it</source>
+        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte, auch der von Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo und Surfer werden ohne es gelesen</translation>
     </message>
     <message>
         <source>cannot be converted: Gwyddion does not start</source>
@@ -3591,8 +3603,8 @@
         <translation>%1 Punkte haben keine Höhe.</translation>
     </message>
     <message>
-        <source>text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files are read</source>
-        <translation>gelesen werden Text (Profile, Matrizen, Punkte), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko und Surfer</translation>
+        <source>text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and Surfer files are read</source>
+        <translation>gelesen werden Text (Profile, Matrizen, Punkte, auch der von Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo und Surfer</translation>
     </message>
     <message>
         <source>has %1 x %2 points; at most %3 are read</source>
@@ -3679,8 +3691,8 @@
         <translation>Zeile %1: der Ort fehlt</translation>
     </message>
     <message>
-        <source>a text file of Zygo</source>
-        <translation>Textdatei von Zygo</translation>
+        <source>a file of Zygo</source>
+        <translation>Datei von Zygo</translation>
     </message>
     <message>
         <source>a text file of Wyko</source>
@@ -3701,6 +3713,14 @@
     <message>
         <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
         <translation>Die Einheit „%1“ der Höhen ist nicht bekannt: Sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>the header says %1 x %2 pixels; the file has %3 x %4 numbers</source>
+        <translation>der Kopf sagt %1 x %2 Pixel; die Datei hat %3 x %4 Zahlen</translation>
+    </message>
+    <message>
+        <source>the header says %1 x %2 pixels and as many that mark those without a height; the file has %3 x %4 numbers</source>
+        <translation>der Kopf sagt %1 x %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 x %4 Zahlen</translation>
     </message>
     <message>
         <source>surface.point_spacing is not used: the file says how far its points are apart.</source>
@@ -5747,8 +5767,8 @@
         <translation>Text: Punkte x y z</translation>
     </message>
     <message>
-        <source>Zygo, text</source>
-        <translation>Zygo, Text</translation>
+        <source>Zygo</source>
+        <translation>Zygo</translation>
     </message>
     <message>
         <source>Wyko, text</source>
