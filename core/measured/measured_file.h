@@ -71,7 +71,8 @@ struct ReadingFacts {
   std::int64_t gaps = 0;        // of these, without a height
   double spacingVariation = 0;  // largest deviation of a step between positions, over the mean step
   bool resampled = false;       // positions were not uniform: heights are interpolated linearly
-  std::vector<Message> notes{};  // plain sentences in the order in which a person wants them
+  std::vector<Message> notes{};        // plain sentences in the order in which a person wants them
+  std::vector<Message> assumptions{};  // of these, what the numbers rest on and nobody states
 
   bool operator==(const ReadingFacts&) const = default;
 };

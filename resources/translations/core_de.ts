@@ -3431,8 +3431,8 @@
         <translation>Zeile %1: hat %2 Felder, die Zeilen davor haben %3</translation>
     </message>
     <message>
-        <source>line %1: column %2 is not a number</source>
-        <translation>Zeile %1: Spalte %2 ist keine Zahl</translation>
+        <source>line %1: '%2' in column %3 is not a number</source>
+        <translation>Zeile %1: „%2“ in Spalte %3 ist keine Zahl</translation>
     </message>
     <message>
         <source>ends too early: %1 bytes are needed from byte %2 on, and %3 are there</source>
@@ -3597,6 +3597,46 @@
     <message>
         <source>The file does not say how far its points are apart: one unit of positions.</source>
         <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
+    </message>
+    <message>
+        <source>One point has no height.</source>
+        <translation>Ein Punkt hat keine Höhe.</translation>
+    </message>
+    <message>
+        <source>The height %1 (in %2) is far from all others: if it means a missing point, it has to be left empty, or surface.outliers has to be set.</source>
+        <translation>Die Höhe %1 (in %2) liegt weit von allen anderen: Wenn sie für einen fehlenden Punkt steht, muss sie leer sein oder surface.outliers gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The height %1 (in %2) stands %3 times, far from all others: if it means missing points, they have to be left empty, or surface.outliers has to be set.</source>
+        <translation>Die Höhe %1 (in %2) steht %3-mal da, weit von allen anderen: Wenn sie für fehlende Punkte steht, müssen diese leer sein oder surface.outliers gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Line %1 is left out: it begins with a number and is no row of the table.</source>
+        <translation>Zeile %1 bleibt weg: Sie beginnt mit einer Zahl und ist keine Zeile der Tabelle.</translation>
+    </message>
+    <message>
+        <source>%1 lines, the first is line %2, are left out: they begin with a number and are no rows of the table.</source>
+        <translation>%1 Zeilen, die erste ist Zeile %2, bleiben weg: Sie beginnen mit einer Zahl und sind keine Zeilen der Tabelle.</translation>
+    </message>
+    <message>
+        <source>All marks in the numbers stand before three digits: &apos;%1&apos; is taken for the decimal mark.</source>
+        <translation>Alle Zeichen in den Zahlen stehen vor drei Ziffern: „%1“ gilt als Dezimalzeichen.</translation>
+    </message>
+    <message>
+        <source>The points are as far apart as is stated: %1 numbers them.</source>
+        <translation>Die Punkte sind so weit auseinander wie angegeben: %1 nummeriert sie.</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is no height; a missing point is left empty or is NaN</source>
+        <translation>Zeile %1: %2 ist keine Höhe; ein fehlender Punkt ist leer oder NaN</translation>
+    </message>
+    <message>
+        <source>is a road file (%1), a kind that is not read; the heights of one track as text are, with their distance as surface.point_spacing</source>
+        <translation>ist eine Straßendatei (%1), eine Art, die nicht gelesen wird; gelesen werden die Höhen einer Spur als Text, mit ihrem Abstand als surface.point_spacing</translation>
+    </message>
+    <message>
+        <source>the positions are rounded to %1, too coarsely for even steps of %2: they need more digits, or the heights alone are read with surface.point_spacing</source>
+        <translation>die Orte sind auf %1 gerundet, zu grob für gleiche Schritte von %2: Sie brauchen mehr Stellen, oder die Höhen allein werden mit surface.point_spacing gelesen</translation>
     </message>
     <message>
         <source>%1 points have no height.</source>
@@ -5914,6 +5954,10 @@
         <translation>Abb. 4</translation>
     </message>
     <message>
+    <message>
+        <source>row %1 has no height at point %2; interpolate fills it</source>
+        <translation>Zeile %1 hat an Punkt %2 keine Höhe; „interpolieren“ (interpolate) füllt sie</translation>
+    </message>
         <source>Fig. 5</source>
         <translation>Abb. 5</translation>
     </message>
