@@ -179,8 +179,8 @@
         <translation>ein logarithmischer Bereich braucht Enden über 0; %1 ist es nicht</translation>
     </message>
     <message>
-        <source>reduced sliding velocity a_T v at %1 K</source>
-        <translation>reduzierte Gleitgeschwindigkeit a_T v bei %1 K</translation>
+        <source>reduced sliding velocity aᴛ v at %1 K</source>
+        <translation>reduzierte Gleitgeschwindigkeit aᴛ v bei %1 K</translation>
     </message>
     <message>
         <source>%1 = %2, %3 to %4</source>
@@ -4119,8 +4119,8 @@
         <translation>hat %1 Zeilen; erlaubt sind %2, mehr als ein Gerät braucht</translation>
     </message>
     <message>
-        <source>%1: %2 arms, G = %3 in equilibrium, at %4</source>
-        <translation>%1: %2 Arme, G = %3 im Gleichgewicht, bei %4</translation>
+        <source>%1: %2, G = %3 in equilibrium, at %4</source>
+        <translation>%1: %2, G = %3 im Gleichgewicht, bei %4</translation>
     </message>
     <message>
         <source>which frequencies were measured is not known: friction on it is not marked as extrapolated</source>
@@ -4147,8 +4147,8 @@
         <translation>Überlappungen: Nachbarn stimmen auf %1 bis %2 Dekaden überein (Effektivwert)</translation>
     </message>
     <message>
-        <source>Prony series: %1 arms from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
-        <translation>Prony-Reihe: %1 Arme aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
+        <source>Prony series: %1 from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
+        <translation>Prony-Reihe: %1 aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
     </message>
     <message>
         <source>Williams, Landel and Ferry: C1 = %1, C2 = %2 K, %3 decades rms</source>
@@ -4157,6 +4157,78 @@
     <message>
         <source>Arrhenius: %1, %2 decades rms</source>
         <translation>Arrhenius: %1, %2 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>is not stated for each of the sweeps side by side in the columns %1; write it into the names, as in &quot;G' 20C (MPa)&quot;, or once for each sweep into a row above them</source>
+        <translation>ist nicht für jede der Messreihen nebeneinander in den Spalten %1 angegeben; in die Namen schreiben, wie in &quot;G' 20C (MPa)&quot;, oder einmal je Messreihe in eine Zeile darüber</translation>
+    </message>
+    <message>
+        <source>has columns of moduli that belong to no sweep with a frequency and both moduli: %1; take them out, or say with --storage-column and --loss-column which are meant</source>
+        <translation>hat Spalten von Moduln, die zu keiner Messreihe mit Frequenz und beiden Moduln gehören: %1; sie herausnehmen, oder mit --storage-column und --loss-column sagen, welche gemeint sind</translation>
+    </message>
+    <message>
+        <source>%1 states no strain amplitude</source>
+        <translation>%1 gibt keine Dehnungsamplitude an</translation>
+    </message>
+    <message>
+        <source>%1 % was not measured; there is %2</source>
+        <translation>%1 % wurde nicht gemessen; vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>differs between sweeps at one temperature, and so do the moduli (Payne effect); choose one amplitude with --strain: %1</source>
+        <translation>ist in Messreihen bei derselben Temperatur verschieden, und damit auch die Moduln (Payne-Effekt); eine Amplitude mit --strain wählen: %1</translation>
+    </message>
+    <message>
+        <source>'%1' is not a strain such as 1%</source>
+        <translation>„%1“ ist keine Dehnung wie 1%</translation>
+    </message>
+    <message>
+        <source>repeated at the same temperature and frequency: %1 rows, averaged; moduli that became one differ by a factor of up to %2</source>
+        <translation>bei derselben Temperatur und Frequenz wiederholt: %1 Zeilen, gemittelt; zusammengefasste Moduln unterscheiden sich bis zum Faktor %2</translation>
+    </message>
+    <message>
+        <source>shifts from G' alone and from G'' alone differ by up to %1 decades between neighbours, %2 in all; vertical shifts, as of an entropic spring, explain that: --vertical-shifts</source>
+        <translation>Verschiebungen aus G' allein und aus G'' allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; senkrechte Verschiebungen wie bei einer entropischen Feder erklären das: --vertical-shifts</translation>
+    </message>
+    <message>
+        <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>
+        <translation>nur eine Temperatur: es gibt keine Verschiebung, und Szenen brauchen elastomer.temperature=%1</translation>
+    </message>
+    <message>
+        <source>one arm</source>
+        <translation>ein Arm</translation>
+    </message>
+    <message>
+        <source>%1 arms</source>
+        <translation>%1 Arme</translation>
+    </message>
+    <message>
+        <source>the reference temperature %1 of the file is taken in %2; --temperature-unit says another</source>
+        <translation>die Bezugstemperatur %1 der Datei gilt in %2; --temperature-unit sagt eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>the shift with temperature by %1 is left out; one of Williams, Landel and Ferry (WLF) is read</source>
+        <translation>die Verschiebung mit der Temperatur nach %1 wird weggelassen; gelesen wird eine von Williams, Landel und Ferry (WLF)</translation>
+    </message>
+    <message>
+        <source>%1 is %2, outside %3 to %4</source>
+        <translation>%1 ist %2, außerhalb von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>looks like the moduli of a Prony series, but there is no column of relaxation times; such a table has columns as tau (s) and G (MPa), or g_i for parts of the instantaneous modulus</source>
+        <translation>sieht aus wie die Moduln einer Prony-Reihe, aber es gibt keine Spalte von Relaxationszeiten; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
+    </message>
+    <message>
+        <source>looks like the relaxation times of a Prony series, but there is no column of moduli; such a table has columns as tau (s) and G (MPa), or g_i for parts of the instantaneous modulus</source>
+        <translation>sieht aus wie die Relaxationszeiten einer Prony-Reihe, aber es gibt keine Spalte von Moduln; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
+    </message>
+    <message>
+        <source>is a keyword of LS-DYNA, which is not read; write the Prony series as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
+        <translation>ist ein Schlüsselwort von LS-DYNA, das nicht gelesen wird; die Prony-Reihe als Tabelle mit den Spalten tau (s) und G (MPa) schreiben, mit tau gleich 1/beta und dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
+    </message>
+    <message>
+        <source>%1 is above the lowest storage modulus of shear, %2; allowed is a modulus below it</source>
+        <translation>%1 liegt über dem kleinsten Speichermodul der Scherung, %2; erlaubt ist ein kleinerer Modul</translation>
     </message>
     <message>
         <source>one temperature alone: there is no shift</source>
@@ -4303,8 +4375,8 @@
         <translation>%1: Masterkurve</translation>
     </message>
     <message>
-        <source>%1 arms, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
-        <translation>%1 Arme, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
+        <source>%1, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
+        <translation>%1, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
     </message>
     <message>
         <source>Not thermorheologically simple: G' and G'' alone ask for different shifts, and the points of one temperature leave the curve.</source>
