@@ -129,11 +129,11 @@ bool areUnits(const Fields& fields) {
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
-/// Whether fields are names with units: one in brackets, or one in each of several fields.
+/// Whether fields are names with known units: one in brackets, or one in each of several fields.
 bool haveUnits(const Fields& fields) {
   bool inBrackets = false, inEach = fields.size() > 1;
   for (const std::string& field : fields) {
-    const bool hasUnit = !columnName(field).unit.empty();
+    const bool hasUnit = isKnownUnit(columnName(field).unit);
     inBrackets = inBrackets || (hasUnit && field.find_last_of(")]}") + 1 == field.size());
     inEach = inEach && hasUnit;
   }

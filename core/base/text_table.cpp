@@ -187,13 +187,20 @@ class TableReader {
     return false;
   }
 
+  /// Whether a field is a number or looks like one; "1. Ra" in a list does not.
+  bool isLikeNumber(std::string_view field) const {
+    return readField(field, table_.dialect.decimal).kind == FieldKind::Number ||
+           (beginsAsNumber(field) &&
+            trimmedField(field).find_first_of(" \t") == std::string_view::npos);
+  }
+
   /// Whether the next line has so many fields and begins as a number does, as damaged rows do.
   bool nextLineResembles(std::size_t size) const {
     std::string_view rest = rest_;
     const std::string_view line = takeLine(rest);
     std::vector<std::string_view> fields;
     split(line, fields);
-    return fields.size() == size && beginsAsNumber(fields.front());
+    return fields.size() == size && isLikeNumber(fields.front());
   }
 
   /// A row that is wrong in one field, or has another width, is an error where the rows go on. So
@@ -205,7 +212,7 @@ class TableReader {
     const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
     if (!isRow || isEntry || !above_.empty()) return;
     const bool isWide = fields_.size() != columns.size();
-    const bool goOnBroken = isDirect_ && beginsAsNumber(fields_.front()) &&
+    const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
                             (!isWide || table_.blocks.back().rows >= kManyRows) &&
                             nextLineResembles(fields_.size());
     if (!goOnBroken && !nextLineFits()) return;

@@ -50,6 +50,7 @@ TEST(TextTableMarks, TakesNoUnitsOfAnotherTable) {
     EXPECT_EQ(made.largest().columns[0].unit, "") << header;
     EXPECT_EQ(made.largest().columns[1].unit, "") << header;
   }
+  EXPECT_EQ(tableOf("Plate [2024]\n# scan 1\n1.5\n2.5\n3.5\n").largest().columns[0].unit, "");
   EXPECT_EQ(tableOf("tip of 2 um\nHeight\n1.5\n2.5\n3.5\n").largest().columns[0].unit, "");
 }
 

@@ -332,6 +332,7 @@ TEST(TextTable, RefusesSeveralDamagedRowsInARow) {
   EXPECT_THAT(errorOf("1.5\n2.5\n1.2.3\n3.5\n"), HasSubstr("in column 1 is not"));
   // Results below the rows, a table below a blank line, and a header of counts are none.
   EXPECT_EQ(read(good + "Ra;0.5\nRq;0.7\n").largest().rows, 12u);
+  EXPECT_EQ(read(good + "1. Ra;0.5\n2. Rq;0.7\n").largest().rows, 12u);
   EXPECT_EQ(read(good + "\n1;2;3\n4;5;6\n").blocks.size(), 2u);
   EXPECT_EQ(read("4 3\n0 1\n1 2 3\n4 5 6\n").largest().rows, 2u);
 }
