@@ -310,9 +310,10 @@ class Reader {
 
   void checkRow(const DynamicModulus& modulus, double temperature, std::size_t line) const {
     const auto refuse = [&](const char* what, double value) {
-      throw InputError(name_, fmt::format("line {}", line),
-                       message("{} is {}, which must be above 0; leave the row out or correct it",
-                               Message(what), PrintedNumber{printedNumber(value, 6)}));
+      throw InputError(
+          name_, fmt::format("line {}", line),
+          message("{} is {:.8g}, which must be above 0; leave the row out or correct it",
+                  Message(what), value));
     };
     if (!(modulus.frequency > 0)) refuse("the frequency", modulus.frequency);
     if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);

@@ -270,9 +270,11 @@ TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(errorOf("f (Hz),T (C),G' [furlong],G'' [furlong]\n" + rows),
               HasSubstr("has the unit furlong"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,-1\n2,20,2e6,1\n"),
-              HasSubstr("line 2: the loss modulus is \u22121, which must be above 0"));
+              HasSubstr("line 2: the loss modulus is -1, which must be above 0"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n0,20,2e6,1\n2,20,2e6,1\n"),
               HasSubstr("the frequency is 0"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,-300,2e6,1\n"),
+              HasSubstr("the temperature in K is -26.85, which"));
   EXPECT_THAT(errorOf("f (Hz),T,G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,300,2e6,1\n"), HasSubstr("mixed"));
   EXPECT_THAT(errorOf("f (Hz),G' (Pa),G'' (Pa)\n1,2e6,1\n2,2e6,1\n"), HasSubstr("--temperature"));
   EXPECT_THAT(errorOf("f,T,G',G''\n1,20,2,1\n2,20,2,1\n"), HasSubstr("--modulus-unit MPa"));
