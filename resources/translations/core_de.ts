@@ -3715,6 +3715,14 @@
         <translation>Die erste Zeile und die erste Spalte sind Orte.</translation>
     </message>
     <message>
+        <source>the header says %1 x %2 pixels; the file has %3 x %4 numbers</source>
+        <translation>der Kopf sagt %1 x %2 Pixel; die Datei hat %3 x %4 Zahlen</translation>
+    </message>
+    <message>
+        <source>the header says %1 x %2 pixels and as many that mark those without a height; the file has %3 x %4 numbers</source>
+        <translation>der Kopf sagt %1 x %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 x %4 Zahlen</translation>
+    </message>
+    <message>
         <source>%1 is in &apos;%2&apos;, which is no unit of length; the key can say another one</source>
         <translation>%1 ist in &apos;%2&apos;, was keine Längeneinheit ist; der Schlüssel kann eine andere nennen</translation>
     </message>
@@ -3753,14 +3761,6 @@
     <message>
         <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
         <translation>Die Einheit „%1“ der Höhen ist nicht bekannt: Sie gelten als Meter.</translation>
-    </message>
-    <message>
-        <source>the header says %1 x %2 pixels; the file has %3 x %4 numbers</source>
-        <translation>der Kopf sagt %1 x %2 Pixel; die Datei hat %3 x %4 Zahlen</translation>
-    </message>
-    <message>
-        <source>the header says %1 x %2 pixels and as many that mark those without a height; the file has %3 x %4 numbers</source>
-        <translation>der Kopf sagt %1 x %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 x %4 Zahlen</translation>
     </message>
     <message>
         <source>surface.point_spacing is not used: the file says how far its points are apart.</source>
@@ -5955,6 +5955,10 @@
         <translation>nicht angegeben</translation>
     </message>
     <message>
+        <source>row %1 has no height at point %2; interpolate fills it</source>
+        <translation>Zeile %1 hat an Punkt %2 keine Höhe; „interpolieren“ (interpolate) füllt sie</translation>
+    </message>
+    <message>
         <source>row %1 has %2 points without a height, the first is point %3; interpolate fills them</source>
         <translation>Zeile %1 hat %2 Punkte ohne Höhe, der erste ist Punkt %3; „interpolieren“ (interpolate) füllt sie</translation>
     </message>
@@ -6026,10 +6030,6 @@
         <translation>Abb. 4</translation>
     </message>
     <message>
-    <message>
-        <source>row %1 has no height at point %2; interpolate fills it</source>
-        <translation>Zeile %1 hat an Punkt %2 keine Höhe; „interpolieren“ (interpolate) füllt sie</translation>
-    </message>
         <source>Fig. 5</source>
         <translation>Abb. 5</translation>
     </message>
