@@ -109,7 +109,7 @@ struct MaterialCommand {
   std::string output;    // folder
   PictureArguments picture;
   DmaChoices columns;  // names and units
-  std::string temperature, referenceTemperature, equilibriumModulus, instantaneousModulus;
+  std::string temperature, referenceTemperature, equilibriumModulus, instantaneousModulus, strain;
   std::vector<std::string> leftOut;
   std::string modulus = "auto", shift = "auto", name, source;
   double poissonRatio = 0.5, temperatureTolerance = kIsothermTolerance;

@@ -314,7 +314,8 @@ void CommandTable::addMaterial() {
     return fit.back();
   };
   text("--reference-temperature", material.referenceTemperature,
-       "Temperature of the master curve, such as 20C (default: 25C where it was measured)");
+       "Temperature of the master curve, such as 20C (default: 25C where it was measured, else "
+       "the isotherm nearest to it)");
   fit.push_back(command->add_option("--terms", material.terms,
                                     "Number of relaxation times (default: as few as reach the "
                                     "smallest residual)"));
@@ -359,6 +360,7 @@ void CommandTable::addMaterial() {
   text("--magnitude-column", columns.magnitudeColumn, "Name or number of the column");
   text("--phase-column", columns.phaseColumn, "Name or number of the column");
   text("--strain-column", columns.strainColumn, "Name or number of the column");
+  text("--strain", material.strain, "Strain amplitude to read, such as 1%, of a file with several");
   text("--frequency-unit", columns.frequencyUnit, "Hz or rad/s, instead of the file's");
   text("--temperature-unit", columns.temperatureUnit, "C, K or F, instead of the file's");
   text("--modulus-unit", columns.modulusUnit, "Pa, kPa, MPa or GPa, instead of the file's");

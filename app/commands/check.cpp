@@ -6,6 +6,7 @@
 
 #include "app/command_line.h"
 #include "app/output.h"
+#include "app/surface_progress.h"
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
@@ -51,6 +52,7 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
   if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
     add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
+  for (const std::string& assumption : surfaceAssumptions(scene)) add(assumption);
   return text + "\n";
 }
 

@@ -91,6 +91,7 @@ std::string summaryOf(const Curve& curve, const CurveSet& set,
     for (const Message& note : measured.data.notes)
       text += measured.data.name + ": " + translated(note) + "\n";
   for (const Message& note : set.notes) text += translated(note) + "\n";
+  for (const std::string& assumption : surfaceAssumptions(scene)) text += assumption + "\n";
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   for (const Note note : notes.list())

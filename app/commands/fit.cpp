@@ -27,12 +27,7 @@ constexpr PictureDefaults kPictures{1200, 900, "print"};
 
 std::string summaryOf(const Fit& fit) {
   std::string text;
-  for (const FittedParameter& parameter : fit.parameters)
-    text += translated(fittedInWords(parameter)) + "\n";
-  text += filled(Words::tr("chi squared %1 for %2 degrees of freedom"),
-                 {shortNumber(fit.chiSquared, 4), std::to_string(fit.freedom)}) +
-          "\n";
-  for (const Message& note : fit.notes) text += translated(note) + "\n";
+  for (const Message& line : fitInWords(fit)) text += translated(line) + "\n";
   return text;
 }
 

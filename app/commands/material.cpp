@@ -15,7 +15,9 @@
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
 #include "core/chart/material_sheets.h"
+#include "core/material/dma_strain.h"
 #include "core/material/material_model.h"
 #include "core/scene/columns.h"
 #include "core/scene/data_table.h"
@@ -61,7 +63,8 @@ double pascals(const std::string& text, const char* option) {
   return quantity->number * *unit;
 }
 
-void checkUnit(bool isKnown, const std::string& unit, const char* option, const char* allowed) {
+void checkUnit(bool isKnown, const std::string& unit, const char* option,
+               const std::string& allowed) {
   if (!unit.empty() && !isKnown)
     throw InputError("", option, message("'{}' is not one of {}", shortened(unit), allowed));
 }
@@ -72,15 +75,21 @@ MaterialChoices choicesOf(const MaterialCommand& command) {
   choices.columns.modulus = chosenFrom(kModuli, command.modulus, "--modulus");
   choices.columns.poissonRatio = command.poissonRatio;
   checkUnit(frequencyUnit(command.columns.frequencyUnit, false).has_value(),
-            command.columns.frequencyUnit, "--frequency-unit", "Hz, rad/s");
+            command.columns.frequencyUnit, "--frequency-unit", "rad/s, " + unitsOf("Hz"));
   checkUnit(temperatureUnit(command.columns.temperatureUnit).has_value(),
-            command.columns.temperatureUnit, "--temperature-unit", "C, K, F");
+            command.columns.temperatureUnit, "--temperature-unit", unitsOf("K"));
   checkUnit(sizeOfUnit(command.columns.modulusUnit, "Pa").has_value(), command.columns.modulusUnit,
-            "--modulus-unit", "Pa, kPa, MPa, GPa");
+            "--modulus-unit", unitsOf("Pa"));
   if (!command.temperature.empty())
     choices.columns.temperature = kelvins(command.temperature, "--temperature");
   if (!command.referenceTemperature.empty())
     choices.referenceTemperature = kelvins(command.referenceTemperature, "--reference-temperature");
+  if (!command.strain.empty()) {
+    choices.strainAmplitude = strainFrom(command.strain);
+    if (!choices.strainAmplitude)
+      throw InputError("", "--strain",
+                       message("'{}' is not a strain such as 1%", shortened(command.strain)));
+  }
   for (const std::string& text : command.leftOut)
     choices.leftOut.push_back(kelvins(text, "--leave-out"));
   choices.temperatureTolerance = command.temperatureTolerance;

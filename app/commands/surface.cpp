@@ -49,10 +49,15 @@ std::string valueText(double value, const std::string& unit) {
   return unit.empty() ? shortNumber(value, 4) : quantity(value, unit);
 }
 
+std::string factsText(const std::vector<Message>& facts) {
+  std::string text;
+  for (const Message& fact : facts) text += translated(fact) + "\n";
+  return text;
+}
+
 /// What the file was taken for, and the values before and after.
 std::string measuredText(const MeasuredSummary& summary) {
-  std::string text;
-  for (const Message& fact : factsOf(summary)) text += translated(fact) + "\n";
+  std::string text = factsText(factsOf(summary));
   constexpr int kColumn = 14;
   const auto cell = [](std::string word) {
     // Code points, not bytes, stand beside each other.
@@ -187,9 +192,9 @@ int runSurface(const SurfaceCommand& command) {
     findLinesWithProgress(scene, command.common.quiet);
     const LineSource source(scene, isExact ? 1 : pointsPerElement(scene));
     const Line line = source.make(0);
-    const std::string text =
-        (source.measured() ? measuredText(measuredSummary(scene, source)) : std::string()) +
-        notesText(notesOf(source)) + summaryOf(line, command.outputs);
+    const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
+                                                : factsText(source.spectrumFacts())) +
+                             notesText(notesOf(source)) + summaryOf(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
     const bool machineReads = command.common.json || hasStandardOutput(command.outputs);

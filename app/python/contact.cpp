@@ -167,9 +167,9 @@ std::shared_ptr<SurfaceOfScene> surfaceOf(const Scene& scene, std::int64_t reali
   found->json = surfaceJson(scene, source, found->line);
   for (std::size_t i = 0; i < found->line.nodes(); ++i)
     found->position.push_back(static_cast<double>(i) * found->line.spacing);
-  if (source.measured())
-    for (const Message& fact : factsOf(measuredSummary(scene, source)))
-      found->facts.push_back(fact.english());
+  for (const Message& fact :
+       source.measured() ? factsOf(measuredSummary(scene, source)) : source.spectrumFacts())
+    found->facts.push_back(fact.english());
   return found;
 }
 

@@ -14,6 +14,8 @@
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/base/text_number.h"
+#include "core/base/units.h"
+#include "core/material/dma_strain.h"
 #include "core/material/material_model.h"
 #include "core/scene/material_tables.h"
 
@@ -73,7 +75,7 @@ double numberWithin(const Option& option, double least, double most) {
   return number;
 }
 
-std::string unitOf(const Option& option, bool isKnown, const char* allowed) {
+std::string unitOf(const Option& option, bool isKnown, const std::string& allowed) {
   if (!isKnown)
     throw InputError("", option.name,
                      message("'{}' is not one of {}", shortened(option.value), allowed));
@@ -90,7 +92,7 @@ struct Row {
   void (*set)(const Option& option, MaterialChoices& choices);
 };
 
-constexpr std::array<Row, 25> kRows{{
+constexpr std::array<Row, 26> kRows{{
     {"--reference-temperature",
      [](const Option& o, MaterialChoices& c) { c.referenceTemperature = kelvins(o); }},
     {"--terms",
@@ -146,18 +148,25 @@ constexpr std::array<Row, 25> kRows{{
      [](const Option& o, MaterialChoices& c) { c.columns.phaseColumn = o.value; }},
     {"--strain-column",
      [](const Option& o, MaterialChoices& c) { c.columns.strainColumn = o.value; }},
+    {"--strain",
+     [](const Option& o, MaterialChoices& c) {
+       c.strainAmplitude = strainFrom(o.value);
+       if (!c.strainAmplitude)
+         throw InputError("", o.name,
+                          message("'{}' is not a strain such as 1%", shortened(o.value)));
+     }},
     {"--frequency-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.frequencyUnit = unitOf(o, frequencyUnit(o.value, false).has_value(), "Hz, rad/s");
+       c.columns.frequencyUnit =
+           unitOf(o, frequencyUnit(o.value, false).has_value(), "rad/s, " + unitsOf("Hz"));
      }},
     {"--temperature-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.temperatureUnit = unitOf(o, temperatureUnit(o.value).has_value(), "C, K, F");
+       c.columns.temperatureUnit = unitOf(o, temperatureUnit(o.value).has_value(), unitsOf("K"));
      }},
     {"--modulus-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.modulusUnit =
-           unitOf(o, sizeOfUnit(o.value, "Pa").has_value(), "Pa, kPa, MPa, GPa");
+       c.columns.modulusUnit = unitOf(o, sizeOfUnit(o.value, "Pa").has_value(), unitsOf("Pa"));
      }},
     {"--name", [](const Option& o, MaterialChoices& c) { c.name = o.value; }},
     {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},

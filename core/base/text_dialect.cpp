@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "core/base/text_number.h"
 
@@ -15,7 +16,7 @@ namespace {
 using Separator = TextDialect::Separator;
 using Lines = std::vector<std::string_view>;
 
-/// The longest stretch of lines that is looked at in one place, and how many of them.
+/// Texts up to this length are looked at as a whole; of longer ones so many lines in one place.
 constexpr std::size_t kStretch = std::size_t{1} << 15, kMostLines = 200;
 
 /// Lines from the beginning, the end and three places between.
@@ -26,9 +27,10 @@ struct Sample {
 
 Sample sampleOf(std::string_view text) {
   Sample sample;
-  const auto take = [&sample](std::string_view rest) {
+  const auto take = [&sample, text](std::string_view rest) {
     const std::size_t whole = rest.size();
-    for (std::size_t i = 0; i < kMostLines && !rest.empty() && whole - rest.size() < kStretch; ++i)
+    const std::size_t most = text.size() <= kStretch ? text.size() : kMostLines;
+    for (std::size_t i = 0; i < most && !rest.empty() && whole - rest.size() < kStretch; ++i)
       sample.lines.push_back(takeLine(rest));
   };
   take(text);
@@ -45,9 +47,11 @@ Sample sampleOf(std::string_view text) {
 
 /// How well a dialect reads the lines of a sample.
 struct Fit {
-  double score = 0;          // lines that are rows of numbers; those of another width count less
-  std::size_t columns = 0;   // of most rows
-  std::size_t firstRow = 0;  // the first line that is a row
+  double score = 0;           // lines that are rows of numbers; those of another width count less
+  std::size_t columns = 0;    // of most rows
+  std::size_t firstRow = 0;   // the first line that is a row
+  std::size_t rows = 0;       // from that one on
+  std::size_t withTexts = 0;  // of these, with a field that is no number
 };
 
 Fit fitOf(const Lines& lines, const TextDialect& dialect) {
@@ -77,7 +81,10 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
       fit.firstRow = i;
       ofColumns.clear();
       sum = 0;
+      fit.rows = fit.withTexts = 0;
     }
+    ++fit.rows;
+    fit.withTexts += texts > 0 ? 1 : 0;
     ofColumns[fields.size()] += score;
     sum += score;
   }
@@ -161,6 +168,76 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   if (!isNamed && !looksLikeDecimals(sample.lines, fit.columns)) return comma;
   if (fit.columns == 2) return {Separator::Blanks, ','};
   return {Separator::CommaPair, ','};
+}
+
+/// What the numbers of one column say of the mark in them, which is taken for a decimal mark.
+struct MarkedNumbers {
+  std::size_t marked = 0;              // "13.318": what may be thousands as well
+  std::set<std::string_view> whole{};  // "929"
+  bool hasLong = false;                // "1318": thousands without a mark
+};
+
+/// Takes a field into account; returns whether its mark can be no mark of thousands: "0.318",
+/// "1.5", "1318.250", "1.318e3".
+bool isDecimal(std::string_view field, char mark, MarkedNumbers& numbers) {
+  constexpr std::size_t kGroup = 3;
+  field = trimmedField(field);
+  while (field.starts_with('-') || field.starts_with('+')) field.remove_prefix(1);
+  const std::size_t head = std::min(field.find_first_not_of("0123456789"), field.size());
+  if (head == field.size()) {
+    numbers.hasLong = numbers.hasLong || head > kGroup;
+    if (field != "0") numbers.whole.insert(field);
+    return false;
+  }
+  if (field[head] != mark) return field.find(mark) != std::string_view::npos;
+  const std::string_view tail = field.substr(head + 1);
+  if (head == 0 || head > kGroup || field.front() == '0' || tail.size() != kGroup ||
+      !std::ranges::all_of(tail, isDigit))
+    return true;
+  ++numbers.marked;
+  return false;
+}
+
+enum class Mark { Decimal, Unclear, Thousands };
+
+/// Whether the marks in the numbers separate decimals. Where each one stands before exactly three
+/// digits, they may separate thousands as well; they do where numbers below a thousand have none:
+/// of so many decimals some would end with a zero, which is left out where whole numbers have no
+/// mark.
+Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit) {
+  constexpr std::size_t kManyMarked = 50, kManyWhole = 3, kSomeMarked = 3;
+  std::vector<MarkedNumbers> columns(fit.columns);
+  std::vector<std::string_view> fields;
+  for (std::size_t i = fit.firstRow; i < lines.size(); ++i) {
+    if (isComment(lines[i])) continue;
+    splitRow(lines[i], dialect, fields);
+    if (fields.size() != columns.size()) continue;
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if (readField(fields[j], dialect.decimal).kind == FieldKind::Number &&
+          isDecimal(fields[j], dialect.decimal, columns[j]))
+        return Mark::Decimal;
+  }
+  const auto areThousands = [](const MarkedNumbers& column) {
+    return column.marked >= kManyMarked && column.whole.size() >= kManyWhole && !column.hasLong;
+  };
+  if (std::ranges::any_of(columns, areThousands)) return Mark::Thousands;
+  const auto isMarked = [](const MarkedNumbers& column) { return column.marked >= kSomeMarked; };
+  return std::ranges::any_of(columns, isMarked) ? Mark::Unclear : Mark::Decimal;
+}
+
+/// Returns the dialect with the other decimal mark where it leaves fewer texts among the rows
+/// ("1,000,000" is a number then), or where marks separate thousands by all that is there.
+TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, const Fit& fit) {
+  const bool isQuoted = dialect == TextDialect{Separator::Comma, ','};
+  if (markOf(dialect.separator) == ',' && !isQuoted) return dialect;
+  TextDialect other = dialect;
+  other.decimal = dialect.decimal == '.' ? ',' : '.';
+  const Fit otherFit = fitOf(sample.lines, other);
+  if (otherFit.rows >= fit.rows && otherFit.withTexts < fit.withTexts) return other;
+  const Mark mark = meaningOf(sample.lines, dialect, fit);
+  TextDialect right = mark == Mark::Thousands ? other : dialect;
+  right.isUnclear = mark != Mark::Decimal;
+  return right;
 }
 
 }  // namespace
@@ -282,9 +359,12 @@ TextDialect detectDialect(std::string_view text) {
     };
     const std::size_t points =
         static_cast<std::size_t>(std::ranges::count_if(sample.lines, hasPoint));
-    if (2 * points < sample.lines.size()) return ofWholeNumbers(sample, bestFit);
+    if (2 * points < sample.lines.size()) {
+      best = ofWholeNumbers(sample, bestFit);
+      bestFit = fitOf(sample.lines, best);
+    }
   }
-  return best;
+  return withRightMark(sample, best, bestFit);
 }
 
 }  // namespace asperity

@@ -20,6 +20,7 @@ struct TextDialect {
 
   Separator separator = Separator::Blanks;
   char decimal = '.';
+  bool isUnclear = false;  // numbers such as "13.318" alone: the mark may separate thousands, too
 
   /// Whether two separators in a row enclose an empty field.
   bool isExact() const { return separator != Separator::Blanks; }

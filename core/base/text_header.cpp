@@ -66,48 +66,47 @@ TextEntry entryOf(const TextLine& kept, const TextDialect& dialect) {
 
 namespace {
 
-/// The fields of the lines above a block that may be names, units and comments of its columns; the
-/// nearest line is the first. mayCountRows: the first column may be one of row numbers.
-std::vector<std::vector<std::string>> rowsAbove(const std::vector<TextLine>& above,
-                                                const TextDialect& dialect, std::size_t columns,
-                                                bool mayCountRows) {
-  constexpr std::size_t kMostRows = 4;
-  std::vector<std::vector<std::string>> rows;
-  for (auto line = above.rbegin(); line != above.rend() && rows.size() < kMostRows; ++line) {
-    const std::string_view text = withoutCommentMark(line->text, dialect);
-    if (text.empty()) continue;
-    // A separator in front is an unnamed column, too, be it a tab, which a blank is otherwise. So
-    // is one at the end.
-    std::vector<std::string> fields = splitNames(text, dialect, columns);
-    if (fields.empty() && dialect.isExact()) {
-      std::vector<std::string_view> whole;
-      splitFields(isComment(line->text) ? text : line->text, dialect.separator, whole);
-      if (whole.size() == columns)
-        for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
-    }
-    // Row numbers, which some programs write in front, have no name.
-    if (fields.empty() && columns > 2 && mayCountRows &&
-        (dialect.isExact() || text.starts_with('"'))) {
-      fields = splitNames(text, dialect, columns - 1);
-      if (!fields.empty()) fields.insert(fields.begin(), std::string());
-    }
-    if (fields.empty()) break;
-    const bool isEntry = keyEnd(text) != std::string_view::npos;
-    std::vector<std::string_view> exact;
-    splitFields(text, dialect.separator, exact);
-    if (isEntry && !(dialect.isExact() && columns > 1 && exact.size() >= columns)) break;
-    std::size_t numbers = 0, texts = 0;
-    for (const std::string& field : fields) {
-      const FieldKind kind = readField(field, dialect.decimal).kind;
-      numbers += kind == FieldKind::Number ? 1 : 0;
-      texts += kind == FieldKind::Text ? 1 : 0;
-    }
-    // Numbers may be names of all columns but the first: temperatures, or positions along x.
-    const bool areNames = numbers == 0 || (columns > 2 && numbers + 1 >= columns);
-    if (!areNames || texts == 0) break;
-    rows.push_back(std::move(fields));
+using Fields = std::vector<std::string>;
+
+/// Whether fields can be the names of columns: no numbers but for names that are numbers, such as
+/// temperatures or positions along x, of all columns but the first.
+bool areNames(const Fields& fields, const TextDialect& dialect) {
+  std::size_t numbers = 0, texts = 0;
+  for (const std::string& field : fields) {
+    const FieldKind kind = readField(field, dialect.decimal).kind;
+    numbers += kind == FieldKind::Number ? 1 : 0;
+    texts += kind == FieldKind::Text ? 1 : 0;
   }
-  return rows;
+  const std::size_t columns = fields.size();
+  return texts > 0 && (numbers == 0 || (columns > 2 && numbers + 1 >= columns));
+}
+
+/// The fields of a line that may be names, units or comments of the columns; empty where it is none
+/// of these. mayCountRows: the first column may be one of row numbers.
+Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
+               bool mayCountRows) {
+  const std::string_view text = withoutCommentMark(line, dialect);
+  // A separator in front is an unnamed column, too, be it a tab, which a blank is otherwise. So is
+  // one at the end.
+  Fields fields = splitNames(text, dialect, columns);
+  if (fields.empty() && dialect.isExact()) {
+    std::vector<std::string_view> whole;
+    splitFields(isComment(line) ? text : line, dialect.separator, whole);
+    if (whole.size() == columns)
+      for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
+  }
+  // Row numbers, which some programs write in front, have no name.
+  if (fields.empty() && columns > 2 && mayCountRows &&
+      (dialect.isExact() || text.starts_with('"'))) {
+    fields = splitNames(text, dialect, columns - 1);
+    if (!fields.empty()) fields.insert(fields.begin(), std::string());
+  }
+  std::vector<std::string_view> exact;
+  splitFields(text, dialect.separator, exact);
+  const bool isEntry = keyEnd(text) != std::string_view::npos &&
+                       !(dialect.isExact() && columns > 1 && exact.size() >= columns);
+  if (isEntry || !areNames(fields, dialect)) return {};
+  return fields;
 }
 
 bool isUnitField(const std::string& field) {
@@ -116,7 +115,7 @@ bool isUnitField(const std::string& field) {
 
 /// Whether each field is a unit or empty, and one at least could be nothing else. Among several
 /// units one word may be none, such as "bool" of a column that says what is valid.
-bool areUnits(const std::vector<std::string>& fields) {
+bool areUnits(const Fields& fields) {
   std::size_t sure = 0, others = 0;
   for (const std::string& field : fields) {
     if (trimmedField(field).empty()) continue;
@@ -130,6 +129,43 @@ bool areUnits(const std::vector<std::string>& fields) {
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
+/// Whether fields are names with known units: one in brackets, or one in each of several fields.
+bool haveUnits(const Fields& fields) {
+  bool inBrackets = false, inEach = fields.size() > 1;
+  for (const std::string& field : fields) {
+    const bool hasUnit = isKnownUnit(columnName(field).unit);
+    inBrackets = inBrackets || (hasUnit && field.find_last_of(")]}") + 1 == field.size());
+    inEach = inEach && hasUnit;
+  }
+  return inBrackets || inEach;
+}
+
+/// The fields of the lines above a block that may be names, units and comments of its columns; the
+/// nearest line is the first. Beyond a line of another kind, be it a comment or a damaged row, only
+/// units and names with units are sure to belong to the columns.
+std::vector<Fields> rowsAbove(const std::vector<TextLine>& above, const TextDialect& dialect,
+                              std::size_t columns, bool mayCountRows) {
+  constexpr std::size_t kMostRows = 4, kMostLines = 12;
+  std::vector<Fields> rows;
+  std::size_t looked = 0;
+  bool isFar = false, isNamed = false, belowAreUnits = false;
+  for (auto line = above.rbegin();
+       line != above.rend() && rows.size() < kMostRows && looked < kMostLines; ++line) {
+    if (withoutCommentMark(line->text, dialect).empty()) continue;
+    ++looked;
+    Fields fields = namesIn(line->text, dialect, columns, mayCountRows);
+    isFar = isFar || fields.empty();
+    if (isFar && isNamed && !belowAreUnits) break;
+    const bool belongs =
+        !fields.empty() && (!isFar || belowAreUnits || areUnits(fields) || haveUnits(fields));
+    belowAreUnits = belongs && areUnits(fields);
+    if (!belongs) continue;
+    isNamed = isNamed || !isComment(line->text) || haveUnits(fields);
+    rows.push_back(std::move(fields));
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const TextDialect& dialect,
@@ -140,10 +176,11 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
       first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   const auto units = std::ranges::find_if(rows, areUnits);
-  // Names stand above their units; without units, right above the numbers.
-  const std::vector<std::string>* names = nullptr;
+  // Names stand above their units; without units, they have some, or stand right above the numbers.
+  const Fields* names = nullptr;
   if (units == rows.end()) {
-    if (!rows.empty()) names = &rows.front();
+    const auto found = std::ranges::find_if(rows, haveUnits);
+    if (!rows.empty()) names = found != rows.end() ? &*found : &rows.front();
   } else if (units + 1 != rows.end()) {
     names = &*(units + 1);
   } else if (units != rows.begin()) {

@@ -204,6 +204,14 @@ Field readField(std::string_view text, char decimal) {
   return {FieldKind::Text, 0};
 }
 
+bool beginsAsNumber(std::string_view field) {
+  field = trimmedField(field);
+  for (const std::string_view mark : {"+-", ".,"})
+    if (!field.empty() && mark.find(field.front()) != std::string_view::npos)
+      field.remove_prefix(1);
+  return !field.empty() && isDigit(field.front());
+}
+
 bool beginsWithSpreadsheetError(std::string_view text) {
   return std::ranges::any_of(kSpreadsheetErrors,
                              [text](std::string_view error) { return text.starts_with(error); });

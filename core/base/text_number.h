@@ -39,6 +39,9 @@ std::string_view trimmedBlanks(std::string_view text);
 /// Brackets around all of the text are taken away.
 std::string_view withoutBrackets(std::string_view text);
 
+/// Whether a field begins as a number does, be it one or a damaged one: "1.2.3", "5.1x".
+bool beginsAsNumber(std::string_view field);
+
 /// Whether it begins with what spreadsheets write into a cell without a value: "#N/A", "#DIV/0!".
 bool beginsWithSpreadsheetError(std::string_view text);
 

@@ -1,12 +1,10 @@
 #include "core/base/text_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "core/base/input_error.h"
@@ -15,6 +13,7 @@
 #include "core/base/text_header.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
+#include "core/base/text_row.h"
 
 namespace asperity {
 namespace {
@@ -22,51 +21,6 @@ namespace {
 constexpr std::size_t kMostNumbers = std::size_t{1} << 27;
 constexpr std::size_t kMostHeaderLines = 10000;              // that are kept for one block
 constexpr std::size_t kProgressStep = std::size_t{1} << 20;  // bytes
-
-bool isBlank(char letter) {
-  return letter == ' ' || letter == '\t';
-}
-
-/// Reads a row of exactly `numbers.size()` plain numbers; false where there is anything else, which
-/// the slow way looks at.
-bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers) {
-  using Separator = TextDialect::Separator;
-  if (dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair)
-    return false;
-  const char mark = markOf(dialect.separator);
-  const bool atBlanks = dialect.separator == Separator::Blanks;
-  const char* place = line.data();
-  const char* const end = place + line.size();
-  const auto skipBlanks = [&] {
-    while (place != end && (*place == ' ' || (*place == '\t' && mark != '\t'))) ++place;
-  };
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    skipBlanks();
-    if (i > 0 && !atBlanks) {
-      if (place == end || *place != mark) return false;
-      ++place;
-      skipBlanks();
-    }
-    if (place != end && *place == '+') ++place;
-    // Neither "inf" nor "nan", which std::from_chars takes for numbers.
-    const char* first = place != end && *place == '-' ? place + 1 : place;
-    if (first == end || !(isDigit(*first) || *first == '.')) return false;
-    if (dialect.decimal == '.') {
-      const auto [stop, error] = std::from_chars(place, end, numbers[i]);
-      if (error != std::errc{}) return false;
-      place = stop;
-    } else {
-      const char* stop = place;
-      while (stop != end && !isBlank(*stop) && *stop != mark) ++stop;
-      const auto size = static_cast<std::size_t>(stop - place);
-      if (!readTextNumber(std::string_view(place, size), ',', numbers[i])) return false;
-      place = stop;
-    }
-    if (place != end && !isBlank(*place) && *place != mark) return false;
-  }
-  skipBlanks();
-  return place == end;
-}
 
 class TableReader {
  public:
@@ -82,7 +36,9 @@ class TableReader {
     }
     for (const TextLine& line : above_) addEntry(line, table_.trailer);
     if (table_.blocks.empty()) refuseWithoutRows();
-    clearFlags();
+    for (const TextLine& line : above_)
+      if (!isComment(line.text) && beginsAsNumber(line.text)) leaveOut(line);
+    endBlock();
   }
 
  private:
@@ -112,6 +68,7 @@ class TableReader {
     if (isOpen_ && appendPlain(line)) return;
     if (trimmedBlanks(line.text).empty()) {
       isDirect_ = false;
+      ++blankLines_;
       return;
     }
     if (isComment(line.text)) return keep(line);
@@ -147,7 +104,14 @@ class TableReader {
     return true;
   }
 
+  void leaveOut(const TextLine& line) {
+    table_.leftOut.push_back(static_cast<std::uint32_t>(line.number));
+  }
+
   void addRow(const TextLine& line) {
+    if (blankLines_ > 0 && block().rows > 0 && above_.empty())
+      blanks_.emplace_back(block().rows, blankLines_);
+    blankLines_ = 0;
     above_.clear();
     isDirect_ = true;
     if (count_ + row_.size() > kMostNumbers)
@@ -223,14 +187,20 @@ class TableReader {
     return false;
   }
 
-  /// Whether the next line has so many fields and begins with a number, as damaged rows do.
+  /// Whether a field is a number or looks like one; "1. Ra" in a list does not.
+  bool isLikeNumber(std::string_view field) const {
+    return readField(field, table_.dialect.decimal).kind == FieldKind::Number ||
+           (beginsAsNumber(field) &&
+            trimmedField(field).find_first_of(" \t") == std::string_view::npos);
+  }
+
+  /// Whether the next line has so many fields and begins as a number does, as damaged rows do.
   bool nextLineResembles(std::size_t size) const {
     std::string_view rest = rest_;
     const std::string_view line = takeLine(rest);
     std::vector<std::string_view> fields;
     split(line, fields);
-    return fields.size() == size &&
-           readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
+    return fields.size() == size && isLikeNumber(fields.front());
   }
 
   /// A row that is wrong in one field, or has another width, is an error where the rows go on. So
@@ -238,11 +208,11 @@ class TableReader {
   void refuseAmidRows(const TextLine& line) const {
     constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
     const std::vector<TextColumn>& columns = table_.blocks.back().columns;
-    const std::size_t numbers = countOf(FieldKind::Number);
     const bool isEntry = keyEnd(line.text) != std::string_view::npos;
-    if (numbers == 0 || isEntry || !above_.empty()) return;
+    const bool isRow = std::ranges::any_of(fields_, beginsAsNumber);
+    if (!isRow || isEntry || !above_.empty()) return;
     const bool isWide = fields_.size() != columns.size();
-    const bool goOnBroken = isDirect_ && kinds_.front().kind == FieldKind::Number &&
+    const bool goOnBroken = isDirect_ && isLikeNumber(fields_.front()) &&
                             (!isWide || table_.blocks.back().rows >= kManyRows) &&
                             nextLineResembles(fields_.size());
     if (!goOnBroken && !nextLineFits()) return;
@@ -251,7 +221,8 @@ class TableReader {
                    fields_.size(), columns.size()));
     for (std::size_t i = 0; i < std::min(columns.size(), fields_.size()); ++i)
       if (kinds_[i].kind == FieldKind::Text && !columns[i].isText)
-        fail(message("line {}: column {} is not a number", line.number, i + 1));
+        fail(message("line {}: '{}' in column {} is not a number", line.number,
+                     shortened(trimmedField(fields_[i])), i + 1));
   }
 
   void append(const TextLine& line) {
@@ -293,6 +264,38 @@ class TableReader {
     flags_.clear();
   }
 
+  /// Makes rows without a value of the blank lines within a single column. Where they follow every
+  /// row they only space the lines.
+  void fillBlankLines() {
+    TextBlock& last = block();
+    const bool isSpaced = blanks_.size() + 1 >= last.rows;
+    if (!options_.blankLinesAreGaps || last.columns.size() != 1 || isSpaced) return;
+    for (const auto& [row, count] : blanks_) count_ += count;
+    if (count_ > kMostNumbers) fail(message("has more than {} numbers", kMostNumbers));
+    std::vector<double> values;
+    std::vector<std::uint32_t> lines;
+    auto blank = blanks_.begin();
+    for (std::size_t row = 0; row < last.rows; ++row) {
+      if (blank != blanks_.end() && blank->first == row) {
+        values.insert(values.end(), blank->second, std::numeric_limits<double>::quiet_NaN());
+        lines.insert(lines.end(), blank->second, last.lines[row]);
+        ++blank;
+      }
+      values.push_back(last.values[row]);
+      lines.push_back(last.lines[row]);
+    }
+    last.rows = values.size();
+    last.values = std::move(values);
+    last.lines = std::move(lines);
+  }
+
+  void endBlock() {
+    clearFlags();
+    fillBlankLines();
+    blanks_.clear();
+    blankLines_ = 0;
+  }
+
   /// Whether the fields can be the first row of a block.
   bool startsBlock(const TextLine& line) {
     if (countOf(FieldKind::Number) == 0) return false;
@@ -301,6 +304,15 @@ class TableReader {
     const auto named = namedColumns(above_, table_.dialect, kinds_);
     return std::ranges::none_of(named,
                                 [](const TextColumn& column) { return column.name.empty(); });
+  }
+
+  /// Whether the line above a first row has as many fields and a number in front.
+  bool isDamagedRow(const TextLine& above, const TextLine& first) const {
+    std::vector<std::string_view> fields;
+    split(above.text, fields);
+    return above.number + 1 == first.number && fields.size() == fields_.size() &&
+           !isComment(above.text) &&
+           readField(fields.front(), table_.dialect.decimal).kind == FieldKind::Number;
   }
 
   void start(const TextLine& line) {
@@ -315,7 +327,8 @@ class TableReader {
       fields_.pop_back();
       kinds_.pop_back();
     }
-    clearFlags();
+    if (isOpen_) endBlock();
+    if (!above_.empty() && isDamagedRow(above_.back(), line)) leaveOut(above_.back());
     hasNumbers_.assign(fields_.size(), false);
     TextBlock fresh;
     fresh.columns = namedColumns(above_, table_.dialect, kinds_);
@@ -359,6 +372,8 @@ class TableReader {
   std::vector<Field> kinds_;
   std::vector<double> row_;
   std::vector<std::size_t> flags_;  // places in the last block's values of words such as "valid"
+  std::size_t blankLines_ = 0;      // since the last row
+  std::vector<std::pair<std::size_t, std::size_t>> blanks_;  // rows of it behind so many of them
 };
 
 }  // namespace

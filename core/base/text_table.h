@@ -48,6 +48,9 @@ struct TextTable {
   TextDialect dialect{};
   std::vector<TextBlock> blocks{};   // at least one
   std::vector<TextEntry> trailer{};  // lines behind the last block
+  /// Numbers of lines that look like rows and are none: damaged ones right above a block, and those
+  /// behind the last block that begin with a number.
+  std::vector<std::uint32_t> leftOut{};
 
   /// The block with the most numbers, the first of those.
   const TextBlock& largest() const;
@@ -62,6 +65,9 @@ struct TextTableOptions {
   bool keepsTexts = false;
   /// Names (in lower case) of columns that are texts even where they look like numbers: labels.
   std::vector<std::string> textColumns{};
+  /// In a table of one column a blank line between numbers is a row without a value, as
+  /// spreadsheets write it, unless such a line follows every row.
+  bool blankLinesAreGaps = false;
   /// Told the part that is read, 0 to 1, now and then. May throw to end the reading.
   std::function<void(double)> progress{};
 };

@@ -162,6 +162,32 @@ std::optional<double> metresPer(std::string_view unit) {
   return metres ? std::optional(*metres * scaled->factor) : std::nullopt;
 }
 
+namespace {
+
+/// Reads "um^2 mm", "\u00B5m\u00B2\u00B7mm", "m^2/(1/m)": a square, as of heights, times or over
+/// another power.
+std::optional<LengthPower> productNamed(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  if (text.size() > kLongest) return {};
+  for (const std::string_view mark : {"/("sv, " "sv, "*"sv, "\u00B7"sv, "\u22C5"sv}) {
+    const std::size_t at = text.find(mark);
+    if (at == std::string_view::npos) continue;
+    const bool isOver = mark == "/(";
+    const auto square = lengthPowerNamed(trimmedBlanks(text.substr(0, at)));
+    // The bracket of a quotient stays with what it holds.
+    const std::string_view rest = text.substr(isOver ? at + 1 : at + mark.size());
+    const auto other = lengthPowerNamed(trimmedBlanks(rest));
+    if (!square || square->power != 2 || !other) return {};
+    const int otherPower = isOver ? -other->power : other->power, power = 2 + otherPower;
+    if (power <= 0) return {};
+    const double size = std::pow(square->metres, 2) * std::pow(other->metres, otherPower);
+    return LengthPower{std::pow(size, 1.0 / power), power};
+  }
+  return {};
+}
+
+}  // namespace
+
 std::optional<LengthPower> lengthPowerNamed(std::string_view text) {
   // Longer endings first, for "-1" ends in a digit, too.
   constexpr std::array<std::pair<std::string_view, int>, 14> kPowers{{{"\u207B\u00B9", -1},
@@ -180,7 +206,7 @@ std::optional<LengthPower> lengthPowerNamed(std::string_view text) {
                                                                       {"", 1}}};
   text = withoutBrackets(text);
   int sign = 1;
-  for (const std::string_view front : {"1/", "rad/"})
+  for (const std::string_view front : {"1/", "rad/", "cycles/", "cycle/", "cyc/"})
     if (text.starts_with(front)) {
       sign = -1;
       text.remove_prefix(front.size());
@@ -192,7 +218,7 @@ std::optional<LengthPower> lengthPowerNamed(std::string_view text) {
     if (length.ends_with('^')) length.remove_suffix(1);
     if (const auto metres = metresPer(length)) return LengthPower{*metres, sign * power};
   }
-  return {};
+  return sign > 0 ? productNamed(text) : std::nullopt;
 }
 
 }  // namespace asperity

@@ -290,6 +290,26 @@ std::optional<double> sizeOfUnit(std::string_view name, std::string_view si) {
   return unit && unit->offset == 0 ? std::optional(unit->toSi(1)) : std::nullopt;
 }
 
+std::string unitsOf(std::string_view si) {
+  std::string list(si);
+  for (const std::string_view prefix : {"k"sv, "M"sv, "G"sv})
+    if (si == "Pa") list += fmt::format(", {}{}", prefix, si);
+  for (const std::string_view prefix : {"c"sv, "m"sv, "\u00B5"sv})
+    if (si == "m" || si == "m/s") list += fmt::format(", {}{}", prefix, si);
+  if (si == "Hz") list += ", kHz";
+  for (const OtherUnit* one = kOthers.begin(); one != kOthers.end(); ++one) {
+    const auto isSame = [one](const OtherUnit& other) {
+      return other.unit.si == one->unit.si && other.unit.size == one->unit.size &&
+             other.unit.offset == one->unit.offset && other.unit.exponent == one->unit.exponent;
+    };
+    // Words are for those who write them.
+    if (one->unit.si == si && !one->name.ends_with("pascal") &&
+        std::none_of(kOthers.begin(), one, isSame))
+      list += fmt::format(", {}", one->name);
+  }
+  return list;
+}
+
 TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {
   const std::optional<Parts> parts = partsOf(text);
   if (!parts) return {};

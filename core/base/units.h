@@ -38,6 +38,10 @@ std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
 /// Returns how many of the SI unit one of such a unit is. Empty where it is none.
 std::optional<double> sizeOfUnit(std::string_view name, std::string_view si);
 
+/// Returns "Pa, kPa, MPa, GPa, kN/m2, ..., psi": the units that measure what the SI unit measures,
+/// with their usual prefixes and without other spellings, for messages.
+std::string unitsOf(std::string_view si);
+
 /// What a number has to be.
 struct QuantityRule {
   std::string_view unit{};     // SI; empty for a pure number

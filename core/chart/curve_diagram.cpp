@@ -337,7 +337,7 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
   diagram.y.from = set.yFrom;
   diagram.y.to = set.yTo;
   if (set.isReduced && isPhysical && set.isOfVelocity())
-    diagram.x.title = message("reduced sliding velocity a_T v at {:.4g} K",
+    diagram.x.title = message("reduced sliding velocity a\u1D1B v at {:.4g} K",
                               set.present.scene.elastomer.temperature);
 }
 

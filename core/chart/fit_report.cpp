@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "core/base/input_error.h"
@@ -49,14 +50,51 @@ std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   return errors;
 }
 
-/// The value with its range and the name that charts use.
-Message labelled(const FittedParameter& parameter) {
-  const Parameter& row = *findParameter(parameter.key);
-  const std::string unit(row.unit);
-  return message("{} = {}, {} to {}", Message(std::string(row.label)),
-                 PrintedNumber{printedQuantity(parameter.value, unit)},
+constexpr const char* kRangeInWords =
+    "ranges: one standard error to each side, by the points' errors and the spread of the lines";
+
+Message withRange(const Message& name, const FittedParameter& parameter) {
+  const std::string unit(findParameter(parameter.key)->unit);
+  return message("{} = {}, {} to {}", name, PrintedNumber{printedQuantity(parameter.value, unit)},
                  PrintedNumber{printedQuantity(parameter.low, unit)},
                  PrintedNumber{printedQuantity(parameter.high, unit)});
+}
+
+/// The value with its range and the name that charts use.
+Message labelled(const FittedParameter& parameter) {
+  return withRange(Message(std::string(findParameter(parameter.key)->label)), parameter);
+}
+
+/// The tables of points under a few loads, one for each load: away from the scene's load points do
+/// not lie on its curve.
+std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables) {
+  constexpr std::size_t kFew = 4;
+  const auto loadOf = [](const MeasuredPoint& point) {
+    return std::isnan(point.normalForce) ? printedQuantity(point.nominalPressure, "Pa")
+                                         : printedQuantity(point.normalForce, "N");
+  };
+  std::vector<MeasuredCurve> parted;
+  for (const MeasuredCurve& table : tables) {
+    std::map<std::string, MeasuredCurve> parts;
+    std::vector<std::string> loads;  // in the order of the table
+    for (std::size_t i = 0; i < table.computed.size(); ++i) {
+      const MeasuredPoint& point = table.data.points[i];
+      MeasuredCurve& part = parts[loadOf(point)];
+      if (part.places.empty()) loads.push_back(loadOf(point));
+      part.data.points.push_back(point);
+      part.places.push_back(table.places[i]);
+      part.computed.push_back(table.computed[i]);
+    }
+    if (parts.size() < 2 || parts.size() > kFew) {
+      parted.push_back(table);
+      continue;
+    }
+    for (const std::string& load : loads) {
+      parted.push_back(std::move(parts[load]));
+      parted.back().data.name = table.data.name + ", " + load;
+    }
+  }
+  return parted;
 }
 
 /// A logarithmic axis of little more than a decade would have one number or none.
@@ -134,7 +172,9 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
           {"chi_squared", fit.chiSquared},
           {"degrees_of_freedom", fit.freedom},
           {"relative_scatter", fit.relativeScatter > 0 ? Json(fit.relativeScatter) : Json()},
+          {"error_scale", fit.errorScale},
           {"has_converged", fit.hasConverged},
+          {"has_found_points", fit.hasFoundPoints},
           {"evaluations", fit.evaluations},
           {"notes", std::move(notes)}};
 }
@@ -142,33 +182,44 @@ nlohmann::ordered_json fitJson(const Fit& fit) {
 std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
   const std::vector<MeasuredPoint> points = allPoints(data);
   std::string text =
-      joinedColumns({"velocity", "normal_force", "temperature", "mu_measured", "mu_error", "mu",
-                     "mu_standard_error", "mu_band", "measured_over_computed"}) +
+      joinedColumns({"velocity", "normal_force", "nominal_pressure", "temperature", "mu_measured",
+                     "mu_error", "mu", "mu_standard_error", "mu_band", "measured_over_computed"}) +
       "\n";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double mu = totalMu(fit.computed[i]);
-    for (const double value :
-         {points[i].velocity, points[i].normalForce, points[i].temperature, points[i].mu,
-          points[i].muError, mu, fit.computedErrors[i], fit.bandErrors[i]})
+    for (const double value : {points[i].velocity, points[i].normalForce, points[i].nominalPressure,
+                               points[i].temperature, points[i].mu, points[i].muError, mu,
+                               fit.computedErrors[i], fit.bandErrors[i]})
       text += csvNumber(value) + ",";
     text += csvNumber(points[i].mu / mu) + "\n";
   }
   return text;
 }
 
-Message fittedInWords(const FittedParameter& parameter) {
-  const std::string unit(findParameter(parameter.key)->unit);
-  return message("{} = {}, {} to {}", parameter.key,
-                 PrintedNumber{printedQuantity(parameter.value, unit)},
-                 PrintedNumber{printedQuantity(parameter.low, unit)},
-                 PrintedNumber{printedQuantity(parameter.high, unit)});
+std::vector<Message> fitInWords(const Fit& fit) {
+  std::vector<Message> lines;
+  for (const FittedParameter& parameter : fit.parameters)
+    lines.push_back(withRange(Message::name(parameter.key), parameter));
+  lines.emplace_back(kRangeInWords);
+  if (fit.relativeScatter > 0)
+    lines.push_back(
+        message("the points have no errors; they scatter by {:.2g} % about the fit, "
+                "with {} degrees of freedom",
+                100 * fit.relativeScatter, fit.freedom));
+  else
+    lines.push_back(
+        message("chi squared {:.4g} for {} degrees of freedom", fit.chiSquared, fit.freedom));
+  lines.insert(lines.end(), fit.notes.begin(), fit.notes.end());
+  return lines;
 }
 
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set) {
-  DiagramSheet sheet = curveSheet(set);
+  CurveSet shown = set;
+  shown.measured = partedByLoad(set.measured);
+  DiagramSheet sheet = curveSheet(shown);
   std::vector<Message> values;
   for (const FittedParameter& parameter : fit.parameters) values.push_back(labelled(parameter));
-  sheet.subtitle = listed(values);
+  sheet.subtitle = message("{} (\u00B1 standard error)", listed(values));
   DiagramSeries band;
   band.name = "fit \u00B1 standard error";
   band.isBand = true;
@@ -188,7 +239,10 @@ DiagramSheet profileSheet(const Fit& fit) {
   DiagramSheet sheet;
   sheet.title = "What the data say about each parameter";
   sheet.note =
-      "The least sum of squares with one parameter held: flat where the data leave it open.";
+      "The least sum of squares with one parameter held: flat where the data leave it open. Its "
+      "points are at most one standard error apart, which holds the spread of the lines, too; the "
+      "sum of squares does not.";
+  const double unit = fit.errorScale * fit.errorScale;
   for (std::size_t k = 0; k < fit.profiles.size(); ++k) {
     const ObjectiveProfile& profile = fit.profiles[k];
     const Parameter& row = *findParameter(profile.key);
@@ -198,7 +252,7 @@ DiagramSheet profileSheet(const Fit& fit) {
     DiagramSeries series;
     series.mark = SeriesMark::Circle;
     for (std::size_t i = 0; i < profile.values.size(); ++i)
-      series.points.push_back({profile.values[i], profile.chiSquared[i] - fit.chiSquared});
+      series.points.push_back({profile.values[i], (profile.chiSquared[i] - fit.chiSquared) / unit});
     diagram.series = {std::move(series)};
     DiagramMarker best;
     best.x = fit.parameters[k].value;

@@ -21,14 +21,16 @@ nlohmann::ordered_json fitJson(const Fit& fit);
 /// One row for each measured point: what was measured and what the fitted scene says there.
 std::string fitCsv(const Fit& fit, std::span<const FrictionData> data);
 
-/// "elastomer.shear_modulus = 1.02e7 Pa, 9.5e6 to 1.1e7".
-Message fittedInWords(const FittedParameter& parameter);
+/// What a person reads first, line by line: "elastomer.shear_modulus = 1.02e7 Pa, 9.5e6 to 1.1e7",
+/// what these ranges are, how far the points lie from the curve, and the notes.
+std::vector<Message> fitInWords(const Fit& fit);
 
 /// The fitted curve with its band, the points and their residuals. `set`: the curve of the fitted
 /// scene with the measured tables.
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set);
 
-/// The least sum of squares over each parameter: flat where the data leave it open.
+/// The least sum of squares over each parameter, in the squares of the points' errors (fit.h: times
+/// errorScale): flat where the data leave it open.
 DiagramSheet profileSheet(const Fit& fit);
 
 /// The provenance of a fit: that of the fitted scene, and as "start" the scene that was fitted.

@@ -185,8 +185,8 @@ NamedSheet masterSheet(const Material& material) {
   if (material.isMeasured()) {
     const FrequencyRange range = fittedRange(material);
     sheet.subtitle =
-        message("{} arms, G = {} in equilibrium, rms residual {} % of G' and {} % of G''",
-                material.series.arms.size(),
+        message("{}, G = {} in equilibrium, rms residual {} % of G' and {} % of G''",
+                armsInWords(material.series.arms.size()),
                 PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
                 PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},
                 PrintedNumber{printedNumber(100 * material.series.rmsLoss, 2)});

@@ -156,7 +156,7 @@ FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
       const std::vector<double>& low = found.muOfLines[n + below];
       const std::vector<double>& high = found.muOfLines[n + above];
       for (std::size_t line = 0; line < low.size(); ++line)
-        slopes[i].push_back((high[line] - low[line]) / width);
+        slopes[i].push_back(width > 0 ? (high[line] - low[line]) / width : 0);
     }
   }
   found.muOfLines.resize(n);

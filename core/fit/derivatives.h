@@ -74,7 +74,7 @@ struct FrictionWithDerivatives {
 };
 
 /// `states` are slid with the parameters at their own values, and at a step to each side of them;
-/// where a limit is nearer than a step, to the other side alone.
+/// where a limit is nearer than a step, to the other side alone. Beyond the limits slopes are 0.
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options);

@@ -1,17 +1,14 @@
 #include "core/fit/fit.h"
 
-#include <ceres/ceres.h>
-#include <glog/logging.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "core/base/input_error.h"
-#include "core/friction/study.h"
+#include "core/fit/fit_objective.h"
 
 namespace asperity {
 namespace {
@@ -19,205 +16,13 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// The scene at the measured points for any places of the parameters, and what it differs by from
-/// what was measured.
-class Objective {
- public:
-  Objective(const Scene& scene, std::span<const FrictionData> data,
-            std::span<const VariedParameter> parameters, const FitOptions& options)
-      : scene_(scene), fixed_(scene), parameters_(parameters), options_(options) {
-    fixResolution(fixed_);
-    for (const FrictionData& set : data)
-      for (const MeasuredPoint& point : set.points) points_.push_back(point);
-    weighWithErrors();
-  }
-
-  std::size_t size() const { return points_.size(); }
-  const VariedParameter& parameter(int k) const { return parameters_[static_cast<std::size_t>(k)]; }
-  double deviation(std::size_t i) const { return deviations_[i]; }
-  int evaluations() const { return evaluations_; }
-
-  std::vector<Scene> statesAt(const VectorXd& places) const {
-    const Scene here = at(fixed_, places);
-    std::vector<Scene> states;
-    for (const MeasuredPoint& point : points_) states.push_back(sceneOf(point, here));
-    return states;
-  }
-
-  Scene sceneAt(const VectorXd& places) const { return at(scene_, places); }
-
-  /// Friction and, for the parameters named, its derivatives.
-  FrictionWithDerivatives evaluate(const VectorXd& places, std::span<const int> varied) const {
-    ++evaluations_;
-    std::vector<VariedParameter> some;
-    for (const int k : varied) some.push_back(parameters_[static_cast<std::size_t>(k)]);
-    return frictionWithDerivatives(statesAt(places), some, stateOptions());
-  }
-
-  /// Returns computed minus measured friction at a point, over the point's error.
-  double residual(const FrictionWithDerivatives& found, std::size_t i) const {
-    return (meanOf(found.muOfLines[i]) - points_[i].mu) / deviations_[i];
-  }
-
-  void report(double chiSquared) const {
-    if (options_.progress) options_.progress(evaluations_, chiSquared);
-  }
-
-  bool hasVelocityErrors() const {
-    return std::ranges::any_of(
-        points_, [](const MeasuredPoint& point) { return !std::isnan(point.velocityError); });
-  }
-
-  /// An error of the velocity is one of friction by the slope of the computed curve (effective
-  /// variance).
-  void addVelocityErrors(const VectorXd& places) {
-    if (!hasVelocityErrors()) return;
-    weighWithErrors();
-    const std::vector<Scene> states = statesAt(places);
-    const VariedParameter velocity("sliding.velocity", states.front());
-    const FrictionWithDerivatives found =
-        frictionWithDerivatives(states, {&velocity, 1}, stateOptions());
-    for (std::size_t i = 0; i < size(); ++i) {
-      if (std::isnan(points_[i].velocityError)) continue;
-      const double relative = points_[i].velocityError / points_[i].velocity;
-      deviations_[i] =
-          std::hypot(deviations_[i], relative * meanOf(found.slopesOfLines.front()[i]));
-    }
-  }
-
- private:
-  StateOptions stateOptions() const {
-    StateOptions options;
-    options.threads = options_.threads;
-    options.stop = options_.stop;
-    return options;
-  }
-
-  void weighWithErrors() {
-    deviations_.clear();
-    for (const MeasuredPoint& point : points_)
-      deviations_.push_back(std::isnan(point.muError) ? point.mu : point.muError);
-  }
-
-  Scene at(Scene scene, const VectorXd& places) const {
-    for (std::size_t k = 0; k < parameters_.size(); ++k)
-      parameters_[k].set(scene, places[static_cast<Eigen::Index>(k)]);
-    return scene;
-  }
-
-  const Scene& scene_;
-  Scene fixed_;  // with its resolution stated
-  std::span<const VariedParameter> parameters_;
-  const FitOptions& options_;
-  std::vector<MeasuredPoint> points_;
-  std::vector<double> deviations_;  // of each point; without errors 100 %
-  mutable int evaluations_ = 0;
-};
-
-/// Residuals and their derivatives by the free parameters, as Ceres asks for them.
-class Residuals : public ceres::CostFunction {
- public:
-  Residuals(const Objective& objective, VectorXd places, std::vector<int> free)
-      : objective_(objective), places_(std::move(places)), free_(std::move(free)) {
-    set_num_residuals(static_cast<int>(objective_.size()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(free_.size()));
-  }
-
-  bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-    // Beyond a limit friction is that at the limit. Limits of Ceres's own would cost a search along
-    // a line, with derivatives, after every step.
-    std::vector<bool> isBeyond;
-    for (std::size_t j = 0; j < free_.size(); ++j) {
-      const VariedParameter& parameter = objective_.parameter(free_[j]);
-      const double place = std::clamp(blocks[0][j], parameter.lowest(), parameter.highest());
-      isBeyond.push_back(place != blocks[0][j]);
-      places_[free_[j]] = place;
-    }
-    const bool wantsSlopes = jacobians && jacobians[0];
-    try {
-      const FrictionWithDerivatives found =
-          objective_.evaluate(places_, wantsSlopes ? free_ : std::vector<int>{});
-      double chiSquared = 0;
-      for (std::size_t i = 0; i < objective_.size(); ++i) {
-        const double deviation = objective_.deviation(i);
-        residuals[i] = objective_.residual(found, i);
-        chiSquared += residuals[i] * residuals[i];
-        if (!wantsSlopes) continue;
-        for (std::size_t j = 0; j < free_.size(); ++j)
-          jacobians[0][i * free_.size() + j] =
-              isBeyond[j] ? 0 : meanOf(found.slopesOfLines[j][i]) / deviation;
-      }
-      objective_.report(chiSquared);
-      return true;
-    } catch (...) {
-      // Ceres knows no exceptions: a state that cannot be is a step that failed.
-      failure_ = std::current_exception();
-      return false;
-    }
-  }
-
-  const std::exception_ptr& failure() const { return failure_; }
-  const VectorXd& places() const { return places_; }
-
- private:
-  const Objective& objective_;
-  mutable VectorXd places_;
-  std::vector<int> free_;
-  mutable std::exception_ptr failure_;
-};
-
-struct Minimum {
-  VectorXd places;
-  double chiSquared = 0;
-  bool hasConverged = false;
-};
-
-/// The least sum of squares over the free parameters, the others held.
-Minimum minimize(const Objective& objective, const VectorXd& start, const std::vector<int>& free,
-                 int iterations, const std::stop_token& stop) {
-  Minimum minimum{start, 0, true};
-  std::vector<double> values;
-  for (const int k : free) values.push_back(start[k]);
-  auto residuals = std::make_unique<Residuals>(objective, start, free);
-  const Residuals& watched = *residuals;
-  ceres::Problem::Options owned;
-  owned.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(owned);
-  problem.AddResidualBlock(residuals.get(), nullptr, values.data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = iterations;
-  options.function_tolerance = 1e-6;
-  options.parameter_tolerance = 1e-6;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  // Ceres warns on the standard error stream of a step that failed; the exception behind it says
-  // more.
-  FLAGS_minloglevel = google::GLOG_FATAL;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  throwIfStopped(stop);
-  if (summary.termination_type == ceres::FAILURE && watched.failure())
-    std::rethrow_exception(watched.failure());
-  for (std::size_t j = 0; j < free.size(); ++j)
-    minimum.places[free[j]] = std::clamp(values[j], objective.parameter(free[j]).lowest(),
-                                         objective.parameter(free[j]).highest());
-  minimum.chiSquared = 2 * summary.final_cost;
-  minimum.hasConverged = summary.termination_type == ceres::CONVERGENCE;
-  return minimum;
-}
-
-/// The covariance of the mean over the lines, which all points share, [point][point].
-MatrixXd covarianceOfLines(const FrictionWithDerivatives& found) {
+/// A root of the covariance of the mean over the lines, which all points share, [point][line]: the
+/// covariance is it times its transpose.
+MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
   std::size_t lines = found.muOfLines.front().size();
   for (const std::vector<double>& mu : found.muOfLines) lines = std::min(lines, mu.size());
-  MatrixXd covariance = MatrixXd::Zero(n, n);
-  if (lines < 2) return covariance;
+  if (lines < 2) return MatrixXd::Zero(n, 1);
   MatrixXd about(n, static_cast<Eigen::Index>(lines));
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
@@ -225,7 +30,7 @@ MatrixXd covarianceOfLines(const FrictionWithDerivatives& found) {
     for (std::size_t line = 0; line < lines; ++line)
       about(i, static_cast<Eigen::Index>(line)) = mu[line] - mean;
   }
-  return about * about.transpose() / (static_cast<double>(lines) * static_cast<double>(lines - 1));
+  return about / std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
 }
 
 /// What the points know of the parameters, a symmetric matrix, by its principal directions.
@@ -280,7 +85,7 @@ class Fitting {
         parameters_(parameters),
         options_(options),
         objective_(scene, data, parameters, options),
-        hasErrors_(std::ranges::all_of(data, &FrictionData::hasErrors)),
+        hasErrors_(std::ranges::any_of(data, &FrictionData::hasErrors)),
         all_(parameters.size()) {
     std::iota(all_.begin(), all_.end(), 0);
     start_.resize(static_cast<Eigen::Index>(parameters.size()));
@@ -295,15 +100,15 @@ class Fitting {
                                "parameters are needed",
                                points, count));
     fit_.freedom = points - count;
+    refuseMissingErrors();
   }
 
   Fit run() {
-    constexpr int kIterations = 60;
     objective_.addVelocityErrors(start_);
-    Minimum best = minimize(objective_, start_, all_, kIterations, options_.stop);
+    Minimum best = minimize(objective_, nearer(start_), all_, kIterations);
     if (objective_.hasVelocityErrors()) {
       objective_.addVelocityErrors(best.places);
-      best = minimize(objective_, best.places, all_, kIterations, options_.stop);
+      best = minimize(objective_, best.places, all_, kIterations);
     }
     fit_.hasConverged = best.hasConverged;
     fit_.chiSquared = best.chiSquared;
@@ -318,33 +123,70 @@ class Fitting {
   }
 
  private:
+  static constexpr int kIterations = 60;
+  /// Beyond this distance of logarithms, a factor of two, a fit has not found the points.
+  static constexpr double kFar = std::numbers::ln2;
+
+  /// A table without errors has no weight beside one with them.
+  void refuseMissingErrors() const {
+    const auto with = std::ranges::find_if(data_, &FrictionData::hasErrors);
+    const auto without = std::ranges::find_if_not(data_, &FrictionData::hasErrors);
+    if (with != data_.end() && without != data_.end())
+      throw InputError("", "--data",
+                       message("{} has no errors of the coefficient of friction, and {} has; give "
+                               "it a column mu_error, or leave the errors out of all tables",
+                               Message::name(without->name), Message::name(with->name)));
+  }
+
+  /// The place to begin from: where friction is far from what was measured, the one to which its
+  /// logarithms lead.
+  VectorXd nearer(const VectorXd& start) const {
+    const double distance = objective_.logarithmicDistance(objective_.evaluate(start, {}));
+    if (distance < kFar || !std::isfinite(distance)) return start;
+    return minimize(objective_, start, all_, kIterations, Distance::Logarithm).places;
+  }
+
+  /// Errors hold unless chi squared is three of its standard deviations beyond its mean: a fit
+  /// leaves the degrees of freedom of the points' errors, and of the lines' scatter what no
+  /// parameter follows. Errors that do not hold, and the 100 % in place of those that are not
+  /// given, are scaled to what the fit leaves. left: of the scatter of the lines, over the points'
+  /// errors.
+  void compareWithErrors(const MatrixXd& left) {
+    const auto freedom = static_cast<double>(fit_.freedom);
+    const double ofLines = left.squaredNorm();
+    const double variance = 2 * (freedom + 2 * ofLines + (left.transpose() * left).squaredNorm());
+    fit_.missesPoints = hasErrors_ && fit_.chiSquared > freedom + ofLines + 3 * std::sqrt(variance);
+    if (fit_.missesPoints) fit_.errorScale = std::sqrt((fit_.chiSquared - ofLines) / freedom);
+    if (!hasErrors_) fit_.errorScale = fit_.relativeScatter = std::sqrt(fit_.chiSquared / freedom);
+  }
+
   void setErrors(const VectorXd& places) {
     const FrictionWithDerivatives found = objective_.evaluate(places, all_);
+    fit_.hasFoundPoints = objective_.logarithmicDistance(found) < kFar;
     const auto n = static_cast<Eigen::Index>(objective_.size());
     const auto count = static_cast<Eigen::Index>(parameters_.size());
     MatrixXd slopes(n, count);
-    VectorXd weights(n), variances(n);
-    const double scatter =
-        hasErrors_ ? 1 : std::sqrt(fit_.chiSquared / static_cast<double>(fit_.freedom));
-    if (!hasErrors_) fit_.relativeScatter = scatter;
+    VectorXd weights(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto point = static_cast<std::size_t>(i);
       const double deviation = objective_.deviation(point);
       weights[i] = 1 / (deviation * deviation);
-      variances[i] = scatter * scatter / weights[i];
       for (Eigen::Index k = 0; k < count; ++k)
         slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
-    const MatrixXd lines = covarianceOfLines(found);
+    const MatrixXd lines = scatterOfLines(found);
     const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
     const MatrixXd response = information.inverse() * slopes.transpose() * weights.asDiagonal();
-    const MatrixXd ofErrors = MatrixXd(variances.asDiagonal()) + lines;
-    covariance_ = response * ofErrors * response.transpose() + information.openCovariance();
+    const MatrixXd ofLines = response * lines;
+    compareWithErrors(weights.cwiseSqrt().asDiagonal() * (lines - slopes * ofLines));
+    const VectorXd ofPoints = fit_.errorScale * fit_.errorScale * weights.cwiseInverse();
+    covariance_ = response * ofPoints.asDiagonal() * response.transpose() +
+                  ofLines * ofLines.transpose() + information.openCovariance();
     fit_.computed = found.points;
-    const MatrixXd band = slopes * covariance_ * slopes.transpose();
     for (Eigen::Index i = 0; i < n; ++i) {
-      fit_.computedErrors.push_back(std::sqrt(lines(i, i)));
-      fit_.bandErrors.push_back(std::sqrt(std::max(0.0, band(i, i))));
+      fit_.computedErrors.push_back(lines.row(i).norm());
+      const double variance = slopes.row(i) * covariance_ * slopes.row(i).transpose();
+      fit_.bandErrors.push_back(std::sqrt(std::max(0.0, variance)));
     }
   }
 
@@ -388,7 +230,7 @@ class Fitting {
   /// With one parameter held at some places around the best one, the others follow as their
   /// covariance says and are then minimized for.
   void setProfiles(const Minimum& best) {
-    constexpr int kIterations = 4;
+    constexpr int kFewIterations = 4;
     for (std::size_t k = 0; k < parameters_.size(); ++k) {
       const auto index = static_cast<Eigen::Index>(k);
       const VariedParameter& parameter = parameters_[k];
@@ -409,8 +251,8 @@ class Fitting {
                 std::clamp(start[place], parameters_[j].lowest(), parameters_[j].highest());
           }
           start[index] = there;
-          held = others.empty() ? atPlace(start)
-                                : minimize(objective_, start, others, kIterations, options_.stop);
+          held =
+              others.empty() ? atPlace(start) : minimize(objective_, start, others, kFewIterations);
         }
         profile.values.push_back(parameter.value(there));
         profile.chiSquared.push_back(held.chiSquared);
@@ -420,32 +262,32 @@ class Fitting {
   }
 
   Minimum atPlace(const VectorXd& places) const {
-    const FrictionWithDerivatives found = objective_.evaluate(places, {});
-    Minimum minimum{places, 0, true};
-    for (std::size_t i = 0; i < objective_.size(); ++i) {
-      const double residual = objective_.residual(found, i);
-      minimum.chiSquared += residual * residual;
-    }
-    return minimum;
+    return {places, objective_.chiSquared(objective_.evaluate(places, {})), true};
   }
 
   void addNotes() {
-    if (hasErrors_ && fit_.freedom > 0) {
-      // Three standard deviations of chi squared beyond its mean.
-      const auto freedom = static_cast<double>(fit_.freedom);
-      fit_.missesPoints = fit_.chiSquared > freedom + 3 * std::sqrt(2 * freedom);
-    }
-    if (fit_.missesPoints)
+    if (!fit_.hasFoundPoints)
+      fit_.notes.emplace_back(
+          "the fit has not found the points: computed and measured friction differ by more than a "
+          "factor of two on average, and the values and their errors say nothing; begin from other "
+          "values, or vary further ones");
+    else if (fit_.missesPoints)
       fit_.notes.push_back(
           message("the points lie further from the curve than their errors say: chi squared is "
-                  "{:.3g} for {} degrees of freedom",
-                  fit_.chiSquared, fit_.freedom));
+                  "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
+                  "errors of the points that are {:.2g} times as large",
+                  fit_.chiSquared, fit_.freedom, fit_.errorScale));
     // What the tables were taken for.
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
+    if (shiftsByGeneralConstants())
+      fit_.notes.push_back(message(
+          "times are shifted to the temperatures of the points by the general WLF constants, C1 = "
+          "{} and C2 = {} K, which the scene does not replace by those of its rubber",
+          TemperatureShift{}.c1, TemperatureShift{}.c2));
     for (const FittedParameter& parameter : fit_.parameters) {
-      if (!parameter.isDetermined)
+      if (fit_.hasFoundPoints && !parameter.isDetermined)
         fit_.notes.push_back(message(
             "{} is not determined by these data: its standard error is {:.2g} in {}", parameter.key,
             parameter.standardError, parameter.isLogarithmic ? "ln" : "its unit"));
@@ -455,6 +297,20 @@ class Fitting {
     }
     if (!fit_.hasConverged)
       fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
+  }
+
+  /// Whether points are shifted in temperature by constants that nobody gave.
+  bool shiftsByGeneralConstants() const {
+    const Elastomer& elastomer = fit_.scene.elastomer;
+    const TemperatureShift &shift = elastomer.shift, general;
+    if (elastomer.rheology == Rheology::Elastic || shift.kind != ShiftKind::Wlf ||
+        shift.c1 != general.c1 || shift.c2 != general.c2)
+      return false;
+    for (std::size_t i = 0; i < objective_.size(); ++i) {
+      const double temperature = objective_.point(i).temperature;
+      if (!std::isnan(temperature) && temperature != shift.referenceTemperature) return true;
+    }
+    return false;
   }
 
   std::span<const FrictionData> data_;

@@ -6,7 +6,8 @@
 // weights, the estimate moves by (J'WJ)^-1 J'W times whatever the data and the computed means are
 // wrong by. Both have a covariance: that of the measurement, and that of the mean over the fit's
 // own lines, which all points share. So cov = (J'WJ)^-1 J'W (S_data + S_lines) WJ (J'WJ)^-1. Where
-// the table has no errors, all points have the same relative one, read from what the fit leaves.
+// the tables have no errors, all points have the same relative one, read from what the fit leaves;
+// where their errors do not hold, they are scaled to it.
 // Threading: a function of its arguments, which uses several threads; same bytes for any number.
 // Failure: InputError for what cannot be varied or fitted; StudyStopped where it was stopped.
 #pragma once
@@ -64,16 +65,24 @@ struct Fit {
   std::vector<double> computedErrors;  // of those means, by the scatter of the lines
   std::vector<double> bandErrors;      // of the computed friction, by the errors of the parameters
   double chiSquared = 0;
-  double relativeScatter = 0;  // of the points about the fit, where the table has no errors
-  std::int64_t freedom = 0;    // points minus parameters
+  double relativeScatter = 0;  // of the points about the fit, where the tables have no errors
+  /// The factor of the points' errors in those of the parameters: 1 where they hold. Without errors
+  /// theirs are 100 %, and this is the relative scatter.
+  double errorScale = 1;
+  std::int64_t freedom = 0;  // points minus parameters
   bool hasConverged = false;
-  /// Whether the points lie further from the curve than their errors say: then these errors say
-  /// nothing about the parameters, either.
+  /// Whether the points lie further from the curve than their errors and the scatter of the lines
+  /// say.
   bool missesPoints = false;
+  /// false: friction differs from the points by more than a factor of two (root mean square of its
+  /// logarithm). Then values and errors are those of no minimum that anyone looks for.
+  bool hasFoundPoints = true;
   int evaluations = 0;
   std::vector<Message> notes;
 };
 
+/// Throws InputError for what cannot be fitted: no parameters, fewer points than parameters, a
+/// parameter that every point states itself, tables with errors beside some without.
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
                 std::span<const VariedParameter> parameters, const FitOptions& options = {});
 

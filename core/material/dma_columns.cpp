@@ -62,7 +62,9 @@ DmaQuantity quantityOf(std::string_view word) {
       word == "tan";
   if (isLossTangent) return LossTangent;
   if (containsAny(word, {"viscosity", "viskositaet", "compliance", "nachgiebigkeit", "error",
-                         "stdev", "strainrate"}))
+                         "stdev", "strainrate", "energy", "energie", "stiffness", "torque"}) ||
+      word.starts_with("eta") || word.starts_with("\u03B7") || word.starts_with("j'") ||
+      word.starts_with("d'"))
     return None;
   if (containsAny(word, {"freq", "frequenz"}) ||
       isOneOf(word, {"f", "nu", "omega", "w", "angular"}))
@@ -160,6 +162,15 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
 std::optional<double> temperatureIn(std::string_view text) {
   const auto found = findTemperature(text);
   return found ? std::optional(found->second.kelvin) : std::nullopt;
+}
+
+std::vector<double> temperaturesIn(std::string_view text) {
+  std::vector<double> all;
+  while (const auto found = findTemperature(text)) {
+    all.push_back(found->second.kelvin);
+    text.remove_prefix(found->second.end);
+  }
+  return all;
 }
 
 std::optional<double> temperatureFrom(std::string_view text) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/units.h"
 
@@ -39,6 +40,9 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 
 /// A temperature amid a text, with its unit: "sweep at 20 \u00B0C", "T = 293 K"; in K.
 std::optional<double> temperatureIn(std::string_view text);
+
+/// All of them, in their order.
+std::vector<double> temperaturesIn(std::string_view text);
 
 /// "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a number alone is in K. Nothing where it is
 /// none.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numbers>
 
 #include "core/base/input_error.h"
@@ -13,43 +13,12 @@
 #include "core/base/text.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
+#include "core/material/dma_sweeps.h"
 
 namespace asperity {
 namespace {
 
 using enum DmaQuantity;
-
-std::string nameOf(const TextBlock& block, std::size_t column) {
-  const std::string& name = block.columns[column].name;
-  return name.empty() ? fmt::format("column {}", column + 1) : name;
-}
-
-/// The columns of one sweep, or of all where the rows state the temperature; npos: none.
-struct SweepColumns {
-  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::map<DmaQuantity, std::size_t> places;
-  std::optional<double> temperature{};  // K, where the columns' names state it
-
-  std::size_t operator[](DmaQuantity quantity) const {
-    const auto found = places.find(quantity);
-    return found == places.end() ? kNone : found->second;
-  }
-  bool has(DmaQuantity quantity) const { return places.contains(quantity); }
-  bool hasModuli() const {
-    return (has(Storage) && (has(Loss) || has(LossTangent))) ||
-           (has(Magnitude) && (has(Phase) || has(LossTangent))) || (has(Loss) && has(LossTangent));
-  }
-};
-
-/// Whether a column of moduli is of the kind that the user wants, or may be.
-bool isOfKind(const DmaColumn& column, ModulusKind wanted) {
-  return wanted == ModulusKind::Unknown || column.kind == ModulusKind::Unknown ||
-         column.kind == wanted;
-}
-
-bool isModulus(DmaQuantity quantity) {
-  return quantity == Storage || quantity == Loss || quantity == Magnitude;
-}
 
 class Reader {
  public:
@@ -62,11 +31,6 @@ class Reader {
     if (used == 0) refuseColumns();
     if (file_.rows.empty())
       throw InputError(name_, "", "holds no row with a frequency and both moduli");
-    if (!strains_.empty()) {
-      const auto middle = strains_.begin() + std::ssize(strains_) / 2;
-      std::ranges::nth_element(strains_, middle);
-      file_.facts.strainAmplitude = *middle;
-    }
     return std::move(file_);
   }
 
@@ -94,83 +58,10 @@ class Reader {
 
   static bool isSaid(const std::string& choice) { return !choice.empty(); }
 
-  /// The columns that the user names win over those that are found.
-  void addChosen(const TextBlock& block, SweepColumns& columns) const {
-    const auto add = [&](DmaQuantity quantity, const std::string& choice, const char* option) {
-      if (isSaid(choice)) columns.places[quantity] = columnNamed(block, choice, option);
-    };
-    add(Frequency, choices_.frequencyColumn, "--frequency-column");
-    add(Temperature, choices_.temperatureColumn, "--temperature-column");
-    add(Storage, choices_.storageColumn, "--storage-column");
-    add(Loss, choices_.lossColumn, "--loss-column");
-    add(LossTangent, choices_.lossTangentColumn, "--tan-delta-column");
-    add(Magnitude, choices_.magnitudeColumn, "--magnitude-column");
-    add(Phase, choices_.phaseColumn, "--phase-column");
-    add(Strain, choices_.strainColumn, "--strain-column");
-    if (isSaid(choices_.frequencyColumn)) columns.places.erase(ReducedFrequency);
-  }
-
-  /// Where a table has both, the shear moduli are read unless the user wants the others.
-  ModulusKind kindToRead(const std::vector<DmaColumn>& found) const {
-    if (choices_.modulus != ModulusKind::Unknown) return choices_.modulus;
-    const auto hasBoth = [&](ModulusKind kind) {
-      const auto has = [&](DmaQuantity quantity) {
-        return std::ranges::any_of(found, [&](const DmaColumn& column) {
-          return column.quantity == quantity && column.kind == kind;
-        });
-      };
-      return (has(Storage) && has(Loss)) || has(Magnitude);
-    };
-    if (hasBoth(ModulusKind::Shear) && hasBoth(ModulusKind::Tension)) return ModulusKind::Shear;
-    return ModulusKind::Unknown;
-  }
-
-  /// One set of columns, or one for each temperature that the names state.
-  std::vector<SweepColumns> sweepsOf(const TextBlock& block) const {
-    std::vector<DmaColumn> found;
-    for (const TextColumn& column : block.columns)
-      found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
-    const ModulusKind kind = kindToRead(found);
-    SweepColumns common;
-    std::map<double, SweepColumns> byTemperature;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const DmaColumn& column = found[i];
-      if (column.quantity == None || (isModulus(column.quantity) && !isOfKind(column, kind)))
-        continue;
-      SweepColumns& place = column.temperature && column.quantity != Temperature
-                                ? byTemperature[*column.temperature]
-                                : common;
-      place.places.try_emplace(column.quantity, i);  // the first of several
-    }
-    addChosen(block, common);
-    const bool isWide = std::ranges::any_of(
-        byTemperature, [](const auto& entry) { return entry.second.hasModuli(); });
-    if (!isWide) {
-      for (const auto& [temperature, columns] : byTemperature)
-        for (const auto& [quantity, place] : columns.places)
-          common.places.try_emplace(quantity, place);
-      if (byTemperature.size() == 1) common.temperature = byTemperature.begin()->first;
-      return {common};
-    }
-    std::vector<SweepColumns> sweeps;
-    for (auto& [temperature, columns] : byTemperature) {
-      for (const DmaQuantity quantity : {Frequency, ReducedFrequency, Strain})
-        if (common.has(quantity)) columns.places.try_emplace(quantity, common[quantity]);
-      columns.temperature = temperature;
-      sweeps.push_back(columns);
-    }
-    return sweeps;
-  }
-
   bool readBlock(const TextBlock& block) {
-    bool isUsed = false;
-    for (const SweepColumns& columns : sweepsOf(block)) {
-      if (!columns.has(Frequency) && !columns.has(ReducedFrequency)) continue;
-      if (!columns.hasModuli()) continue;
-      readSweep(block, columns);
-      isUsed = true;
-    }
-    return isUsed;
+    const std::vector<SweepColumns> sweeps = sweepsOf(block, name_, choices_);
+    for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
+    return !sweeps.empty();
   }
 
   /// Reads the lines in front of a block: "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
@@ -231,7 +122,7 @@ class Reader {
     return isNone || std::ranges::find(kWords, word) != kWords.end() ? std::string() : unit;
   }
 
-  [[noreturn]] void refuseUnit(const DmaColumnFact& fact, const char* allowed,
+  [[noreturn]] void refuseUnit(const DmaColumnFact& fact, const std::string& allowed,
                                const char* option) const {
     throw InputError(name_, fact.name,
                      message("has the unit {}, which is not one of {}; {} says which is meant",
@@ -242,7 +133,7 @@ class Reader {
     fact = factOf(block, column, choices_.modulusUnit);
     if (fact.unit.empty()) fact.unit = "Pa";
     const auto unit = sizeOfUnit(fact.unit, "Pa");
-    if (!unit) refuseUnit(fact, "Pa, kPa, MPa, GPa", "--modulus-unit");
+    if (!unit) refuseUnit(fact, unitsOf("Pa"), "--modulus-unit");
     return *unit;
   }
 
@@ -275,7 +166,7 @@ class Reader {
     file_.facts.temperature = fact.name;
     if (!fact.unit.empty()) {
       const auto unit = temperatureUnit(fact.unit);
-      if (!unit) refuseUnit(fact, "C, K, F", "--temperature-unit");
+      if (!unit) refuseUnit(fact, unitsOf("K"), "--temperature-unit");
       return *unit;
     }
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -293,7 +184,7 @@ class Reader {
   }
 
   /// Rows of one block, or of one temperature of a wide one.
-  void readSweep(const TextBlock& block, const SweepColumns& columns) {
+  void readSweep(const TextBlock& block, const SweepColumns& columns, bool isSideBySide) {
     const bool isReduced = columns.has(ReducedFrequency) && !isSaid(choices_.frequencyColumn);
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
     file_.facts.isReduced = isReduced;
@@ -302,7 +193,7 @@ class Reader {
     const bool isAngular =
         dmaColumn(block.columns[frequencyAt].name, block.columns[frequencyAt].unit).isAngular;
     const auto frequencySize = frequencyUnit(frequency.unit, isAngular);
-    if (!frequencySize) refuseUnit(frequency, "Hz, rad/s", "--frequency-unit");
+    if (!frequencySize) refuseUnit(frequency, "rad/s, " + unitsOf("Hz"), "--frequency-unit");
     if (frequency.unit.empty()) frequency.unit = isAngular ? "rad/s" : "Hz";
 
     // A master curve is at one temperature, whatever its points were measured at.
@@ -320,7 +211,7 @@ class Reader {
                          "--temperature, such as --temperature 20C");
       file_.facts.temperature = "one for each sweep";
     }
-    readRows(block, columns, frequencyAt, *frequencySize, oneTemperature, scale);
+    readRows(block, columns, isSideBySide, frequencyAt, *frequencySize, oneTemperature, scale);
   }
 
   /// Storage and loss from whichever two columns there are.
@@ -391,9 +282,9 @@ class Reader {
     return largest > std::numbers::pi / 2 ? std::numbers::pi / 180 : 1;
   }
 
-  void readRows(const TextBlock& block, const SweepColumns& columns, std::size_t frequencyAt,
-                double frequencySize, const std::optional<double>& oneTemperature,
-                const Unit& scale) {
+  void readRows(const TextBlock& block, const SweepColumns& columns, bool isSideBySide,
+                std::size_t frequencyAt, double frequencySize,
+                const std::optional<double>& oneTemperature, const Unit& scale) {
     const ModulusPair pair = modulusPair(block, columns);
     for (std::size_t row = 0; row < block.rows; ++row) {
       const double frequency = block.at(row, frequencyAt) * frequencySize;
@@ -403,22 +294,26 @@ class Reader {
           oneTemperature ? *oneTemperature : scale.toSi(block.at(row, columns[Temperature]));
       if (!std::isfinite(frequency) || !std::isfinite(first) || !std::isfinite(second) ||
           !std::isfinite(temperature)) {
-        ++file_.facts.leftOut;
+        // Of sweeps side by side some end before the others.
+        const bool isBehindEnd = !std::isfinite(first) && !std::isfinite(second);
+        file_.facts.leftOut += isSideBySide && isBehindEnd ? 0 : 1;
         continue;
       }
       DynamicModulus modulus = pair.combine(first, second);
       modulus.frequency = frequency;
       checkRow(modulus, temperature, block.lines[row]);
       file_.rows.push_back({temperature, modulus});
-      if (columns.has(Strain)) addStrain(block, row, columns[Strain]);
+      if (columns.has(Strain))
+        file_.rows.back().strainAmplitude = strainOf(block, row, columns[Strain]);
     }
   }
 
   void checkRow(const DynamicModulus& modulus, double temperature, std::size_t line) const {
     const auto refuse = [&](const char* what, double value) {
-      throw InputError(name_, fmt::format("line {}", line),
-                       message("{} is {}, which must be above 0; leave the row out or correct it",
-                               Message(what), plain(value)));
+      throw InputError(
+          name_, fmt::format("line {}", line),
+          message("{} is {:.8g}, which must be above 0; leave the row out or correct it",
+                  Message(what), value));
     };
     if (!(modulus.frequency > 0)) refuse("the frequency", modulus.frequency);
     if (!(modulus.storage > 0)) refuse("the storage modulus", modulus.storage);
@@ -426,20 +321,20 @@ class Reader {
     if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
   }
 
-  void addStrain(const TextBlock& block, std::size_t row, std::size_t column) {
+  /// NaN where the row states none.
+  static double strainOf(const TextBlock& block, std::size_t row, std::size_t column) {
     const double value = block.at(row, column);
-    if (!std::isfinite(value) || value <= 0) return;
+    if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();
     const std::string unit = lowerCase(block.columns[column].unit);
     const bool isPercent = unit == "%" || unit == "percent" || unit == "pct" ||
                            lowerCase(block.columns[column].name).ends_with("pct");
-    strains_.push_back(isPercent ? value / 100 : value);
+    return isPercent ? value / 100 : value;
   }
 
   const TextTable& table_;
   const std::string& name_;
   const DmaChoices& choices_;
   DmaFile file_;
-  std::vector<double> strains_;
 };
 
 }  // namespace

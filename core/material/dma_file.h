@@ -4,7 +4,6 @@
 // Pure; any thread. Failure: InputError that names the file and the line or column.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +38,6 @@ struct DmaFacts {
   ModulusKind modulus = ModulusKind::Shear;
   bool isReduced = false;   // frequencies are shifted to one temperature already
   std::size_t leftOut = 0;  // rows without a value
-  double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // median; NaN: not stated
 };
 
 struct DmaFile {

@@ -40,6 +40,10 @@ std::vector<Arm> joinedArms(std::vector<Arm> arms);
 /// Decades beyond which a shift says nothing any more.
 inline constexpr double kMostDecades = 30;
 
+/// What the constants of a shift may be, as scenes have them.
+inline constexpr double kMostC1 = 1000, kLeastC2 = 1e-3, kMostC2 = 1e4;  // the latter two K
+inline constexpr double kMostActivationEnergy = 1e7;                     // J/mol
+
 /// J/(mol K), the molar gas constant (exact since the SI of 2019).
 inline constexpr double kGasConstant = 8.31446261815324;
 

@@ -49,6 +49,7 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
   double temperatures = 0;
   for (std::size_t i = 0; i < rows.size();) {
     std::size_t end = i;
+    DynamicModulus least = rows[i].modulus, most = least;
     double frequency = 0, storage = 0, loss = 0;
     while (end < rows.size() &&
            rows[end].modulus.frequency <= rows[i].modulus.frequency * (1 + kSameFrequency)) {
@@ -56,8 +57,15 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
       storage += std::log(rows[end].modulus.storage);
       loss += std::log(rows[end].modulus.loss);
       temperatures += rows[end].temperature;
+      least.storage = std::min(least.storage, rows[end].modulus.storage);
+      least.loss = std::min(least.loss, rows[end].modulus.loss);
+      most.storage = std::max(most.storage, rows[end].modulus.storage);
+      most.loss = std::max(most.loss, rows[end].modulus.loss);
       ++end;
     }
+    sweep.repeats += end - i - 1;
+    sweep.repeatRatio =
+        std::max({sweep.repeatRatio, most.storage / least.storage, most.loss / least.loss});
     const auto count = static_cast<double>(end - i);
     sweep.points.push_back(end - i == 1
                                ? rows[i].modulus

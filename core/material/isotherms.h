@@ -1,8 +1,9 @@
 // Measured dynamic moduli as plain values: frequency sweeps at several temperatures, shear moduli
-// in Pa. Where they come from: core/material/isotherm_file.h; what is made of them:
+// in Pa. Where they come from: core/material/dma_file.h; what is made of them:
 // core/material/temperature_shifts.h and prony_fit.h. Pure functions; any thread.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/base/message.h"
@@ -25,6 +26,8 @@ struct DynamicModulus {
 struct Isotherm {
   double temperature = 293.15;  // K, mean of its rows
   std::vector<DynamicModulus> points;
+  std::size_t repeats = 0;  // rows beyond one at each frequency, which the points are means of
+  double repeatRatio = 1;   // the largest of the moduli over the least at one frequency
 
   double lowestFrequency() const { return points.front().frequency; }
   double highestFrequency() const { return points.back().frequency; }
@@ -33,7 +36,8 @@ struct Isotherm {
 /// One row as it was measured.
 struct MeasuredModulus {
   double temperature = 293.15;  // K
-  DynamicModulus modulus;
+  DynamicModulus modulus{};
+  double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // NaN: not stated
 };
 
 /// Rows closer than this in temperature belong to one sweep, unless a user says otherwise.

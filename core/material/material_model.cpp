@@ -12,6 +12,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
+#include "core/material/dma_strain.h"
 #include "core/material/element_law.h"
 #include "core/material/material_library.h"
 
@@ -48,6 +49,7 @@ std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table
   series.modulus = choices.columns.modulus;
   series.poissonRatio = choices.columns.poissonRatio;
   series.isLiquid = choices.series.isLiquid;
+  series.temperatureUnit = choices.columns.temperatureUnit;
   return readPronyFile(decoded.text, table, name, series);
 }
 
@@ -66,6 +68,7 @@ Material readySeries(const PronyFile& file, const std::string& name,
   material.format = file.format;
   material.series.equilibriumModulus = file.equilibriumModulus;
   material.series.arms = file.arms;
+  material.notes = file.notes;
   material.series.terms = static_cast<int>(file.arms.size());
   const double chosen = choices.columns.temperature.value_or(choices.referenceTemperature);
   if (file.shift) {
@@ -104,8 +107,7 @@ MeasuredRange rangeOf(const Material& material) {
   range.frequencyTo = material.curve.highestFrequency();
   range.temperatureFrom = material.isotherms.front().temperature;
   range.temperatureTo = material.isotherms.back().temperature;
-  if (std::isfinite(material.facts.strainAmplitude))
-    range.strainAmplitude = material.facts.strainAmplitude;
+  if (std::isfinite(material.strainAmplitude)) range.strainAmplitude = material.strainAmplitude;
   return range;
 }
 
@@ -113,9 +115,7 @@ TemperatureShift chosenShift(const Material& material, std::optional<ShiftKind> 
   const std::vector<ShiftPoint> table = shiftTable(material.curve);
   if (table.size() == 1) return shiftAt(material.referenceTemperature);
   if (!wanted) return chosenShift(table, material.referenceTemperature);
-  TemperatureShift shift = shiftAt(material.referenceTemperature);
-  shift.table = table;
-  if (*wanted == ShiftKind::Table) return shift;
+  if (*wanted == ShiftKind::Table) return tableShift(table, material.referenceTemperature);
   const TemperatureFit& fit = *wanted == ShiftKind::Wlf ? material.wlf : material.arrhenius;
   if (!fit.isDefined)
     throw InputError("", "--shift",
@@ -184,6 +184,29 @@ Json measurementJson(const Material& material) {
           {"shifts", std::move(shifts)}};
 }
 
+/// A scene has to be at the one temperature that such a material has.
+void addOneTemperature(const Material& material, std::vector<Message>& lines) {
+  if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
+  const double kelvin = material.shift.table.front().temperature;
+  if (kelvin == Elastomer{}.temperature)
+    lines.push_back("one temperature alone: there is no shift");
+  else
+    lines.push_back(
+        message("one temperature alone: there is no shift, and scenes need "
+                "elastomer.temperature={}",
+                plain(kelvin)));
+}
+
+/// Whether vertical shifts would let one horizontal shift serve both moduli.
+bool isSimpleWithVertical(std::span<const Isotherm> isotherms, double reference,
+                          const std::stop_token& stop) {
+  try {
+    return masterCurve(isotherms, reference, true, stop).isThermorheologicallySimple;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& choices) {
@@ -197,6 +220,9 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
       isChosen ? choices.referenceTemperature : usualReference(material.isotherms);
   material.curve = masterCurve(material.isotherms, material.referenceTemperature,
                                choices.isVertical, choices.stop);
+  if (!material.curve.isThermorheologicallySimple && !choices.isVertical)
+    material.isSimpleWithVertical =
+        isSimpleWithVertical(material.isotherms, material.referenceTemperature, choices.stop);
   std::vector<DynamicModulus> points;
   for (const MasterPoint& point : material.curve.points) points.push_back(point.modulus);
   PronyOptions series = choices.series;
@@ -208,6 +234,10 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   material.shift = chosenShift(material, choices.shift);
   material.measured = rangeOf(material);
   return material;
+}
+
+Message armsInWords(std::size_t count) {
+  return count == 1 ? Message("one arm") : message("{} arms", count);
 }
 
 Material makeMaterial(std::string_view bytes, const std::string& fileName,
@@ -225,6 +255,8 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
       throw InputError(fileName, "",
                        message("has {} rows; allowed is {}, more than an instrument needs",
                                file.rows.size(), kMostRows));
+    const double strain =
+        chooseStrain(file.rows, choices.strainAmplitude, choices.temperatureTolerance, fileName);
     try {
       material =
           fitMaterial(isothermsOf(std::move(file.rows), choices.temperatureTolerance), choices);
@@ -232,6 +264,7 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
       throw error.isOfOption() ? error : error.in(fileName);
     }
     material.facts = file.facts;
+    material.strainAmplitude = strain;
     material.measured = rangeOf(material);
   }
   material.fileName = std::filesystem::path(fileName).filename().string();
@@ -300,12 +333,14 @@ std::vector<Message> materialSummary(const Material& material) {
   const PronySeries& series = material.series;
   std::vector<Message> lines;
   if (!material.isMeasured()) {
-    lines.push_back(message("{}: {} arms, G = {} in equilibrium, at {}", material.format,
-                            series.arms.size(), quantity(series.equilibriumModulus, "Pa"),
-                            celsius(material.referenceTemperature)));
+    lines.push_back(message(
+        "{}: {}, G = {} in equilibrium, at {}", material.format, armsInWords(series.arms.size()),
+        quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
     lines.push_back(
         "which frequencies were measured is not known: friction on it is not marked as "
         "extrapolated");
+    lines.insert(lines.end(), material.notes.begin(), material.notes.end());
+    addOneTemperature(material, lines);
     return lines;
   }
   const MasterCurve& curve = material.curve;
@@ -321,6 +356,18 @@ std::vector<Message> materialSummary(const Material& material) {
                     quantity(curve.highestFrequency(), "Hz")));
   if (material.facts.leftOut > 0)
     lines.push_back(message("rows without a value, left out: {}", material.facts.leftOut));
+  std::size_t repeats = 0;
+  double ratio = 1;
+  for (const Isotherm& isotherm : material.isotherms) {
+    repeats += isotherm.repeats;
+    ratio = std::max(ratio, isotherm.repeatRatio);
+  }
+  constexpr double kSame = 1.001;
+  if (repeats > 0 && ratio > kSame)
+    lines.push_back(
+        message("repeated at the same temperature and frequency: {} rows, averaged; "
+                "moduli that became one differ by a factor of up to {}",
+                repeats, PrintedNumber{printedNumber(ratio, 3)}));
   if (material.facts.modulus == ModulusKind::Tension)
     lines.push_back(message("moduli of tension, divided by {} for shear (Poisson's ratio {})",
                             PrintedNumber{printedNumber(2 * (1 + material.poissonRatio))},
@@ -331,11 +378,11 @@ std::vector<Message> materialSummary(const Material& material) {
                             PrintedNumber{printedNumber(best.mismatch, 2)},
                             PrintedNumber{printedNumber(worst.mismatch, 2)}));
   }
-  lines.push_back(
-      message("Prony series: {} arms from {} relaxation times, G = {} in equilibrium; "
-              "rms residual {} % of G', {} % of G''",
-              series.arms.size(), series.terms, quantity(series.equilibriumModulus, "Pa"),
-              percent(series.rmsStorage), percent(series.rmsLoss)));
+  lines.push_back(message(
+      "Prony series: {} from {} relaxation times, G = {} in equilibrium; "
+      "rms residual {} % of G', {} % of G''",
+      armsInWords(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
+      percent(series.rmsStorage), percent(series.rmsLoss)));
   if (material.wlf.isDefined)
     lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",
                             PrintedNumber{printedNumber(material.wlf.shift.c1)},
@@ -345,13 +392,20 @@ std::vector<Message> materialSummary(const Material& material) {
     lines.push_back(message("Arrhenius: {}, {} decades rms",
                             quantity(material.arrhenius.shift.activationEnergy, "J/mol"),
                             PrintedNumber{printedNumber(material.arrhenius.rms, 2)}));
-  lines.push_back(curve.shifts.size() == 1 ? Message("one temperature alone: there is no shift")
-                  : material.shift.kind == ShiftKind::Table
-                      ? Message("the shift used is the table of measured shifts")
-                  : material.shift.kind == ShiftKind::Wlf
-                      ? Message("the shift is that of Williams, Landel and Ferry")
-                      : Message("the shift is that of Arrhenius"));
-  if (!curve.isThermorheologicallySimple)
+  addOneTemperature(material, lines);
+  if (curve.shifts.size() > 1)
+    lines.push_back(material.shift.kind == ShiftKind::Table
+                        ? Message("the shift used is the table of measured shifts")
+                    : material.shift.kind == ShiftKind::Wlf
+                        ? Message("the shift is that of Williams, Landel and Ferry")
+                        : Message("the shift is that of Arrhenius"));
+  if (material.isSimpleWithVertical)
+    lines.push_back(message(
+        "shifts from G' alone and from G'' alone differ by up to {} decades between neighbours, {} "
+        "in all; vertical shifts, as of an entropic spring, explain that: --vertical-shifts",
+        PrintedNumber{printedNumber(curve.largestStep, 2)},
+        PrintedNumber{printedNumber(curve.largestDifference, 2)}));
+  else if (!curve.isThermorheologicallySimple)
     lines.push_back(message(
         "not thermorheologically simple: shifts from G' alone and from G'' alone differ by up to "
         "{} decades between neighbours, {} in all; predictions at other temperatures are "

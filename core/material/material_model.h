@@ -28,6 +28,7 @@ struct MaterialChoices {
   DmaChoices columns{};
   double temperatureTolerance = kIsothermTolerance;  // K, within which rows are one isotherm
   std::vector<double> leftOut{};                     // K, isotherms that are not used
+  std::optional<double> strainAmplitude{};           // of a file with several; 0.01 is 1 %
   double referenceTemperature = std::numeric_limits<double>::quiet_NaN();  // K; NaN: usualReference
   bool isVertical = false;
   PronyOptions series{};
@@ -54,9 +55,12 @@ struct Material {
   MasterCurve curve;
   TemperatureFit wlf, arrhenius;
   DmaFacts facts;
+  double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // median; NaN: not stated
+  bool isSimpleWithVertical = false;  // where it is not simple: vertical shifts would make it so
   bool isVertical = false;
   double poissonRatio = 0.5;
-  Message format;  // of a ready series: "keywords of Abaqus"
+  Message format;              // of a ready series: "keywords of Abaqus"
+  std::vector<Message> notes;  // of a ready series: what was assumed and what was left out
 
   bool isMeasured() const { return !isotherms.empty(); }
 };
@@ -74,6 +78,9 @@ nlohmann::ordered_json materialOrigin(const Material& material);
 
 /// The text of material.json.
 std::string materialJson(const Material& material);
+
+/// "one arm", "12 arms".
+Message armsInWords(std::size_t count);
 
 /// What was measured and how good the fit is, one sentence each.
 std::vector<Message> materialSummary(const Material& material);

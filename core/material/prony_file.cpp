@@ -4,202 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_dialect.h"
 #include "core/base/text_number.h"
-#include "core/base/units.h"
 #include "core/material/dma_columns.h"
 #include "core/material/element_law.h"
+#include "core/material/prony_keywords.h"
 
 namespace asperity {
 namespace {
-
-// What a file leaves out.
-constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
-
-/// What all of these files say: parts of the instantaneous modulus or moduli, and one modulus.
-struct RawSeries {
-  struct Term {
-    double weight = 0, time = 0;
-    std::size_t line = 0;
-  };
-  std::vector<Term> terms;
-  bool isRelative = true;             // weights are parts of the instantaneous modulus
-  double instantaneous = kNotStated;  // in the file's unit, of shear
-  double equilibrium = kNotStated;    // the same
-  double unit = 1;                    // Pa
-  bool isUnitKnown = false;
-  std::optional<TemperatureShift> shift;
-  Message format;
-};
-
-struct Line {
-  std::vector<std::string> words;  // separated by commas, in lower case, without blanks
-  std::size_t number = 0;
-};
-
-std::vector<Line> linesOf(std::string_view text) {
-  std::vector<Line> lines;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = takeLine(text);
-    Line next;
-    next.number = number;
-    std::string word;
-    for (const char letter : lowerCase(line)) {
-      if (letter == ',') {
-        next.words.push_back(word);
-        word.clear();
-      } else if (letter != ' ' && letter != '\t') {
-        word += letter;
-      }
-    }
-    next.words.push_back(word);
-    lines.push_back(std::move(next));
-  }
-  return lines;
-}
-
-double numberIn(const Line& line, std::size_t place, const std::string& name) {
-  double value = 0;
-  if (place >= line.words.size() || !readTextNumber(line.words[place], '.', value))
-    throw InputError(name, fmt::format("line {}", line.number),
-                     message("needs a number in place {}", place + 1));
-  return value;
-}
-
-double shearOf(double youngs, double poisson) {
-  return youngs / (2 * (1 + poisson));
-}
-
-bool has(const Line& line, std::string_view word) {
-  return std::ranges::find(line.words, word) != line.words.end();
-}
-
-// ---- Abaqus ------------------------------------------------------------------------------------
-
-std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std::string& name) {
-  const auto isKeyword = [](const Line& line, std::string_view word) {
-    return line.words.front() == word;
-  };
-  if (std::ranges::none_of(lines,
-                           [&](const Line& line) { return isKeyword(line, "*viscoelastic"); }))
-    return {};
-  RawSeries series;
-  series.format = "keywords of Abaqus";
-  std::size_t viscoelastics = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Line& keyword = lines[i];
-    // Data lines follow until the next keyword; ** begins a comment.
-    const auto forEachData = [&](const std::function<void(const Line&)>& use) {
-      for (std::size_t k = i + 1; k < lines.size(); ++k) {
-        const std::string& first = lines[k].words.front();
-        if (first.starts_with("**") || (first.empty() && lines[k].words.size() == 1)) continue;
-        if (first.starts_with("*")) break;
-        use(lines[k]);
-      }
-    };
-    const bool isInstantaneous = has(keyword, "moduli=instantaneous");
-    const auto setModulus = [&](double shear) {
-      (isInstantaneous ? series.instantaneous : series.equilibrium) = shear;
-    };
-    if (isKeyword(keyword, "*elastic")) {
-      forEachData([&](const Line& data) {
-        setModulus(shearOf(numberIn(data, 0, name), numberIn(data, 1, name)));
-      });
-    } else if (isKeyword(keyword, "*hyperelastic")) {
-      const bool isMooney = has(keyword, "mooney-rivlin");
-      if (!isMooney && !has(keyword, "neohooke") && !has(keyword, "yeoh"))
-        throw InputError(name, fmt::format("line {}", keyword.number),
-                         "has a hyperelastic form whose shear modulus is not read; NEO HOOKE, "
-                         "MOONEY-RIVLIN and YEOH are, or give --equilibrium-modulus");
-      forEachData([&](const Line& data) {
-        setModulus(2 * (numberIn(data, 0, name) + (isMooney ? numberIn(data, 1, name) : 0)));
-      });
-    } else if (isKeyword(keyword, "*viscoelastic")) {
-      if (!has(keyword, "time=prony"))
-        throw InputError(name, fmt::format("line {}", keyword.number),
-                         "is not TIME=PRONY; a table of frequencies and moduli is read as such");
-      if (++viscoelastics > 1)
-        throw InputError(name, fmt::format("line {}", keyword.number),
-                         "is a second *VISCOELASTIC; keep the material that is meant alone");
-      forEachData([&](const Line& data) {
-        series.terms.push_back({numberIn(data, 0, name), numberIn(data, 2, name), data.number});
-      });
-    } else if (isKeyword(keyword, "*trs")) {
-      if (keyword.words.size() > 1 && !has(keyword, "definition=wlf")) continue;
-      forEachData([&](const Line& data) {
-        TemperatureShift shift;
-        // The file does not say its unit of temperature; rubbers have no reference above 200 °C.
-        const double reference = numberIn(data, 0, name);
-        shift.referenceTemperature = reference < 200 ? reference + kZeroCelsius : reference;
-        shift.c1 = numberIn(data, 1, name);
-        shift.c2 = numberIn(data, 2, name);
-        series.shift = shift;
-      });
-    }
-  }
-  return series;
-}
-
-// ---- Ansys -------------------------------------------------------------------------------------
-
-std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::string& name) {
-  enum class Table { Other, Shear, Shift } table = Table::Other;
-  RawSeries series;
-  series.format = "commands of Ansys";
-  bool isFound = false;
-  double youngs = kNotStated, poisson = kNotStated;
-  std::vector<double> shearData, shiftData;
-  std::size_t lineOfData = 0;
-  for (const Line& line : lines) {
-    const std::string& command = line.words.front();
-    const auto word = [&](std::size_t i) {
-      return i < line.words.size() ? line.words[i] : std::string();
-    };
-    if (command == "tb") {
-      isFound = isFound || word(1) == "prony";
-      table = word(1) == "prony" && word(5) != "bulk"  ? Table::Shear
-              : word(1) == "shift" && word(5) == "wlf" ? Table::Shift
-                                                       : Table::Other;
-    } else if (command == "tbdata" && table != Table::Other) {
-      std::vector<double>& data = table == Table::Shear ? shearData : shiftData;
-      const double start = numberIn(line, 1, name);
-      if (!(start >= 1 && start <= 200))
-        throw InputError(name, fmt::format("line {}", line.number),
-                         "begins at a place that is outside 1 to 200");
-      lineOfData = line.number;
-      auto place = static_cast<std::size_t>(start) - 1;
-      for (std::size_t i = 2; i < line.words.size(); ++i, ++place) {
-        if (line.words[i].empty()) continue;
-        data.resize(std::max(data.size(), place + 1), kNotStated);
-        data[place] = numberIn(line, i, name);
-      }
-    } else if (command == "mp" && word(1) == "ex") {
-      youngs = numberIn(line, 3, name);
-    } else if (command == "mp" && (word(1) == "nuxy" || word(1) == "prxy")) {
-      poisson = numberIn(line, 3, name);
-    } else if (command == "mp" && word(1) == "gxy") {
-      series.instantaneous = numberIn(line, 3, name);
-    }
-  }
-  if (!isFound) return {};
-  for (std::size_t i = 0; i + 1 < shearData.size(); i += 2)
-    series.terms.push_back({shearData[i], shearData[i + 1], lineOfData});
-  if (std::isfinite(youngs))
-    series.instantaneous = shearOf(youngs, std::isfinite(poisson) ? poisson : 0.5);
-  if (shiftData.size() >= 3) {
-    TemperatureShift shift;
-    shift.referenceTemperature = shiftData[0] < 200 ? shiftData[0] + kZeroCelsius : shiftData[0];
-    shift.c1 = shiftData[1];
-    shift.c2 = shiftData[2];
-    series.shift = shift;
-  }
-  return series;
-}
 
 // ---- A table -----------------------------------------------------------------------------------
 
@@ -242,10 +57,25 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
       timeAt = i;
     else if (weightAt == kNone &&
              (isOneOf(word, {"g", "gi", "e", "ei", "modulus", "moduli", "alpha", "alphai", "gimod",
-                             "shearmodulus", "relativemodulus", "giginf", "gk", "ek"})))
+                             "shearmodulus", "relativemodulus", "gi/g0", "ei/e0", "g/g0", "e/e0",
+                             "gk", "ek"})))
       weightAt = i;
   }
-  if (timeAt == kNone || weightAt == kNone) return {};
+  if (timeAt == kNone && weightAt == kNone) return {};
+  // A relaxation time, and a modulus with an index, stand in no table of dynamic moduli.
+  if (timeAt == kNone || weightAt == kNone) {
+    const std::string& known = block.columns[timeAt == kNone ? weightAt : timeAt].name;
+    const std::string word = plainWord(known);
+    if (timeAt == kNone && !isOneOf(word, {"gi", "ei", "gi/g0", "ei/e0", "gk", "ek"})) return {};
+    throw InputError(name, known,
+                     timeAt == kNone
+                         ? Message("looks like the moduli of a Prony series, but there is no "
+                                   "column of relaxation times; such a table has columns as tau "
+                                   "(s) and G (MPa), or g_i for parts of the instantaneous modulus")
+                         : Message("looks like the relaxation times of a Prony series, but there "
+                                   "is no column of moduli; such a table has columns as tau (s) "
+                                   "and G (MPa), or g_i for parts of the instantaneous modulus"));
+  }
 
   RawSeries series;
   series.format = "a table of relaxation times and moduli";
@@ -285,7 +115,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   if (!series.isRelative)
     for (RawSeries::Term& term : series.terms) term.weight *= shear;
   if (series.isRelative && std::isfinite(series.equilibrium) && series.equilibrium < shear)
-    series.equilibrium = kNotStated;  // a part, too: what is left of 1
+    series.equilibrium = RawSeries::kNotStated;  // a part, too: what is left of 1
   if (series.terms.empty()) throw InputError(name, "", "holds no relaxation time");
   return series;
 }
@@ -332,7 +162,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   double equilibrium = series.equilibrium * unit, instantaneous = series.instantaneous * unit;
   if (std::isfinite(choices.instantaneousModulus)) {
     instantaneous = choices.instantaneousModulus;
-    equilibrium = kNotStated;
+    equilibrium = RawSeries::kNotStated;
   }
   if (std::isfinite(choices.equilibriumModulus)) equilibrium = choices.equilibriumModulus;
   if (series.isRelative && !std::isfinite(instantaneous) && !std::isfinite(equilibrium))
@@ -350,6 +180,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   PronyFile file;
   file.format = series.format;
   file.shift = series.shift;
+  file.notes = series.notes;
   for (const RawSeries::Term& term : series.terms)
     if (term.weight > 0)
       file.arms.push_back({term.weight * (series.isRelative ? instantaneous : unit), term.time});
@@ -377,9 +208,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
 
 std::optional<PronyFile> readPronyFile(std::string_view text, const TextTable* table,
                                        const std::string& name, const PronyChoices& choices) {
-  const std::vector<Line> lines = linesOf(text);
-  std::optional<RawSeries> series = abaqusSeries(lines, name);
-  if (!series) series = ansysSeries(lines, name);
+  std::optional<RawSeries> series = keywordSeries(text, name, choices);
   if (!series && table) series = tableSeries(*table, name, choices);
   if (!series) return {};
   return finished(*series, name, choices);

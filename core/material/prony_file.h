@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/message.h"
 #include "core/base/text_table.h"
@@ -20,7 +21,8 @@ namespace asperity {
 struct PronyChoices {
   double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, shear
   double equilibriumModulus = std::numeric_limits<double>::quiet_NaN();    // Pa, shear
-  std::string modulusUnit;  // of a file whose moduli have none
+  std::string modulusUnit;        // of a file whose moduli have none
+  std::string temperatureUnit{};  // of the reference temperature of keywords and commands
   ModulusKind modulus = ModulusKind::Unknown;
   double poissonRatio = 0.5;
   bool isLiquid = false;  // whether there may be no equilibrium modulus
@@ -30,10 +32,12 @@ struct PronyFile {
   double equilibriumModulus = 0;  // Pa, of shear
   std::vector<Arm> arms;          // of shear, strictly falling relaxation times
   std::optional<TemperatureShift> shift{};
-  Message format;  // "keywords of Abaqus"
+  Message format;                // "keywords of Abaqus"
+  std::vector<Message> notes{};  // what was assumed, and what was left out
 };
 
-/// Nothing where the text is none of these. `table`: the same text, read; null where it holds no
+/// Nothing where the text is none of these; throws where it is a Prony series in a form that is not
+/// read. `table`: the same text, read; null where it holds no
 /// table.
 std::optional<PronyFile> readPronyFile(std::string_view text, const TextTable* table,
                                        const std::string& name, const PronyChoices& choices);

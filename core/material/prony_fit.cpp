@@ -7,15 +7,17 @@
 #include <ranges>
 
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 
 namespace asperity {
 namespace {
 
-constexpr double kBeyond = 0.5;        // decades of times outside of the measured range
-constexpr double kTermsPerDecade = 8;  // at most, where the number is chosen
-constexpr double kNearFloor = 1.05;    // of the least residual
-constexpr double kGoodEnough = 0.002;  // relative; no instrument measures better
-constexpr double kNothing = 1e-9;      // of the smallest storage modulus
+constexpr double kBeyond = 0.5;          // decades of times outside of the measured range
+constexpr double kTermsPerDecade = 8;    // at most, where the number is chosen
+constexpr double kNearFloor = 1.05;      // of the least residual
+constexpr double kGoodEnough = 0.002;    // relative; no instrument measures better
+constexpr double kMostOfSmallest = 1.1;  // that scatter lets an equilibrium modulus exceed
+constexpr double kNothing = 1e-9;        // of the smallest storage modulus
 
 /// The least squares of |A x - b| with x >= 0, by the active sets of Lawson and Hanson, Solving
 /// Least Squares Problems, ch. 23.
@@ -195,9 +197,16 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
                      message("{} is outside 1 to {}, what {} points can tell", options.terms, most,
                              points.size()));
   const double known = options.isLiquid ? 0 : options.equilibriumModulus;
+  const double smallest = std::ranges::min(points, {}, &DynamicModulus::storage).storage;
+  // G' rises with frequency from G_inf on. What the scatter of measurements may add is far less.
+  if (std::isfinite(known) && known > smallest * kMostOfSmallest)
+    throw InputError("", "--equilibrium-modulus",
+                     message("{} is above the lowest storage modulus of shear, {}; allowed is a "
+                             "modulus below it",
+                             PrintedNumber{printedQuantity(known, "Pa")},
+                             PrintedNumber{printedQuantity(smallest, "Pa")}));
   PronySeries series = options.terms > 0 ? fitWith(points, options.terms, known)
                                          : fitWithFewest(points, known, options.stop);
-  const double smallest = std::ranges::min(points, {}, &DynamicModulus::storage).storage;
   if (!options.isLiquid && !(series.equilibriumModulus > kNothing * smallest))
     throw InputError(
         "", "equilibrium modulus",

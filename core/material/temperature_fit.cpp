@@ -9,45 +9,53 @@
 namespace asperity {
 namespace {
 
-/// The rms of the rows about factor * basis(T), with the best factor that is not below 0.
+/// The rms of the rows about offset + factor * basis(T), with the best factor that is not below 0.
 struct LinearFit {
-  double factor = 0, rms = 0;
+  double factor = 0, rms = 0, offset = 0;
 };
 
 template <class Basis>
-LinearFit bestFactor(std::span<const ShiftPoint> table, const Basis& basis) {
+LinearFit bestFactor(std::span<const ShiftPoint> table, bool isOffsetFree, const Basis& basis) {
+  double meanValue = 0, meanShift = 0;
+  if (isOffsetFree)
+    for (const ShiftPoint& row : table) {
+      meanValue += basis(row.temperature) / static_cast<double>(table.size());
+      meanShift += row.log10Shift / static_cast<double>(table.size());
+    }
   double products = 0, squares = 0;
   for (const ShiftPoint& row : table) {
-    const double value = basis(row.temperature);
-    products += value * row.log10Shift;
+    const double value = basis(row.temperature) - meanValue;
+    products += value * (row.log10Shift - meanShift);
     squares += value * value;
   }
   LinearFit fit;
   fit.factor = squares > 0 ? std::max(0.0, products / squares) : 0;
+  fit.offset = meanShift - fit.factor * meanValue;
   for (const ShiftPoint& row : table)
-    fit.rms += std::pow(row.log10Shift - fit.factor * basis(row.temperature), 2);
+    fit.rms += std::pow(row.log10Shift - fit.offset - fit.factor * basis(row.temperature), 2);
   fit.rms = std::sqrt(fit.rms / static_cast<double>(table.size()));
   return fit;
 }
 
 }  // namespace
 
-TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTemperature) {
+TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTemperature,
+                      bool isOffsetFree) {
   TemperatureFit fit;
   fit.shift.kind = ShiftKind::Wlf;
   fit.shift.referenceTemperature = referenceTemperature;
   if (table.size() < 3) return fit;
   const auto fitAt = [&](double c2) {
-    return bestFactor(table, [&](double temperature) {
+    return bestFactor(table, isOffsetFree, [&](double temperature) {
       const double above = temperature - referenceTemperature;
       return -above / (c2 + above);
     });
   };
   // c1 is linear; c2 is sought on a grid of its logarithm and then by the golden section.
-  constexpr double kMostC2 = 1e4, kLeastC2 = 1;  // K, the first as the table of parameters has it
+  constexpr double kLeast = 1;  // K
   constexpr int kGrid = 400;
   const double coldest = referenceTemperature - table.front().temperature;
-  const double from = std::log(std::max(kLeastC2, 1.02 * coldest + 0.1)), to = std::log(kMostC2);
+  const double from = std::log(std::max(kLeast, 1.02 * coldest + 0.1)), to = std::log(kMostC2);
   const auto gridAt = [&](int i) { return from + (to - from) * i / kGrid; };
   int best = 0;
   for (int i = 1; i <= kGrid; ++i)
@@ -65,38 +73,68 @@ TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTempera
   const LinearFit linear = fitAt(fit.shift.c2);
   fit.shift.c1 = linear.factor;
   fit.rms = linear.rms;
+  fit.offset = linear.offset;
   fit.isDefined = true;
   return fit;
 }
 
-TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceTemperature) {
+TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceTemperature,
+                            bool isOffsetFree) {
   TemperatureFit fit;
   fit.shift.kind = ShiftKind::Arrhenius;
   fit.shift.referenceTemperature = referenceTemperature;
   if (table.size() < 2) return fit;
-  const LinearFit linear = bestFactor(table, [&](double temperature) {
+  const LinearFit linear = bestFactor(table, isOffsetFree, [&](double temperature) {
     return std::numbers::log10e / kGasConstant * (1 / temperature - 1 / referenceTemperature);
   });
   fit.shift.activationEnergy = linear.factor;
   fit.rms = linear.rms;
+  fit.offset = linear.offset;
   fit.isDefined = true;
   return fit;
 }
 
-TemperatureShift chosenShift(std::span<const ShiftPoint> table, double referenceTemperature) {
-  // A formula that has as many constants as there are shifts goes through any of them.
+namespace {
+
+/// A formula that has as many constants as there are shifts goes through any of them.
+std::optional<TemperatureFit> goodFit(std::span<const ShiftPoint> table, double reference,
+                                      bool isOffsetFree) {
   const auto isGood = [&](const TemperatureFit& fit, std::size_t constants) {
     return fit.isDefined && fit.rms <= kGoodShiftFit && table.size() > constants + 1;
   };
-  const TemperatureFit wlf = fitWlf(table, referenceTemperature);
-  if (isGood(wlf, 2) && wlf.shift.c1 <= 1000) return wlf.shift;
-  const TemperatureFit arrhenius = fitArrhenius(table, referenceTemperature);
-  if (isGood(arrhenius, 1)) return arrhenius.shift;
+  const TemperatureFit wlf = fitWlf(table, reference, isOffsetFree);
+  if (isGood(wlf, 2) && wlf.shift.c1 <= kMostC1) return wlf;
+  const TemperatureFit arrhenius = fitArrhenius(table, reference, isOffsetFree);
+  if (isGood(arrhenius, 1)) return arrhenius;
+  return {};
+}
+
+}  // namespace
+
+std::optional<TemperatureFit> lawBetween(std::span<const ShiftPoint> table, double temperature) {
+  return goodFit(table, temperature, true);
+}
+
+TemperatureShift tableShift(std::span<const ShiftPoint> table, double referenceTemperature) {
   TemperatureShift shift;
   shift.kind = ShiftKind::Table;
   shift.referenceTemperature = referenceTemperature;
   shift.table.assign(table.begin(), table.end());
+  const auto above =
+      std::ranges::lower_bound(shift.table, referenceTemperature, {}, &ShiftPoint::temperature);
+  if (above == shift.table.begin() || above == shift.table.end()) return shift;
+  constexpr double kNothing = 1e-9;  // decades
+  const ShiftPoint low = *(above - 1), high = *above;
+  const double between =
+      std::lerp(low.log10Shift, high.log10Shift,
+                (referenceTemperature - low.temperature) / (high.temperature - low.temperature));
+  if (std::abs(between) > kNothing) shift.table.insert(above, {referenceTemperature, 0});
   return shift;
+}
+
+TemperatureShift chosenShift(std::span<const ShiftPoint> table, double referenceTemperature) {
+  const auto fit = goodFit(table, referenceTemperature, false);
+  return fit ? fit->shift : tableShift(table, referenceTemperature);
 }
 
 }  // namespace asperity

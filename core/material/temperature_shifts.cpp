@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/material/temperature_fit.h"
 
 namespace asperity {
 namespace {
@@ -315,8 +316,12 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   both.decades = commonRange(colder, warmer, both.log10Shift).width();
   if (both.decades > 0)
     both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);
+  // Each modulus alone does not tell a vertical shift from a horizontal one.
+  LogSweep level = colder;
+  for (std::vector<double>* values : {&level.storage, &level.loss})
+    for (double& value : *values) value -= both.log10Vertical;
   const auto alone = [&](ShiftModuli moduli) {
-    const auto one = fittedShift(colder, warmer, both.log10Shift, {}, moduli);
+    const auto one = fittedShift(level, warmer, both.log10Shift, {}, moduli);
     return one ? one->horizontal : Estimate{kNaN, kNaN};
   };
   found.storage = alone(ShiftModuli::Storage);
@@ -373,6 +378,25 @@ class Accumulated {
   double reference_;
 };
 
+/// Between two isotherms the sums are linear in T, which is exact beside an isotherm. Elsewhere,
+/// where a formula goes through all shifts, the reference is moved to where it says, which is exact
+/// for a formula that holds.
+void referTo(std::span<const Isotherm> isotherms, double reference, std::vector<Estimate>& both,
+             std::vector<Estimate>& storage, std::vector<Estimate>& loss) {
+  std::vector<ShiftPoint> table;
+  for (std::size_t i = 0; i < isotherms.size(); ++i) {
+    if (std::abs(isotherms[i].temperature - reference) <= kIsothermTolerance) return;
+    table.push_back({isotherms[i].temperature, both[i].value});
+  }
+  const auto law = lawBetween(table, reference);
+  if (!law) return;
+  for (auto* estimates : {&both, &storage, &loss})
+    for (Estimate& estimate : *estimates) {
+      estimate.value -= law->offset;
+      estimate.error = std::hypot(estimate.error, law->rms);
+    }
+}
+
 void addPoints(std::span<const Isotherm> isotherms, MasterCurve& curve) {
   for (std::size_t i = 0; i < isotherms.size(); ++i) {
     const double factor = std::pow(10, curve.shifts[i].log10Shift);
@@ -428,8 +452,9 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
     if (std::isfinite(difference)) curve.largestStep = std::max(curve.largestStep, difference);
   }
   const Accumulated sums(isotherms, referenceTemperature);
-  const auto horizontal = sums.from(both), up = sums.from(vertical), ofStorage = sums.from(storage),
-             ofLoss = sums.from(loss);
+  auto horizontal = sums.from(both), ofStorage = sums.from(storage), ofLoss = sums.from(loss);
+  const auto up = sums.from(vertical);
+  referTo(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
   for (std::size_t i = 0; i < isotherms.size(); ++i)
     curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value, horizontal[i].error,
                             up[i].value, ofStorage[i].value, ofLoss[i].value,
@@ -441,7 +466,12 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
 
 double usualReference(std::span<const Isotherm> isotherms) {
   constexpr double kUsual = 298.15;  // K
-  return std::clamp(kUsual, isotherms.front().temperature, isotherms.back().temperature);
+  const double nearest = std::ranges::min_element(isotherms, {}, [](const Isotherm& isotherm) {
+                           return std::abs(isotherm.temperature - kUsual);
+                         })->temperature;
+  const bool isWithin =
+      kUsual >= isotherms.front().temperature && kUsual <= isotherms.back().temperature;
+  return isWithin && std::abs(nearest - kUsual) <= kIsothermTolerance ? kUsual : nearest;
 }
 
 std::vector<ShiftPoint> shiftTable(const MasterCurve& curve) {

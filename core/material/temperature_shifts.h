@@ -68,15 +68,16 @@ struct MasterCurve {
   double highestFrequency() const { return points.back().modulus.frequency; }  // Hz
 };
 
-/// referenceTemperature (K) must lie within the isotherms; between two of them the shift is linear
-/// in T. One isotherm is its own master curve, and the reference is its temperature. Throws
-/// InputError (--reference-temperature; isotherms that do not overlap, or whose order contradicts
-/// their temperatures), and MaterialStopped within one pair of isotherms after `stop`.
+/// referenceTemperature (K) must lie within the isotherms; between two of them its shift is that of
+/// the formula through all shifts (lawBetween), or linear in T where no formula is good. One
+/// isotherm is its own master curve, and the reference is its temperature. Throws InputError
+/// (--reference-temperature; isotherms that do not overlap, or whose order contradicts their
+/// temperatures), and MaterialStopped within one pair of isotherms after `stop`.
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
                         bool isVertical = false, const std::stop_token& stop = {});
 
 /// The reference that is taken unless a user says otherwise: 25 °C, the default temperature of a
-/// scene, where it lies within the isotherms, else the nearest of them.
+/// scene, where it was measured (within kIsothermTolerance), else the nearest isotherm.
 double usualReference(std::span<const Isotherm> isotherms);
 
 /// The table as a scene has it.

@@ -116,8 +116,8 @@ std::string convertWithGwyddion(const fs::path& file, const std::stop_token& sto
     throw InputError(
         name, "",
         "is of a kind that only Gwyddion reads, which is not installed; text (profiles, "
-        "matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files "
-        "are read without it");
+        "matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and "
+        "Surfer files are read without it");
   const TemporaryFolder folder(name);
   const fs::path result = folder.path() / "surface.gwy";
   Process process(program, {"gwyddion", "--no-splash", "--disable-gl",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
@@ -24,8 +25,8 @@ constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those a key can say
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
 constexpr std::string_view kReadable =
-    "text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and "
-    "Surfer files are read";
+    "text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, "
+    "Zygo and Surfer files are read";
 
 // ---- Kinds -------------------------------------------------------------------------------------
 
@@ -41,6 +42,7 @@ std::string_view kindOf(const SurfaceSource& source) {
   if (isSurfer(source)) return "surfer";
   if (isSdf(source)) return "sdf";
   if (isSmd(source)) return "smd";
+  if (!roadKindOf(bytes).empty()) return "text";  // whose reader refuses it
   const std::string_view foreign = foreignKindOf(bytes);
   return foreign.empty() || foreign == "text in UTF-16" ? "text" : "";
 }
@@ -187,7 +189,7 @@ Message formText(const ReadingFacts& facts) {
   if (facts.format == "profile") return "a profile as text";
   if (facts.format == "matrix") return "a matrix of heights as text";
   if (facts.format == "points") return "points x, y, z as text";
-  if (facts.format == "zygo") return "a text file of Zygo";
+  if (facts.format == "zygo") return "a file of Zygo";
   if (facts.format == "wyko") return "a text file of Wyko";
   if (facts.format == "surfer") return "a grid of Surfer";
   if (facts.format == "gwyddion") return "a file that Gwyddion has converted";
@@ -200,6 +202,51 @@ Message formText(const ReadingFacts& facts) {
 /// The unit as people write it.
 std::string printedUnit(const std::string& unit) {
   return unit == "um" ? "\u00B5m" : unit;
+}
+
+/// Whether programs write the number where nothing was measured: 9999, -999.99, -32768.
+bool isVoidCode(double number) {
+  const std::string digits = plainNumber(std::abs(number));
+  return digits == "32767" || digits == "32768" ||
+         (digits.size() > 2 && digits.find_first_not_of("9.") == std::string::npos);
+}
+
+/// Says of a lowest or highest height that it stands far from all others, as numbers for missing
+/// points do: several times, or a number that is known for it.
+template <class Say>
+void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
+  constexpr double kFar = 3;  // times the range of all others
+  constexpr int kDigits = 8;
+  for (const double sign : {1.0, -1.0}) {
+    double lowest = INFINITY, second = INFINITY, highest = -INFINITY;
+    std::int64_t count = 0, others = 0;
+    for (const double height : grid.height) {
+      const double z = sign * height;
+      if (std::isnan(z)) continue;
+      if (z < lowest) {
+        second = lowest;
+        others += std::exchange(count, 0);
+        lowest = z;
+      }
+      (z == lowest ? count : others) += 1;
+      if (z > lowest) second = std::min(second, z);
+      highest = std::max(highest, z);
+    }
+    const double number = roundedToDigits(sign * lowest / unit.metres, kDigits);
+    const bool isFar = highest > second && second - lowest > kFar * (highest - second);
+    if (!isFar || count >= others || (count == 1 && !isVoidCode(number))) continue;
+    const PrintedNumber text = plain(number);
+    const std::string printed = printedUnit(unit.unit);
+    say(count == 1
+            ? message(
+                  "The height {} (in {}) is far from all others: if it means a missing point, it "
+                  "has to be left empty, or surface.outliers has to be set.",
+                  text, printed)
+            : message("The height {} (in {}) stands {} times, far from all others: if it means "
+                      "missing points, they have to be left empty, or surface.outliers has to be "
+                      "set.",
+                      text, printed, count));
+  }
 }
 
 /// What the reader took the file for comes first, what is special after it.
@@ -215,6 +262,10 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
                             grid.columns, grid.rows, spacing,
                             PrintedNumber{printedQuantity(grid.rowSpacing, "m")}));
   notes.insert(notes.end(), facts.notes.begin(), facts.notes.end());
+  const auto assume = [&notes, &facts](const Message& note) {
+    notes.push_back(note);
+    facts.assumptions.push_back(note);
+  };
   const UnitFact& position = facts.positionUnit;
   if (position.source == UnitSource::File)
     notes.push_back(
@@ -222,25 +273,25 @@ void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
   else if (position.source == UnitSource::Choice)
     notes.push_back(message("Positions are in {}, as the scene says.", printedUnit(position.unit)));
   else if (!draft.unknownPositionUnit.empty())
-    notes.push_back(
-        message("The unit '{}' of the positions is not known: they are taken as metres.",
-                shortened(draft.unknownPositionUnit)));
+    assume(message("The unit '{}' of the positions is not known: they are taken as metres.",
+                   shortened(draft.unknownPositionUnit)));
   else
-    notes.emplace_back("The file states no unit of positions: they are taken as metres.");
+    assume("The file states no unit of positions: they are taken as metres.");
   const UnitFact& height = facts.heightUnit;
   if (height.source == UnitSource::File)
     notes.push_back(message("Heights are in {}, as the file states.", printedUnit(height.unit)));
   else if (height.source == UnitSource::Choice)
     notes.push_back(message("Heights are in {}, as the scene says.", printedUnit(height.unit)));
   else if (!draft.unknownHeightUnit.empty())
-    notes.push_back(message("The unit '{}' of the heights is not known: they are taken as metres.",
-                            shortened(draft.unknownHeightUnit)));
+    assume(message("The unit '{}' of the heights is not known: they are taken as metres.",
+                   shortened(draft.unknownHeightUnit)));
   else
-    notes.emplace_back("The file states no unit of heights: they are taken as metres.");
+    assume("The file states no unit of heights: they are taken as metres.");
   if (!draft.hasPositions)
-    notes.emplace_back(
-        "The file does not say how far its points are apart: one unit of positions.");
-  if (facts.gaps > 0) notes.push_back(message("{} points have no height.", facts.gaps));
+    assume("The file does not say how far its points are apart: one unit of positions.");
+  noteVoids(grid, height, assume);
+  if (facts.gaps == 1) notes.emplace_back("One point has no height.");
+  if (facts.gaps > 1) notes.push_back(message("{} points have no height.", facts.gaps));
   facts.notes = std::move(notes);
 }
 

@@ -1,6 +1,6 @@
 // Reads measured profiles and topographies of every kind: text in many forms, X3P (ISO 25178-72),
 // SDF (ISO 25178-71), SMD and PRF (ISO 5436-2), SUR and PRO (Digital Surf), GSF and GWY (Gwyddion),
-// the text files of Zygo and Wyko, grids of Surfer, and what else an installed Gwyddion can read.
+// files of Zygo, text files of Wyko, grids of Surfer, and what else an installed Gwyddion can read.
 // The kind is told from the content of a file, never from its name.
 //
 // Whatever the reader finds out by itself (kind, columns, units) stands in the facts, and each of
@@ -71,7 +71,8 @@ struct ReadingFacts {
   std::int64_t gaps = 0;        // of these, without a height
   double spacingVariation = 0;  // largest deviation of a step between positions, over the mean step
   bool resampled = false;       // positions were not uniform: heights are interpolated linearly
-  std::vector<Message> notes{};  // plain sentences in the order in which a person wants them
+  std::vector<Message> notes{};        // plain sentences in the order in which a person wants them
+  std::vector<Message> assumptions{};  // of these, what the numbers rest on and nobody states
 
   bool operator==(const ReadingFacts&) const = default;
 };

@@ -14,21 +14,6 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-/// Integral of a density from x0 to x, between the points (x0, y0) and (x1, y1): a power law where
-/// both are above 0, else a straight line.
-double segmentIntegral(double x0, double y0, double x1, double y1, double x) {
-  constexpr double kNear = 1e-9;  // of points that are too near each other for a power law
-  if (!(y0 > 0) || !(y1 > 0) || x1 - x0 < kNear * x0) {
-    const double y = y0 + (y1 - y0) * (x - x0) / (x1 - x0);
-    return 0.5 * (y0 + y) * (x - x0);
-  }
-  const double exponent = std::log(y1 / y0) / std::log(x1 / x0) + 1;
-  const double ratio = std::log(x / x0);
-  // (e^(a r) - 1) / a tends to r where a is small.
-  return y0 * x0 *
-         (std::abs(exponent * ratio) < 1e-12 ? ratio : std::expm1(exponent * ratio) / exponent);
-}
-
 std::vector<double> hannWindow(std::size_t points) {
   std::vector<double> window(points);
   double square = 0;
@@ -101,64 +86,6 @@ class RowsDone {
 
 }  // namespace
 
-double SpectralDensity::integralTo(double q) const {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < waveNumber.size() && waveNumber[i] < q; ++i)
-    sum += segmentIntegral(waveNumber[i], density[i], waveNumber[i + 1], density[i + 1],
-                           std::min(q, waveNumber[i + 1]));
-  return sum;
-}
-
-SpectralDensity within(const SpectralDensity& density, double lowest, double highest) {
-  const std::vector<double>& q = density.waveNumber;
-  SpectralDensity part;
-  const auto add = [&part](double wave, double value) {
-    part.waveNumber.push_back(wave);
-    part.density.push_back(value);
-  };
-  // The density at a wave number inside of a segment.
-  const auto between = [&](std::size_t i, double wave) {
-    const double low = density.density[i], high = density.density[i + 1];
-    if (!(low > 0) || !(high > 0)) return low + (high - low) * (wave - q[i]) / (q[i + 1] - q[i]);
-    return low * std::pow(high / low, std::log(wave / q[i]) / std::log(q[i + 1] / q[i]));
-  };
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    if (i > 0 && q[i - 1] < lowest && lowest < q[i]) add(lowest, between(i - 1, lowest));
-    if (q[i] >= lowest && q[i] <= highest) add(q[i], density.density[i]);
-    if (i + 1 < q.size() && q[i] < highest && highest < q[i + 1] && highest > lowest)
-      add(highest, between(i, highest));
-  }
-  return part;
-}
-
-std::vector<double> modeMagnitudes(const SpectralDensity& density, double length,
-                                   std::size_t modes) {
-  std::vector<double> magnitudes(modes);
-  const std::vector<double>& q = density.waveNumber;
-  if (q.size() < 2) return magnitudes;
-  const double lowest = kTwoPi / length;
-  // Both the edges of the modes and the points of the density ascend: one walk along them.
-  std::size_t segment = 0;
-  double before = 0;  // integral up to the segment's first point
-  const auto integralTo = [&](double edge) {
-    while (segment + 2 < q.size() && q[segment + 1] < edge) {
-      before += segmentIntegral(q[segment], density.density[segment], q[segment + 1],
-                                density.density[segment + 1], q[segment + 1]);
-      ++segment;
-    }
-    const double end = std::clamp(edge, q[segment], q[segment + 1]);
-    return before + segmentIntegral(q[segment], density.density[segment], q[segment + 1],
-                                    density.density[segment + 1], end);
-  };
-  double last = integralTo(0.5 * lowest);
-  for (std::size_t k = 1; k <= modes; ++k) {
-    const double next = integralTo((static_cast<double>(k) + 0.5) * lowest);
-    magnitudes[k - 1] = std::sqrt(std::max(next - last, 0.0));
-    last = next;
-  }
-  return magnitudes;
-}
-
 std::vector<double> hannPowers(std::span<const double> heights) {
   return HannAnalysis(heights.size()).powers(heights);
 }
@@ -219,7 +146,7 @@ SpectralDensity BandPowers::density() const {
     }
   }
   // Between the centres of bands the density is a power law, whose sum is another one.
-  const double whole = density.empty() ? 0 : 2 * density.integralTo(density.waveNumber.back());
+  const double whole = 2 * density.integral();
   if (whole > 0)
     for (double& value : density.density) value *= total() / whole;
   return density;

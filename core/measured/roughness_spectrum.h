@@ -14,28 +14,10 @@
 #include <vector>
 
 #include "core/measured/processing_choices.h"
+#include "core/measured/spectral_density.h"
 #include "core/measured/topography.h"
 
 namespace asperity {
-
-/// A density over wave numbers, linear between its points in double logarithm, nothing outside.
-struct SpectralDensity {
-  std::vector<double> waveNumber;  // 1/m, ascending, above 0
-  std::vector<double> density;     // m^3, C1, two-sided, per wave number; not below 0
-
-  bool empty() const { return waveNumber.empty(); }
-  /// Integral of C1 from the lowest wave number to q; m^2.
-  double integralTo(double q) const;
-};
-
-/// The part of a density between two wave numbers, with points at its ends.
-SpectralDensity within(const SpectralDensity& density, double lowest, double highest);
-
-/// Magnitudes |c_k| (m), k = 1 ... modes, of waves of a line of this length, z = 2 Re sum c_k
-/// exp(i q_k x): |c_k|^2 is the integral of C1 over the band of wave numbers about q_k, so that
-/// the line has the height of the density in the band that it carries.
-std::vector<double> modeMagnitudes(const SpectralDensity& density, double length,
-                                   std::size_t modes);
 
 /// Power (m^2, its part of <h^2>) of the waves 0, 1, ..., n/2 of a profile under a Hann window,
 /// normalised so that the window takes no power on average.

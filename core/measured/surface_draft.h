@@ -65,6 +65,9 @@ void requireSize(const SurfaceSource& source, std::int64_t columns, std::int64_t
 std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_view axis,
                                      std::string_view unit);
 
+/// "OpenCRG" or "ERD" where the bytes begin as files of roads do, which are not read; else empty.
+std::string_view roadKindOf(std::string_view bytes);
+
 SurfaceDraft readTextSurface(const SurfaceSource& source);
 SurfaceDraft readX3p(const SurfaceSource& source);
 SurfaceDraft readSdf(const SurfaceSource& source);

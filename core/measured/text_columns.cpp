@@ -272,6 +272,15 @@ ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source) {
   return RoleFinder(block, source).find();
 }
 
+bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
+                     const SurfaceSource& source) {
+  if (roles.x < 0 || source.choices.positionColumn > 0) return false;
+  const TextColumn& column = block.columns[static_cast<std::size_t>(roles.x)];
+  const std::string name = lowerCase(column.name);
+  return column.unit.empty() && !begins(kPositions, name) && !isPlaceOfProfile(name) &&
+         countsRows(block, static_cast<std::size_t>(roles.x));
+}
+
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          const std::vector<std::string>& keys) {
   for (const std::string& key : keys) {
@@ -279,6 +288,8 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
     if (!quantity || !(quantity->number > 0)) continue;
     HeaderLength length{quantity->number, {}};
     std::string unit = quantity->unit;
+    for (const std::string_view each : {"/pixel", "/px", "/point"})
+      if (lowerCase(unit).ends_with(each)) unit.resize(unit.size() - each.size());
     // "Spacing (um) = 0.5": the unit stands in the key.
     if (const auto metres = metresPer(unit))
       length.unit = StatedUnit{unit, *metres};

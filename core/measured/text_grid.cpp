@@ -37,10 +37,43 @@ Extent extentOf(const TextTable& table, const TextBlock& block) {
   return extent;
 }
 
-/// SPIP's text: lengths in nanometres without a unit, heights times Bit2nm in nanometres.
+/// SPIP's text: lengths in nanometres without a unit, heights in the unit that "z-unit" says or
+/// times Bit2nm in nanometres; with "voidpixels" a second matrix follows, which is 1 where there is
+/// a height and 0 where there is none.
+struct SpipHeader {
+  std::int64_t columns = 0, rows = 0;
+  bool hasVoids = false;
+};
+
+std::optional<SpipHeader> spipHeader(const TextTable& table, const TextBlock& block) {
+  const auto number = [&](std::string_view key) {
+    const auto quantity = quantityIn(table.entry(key, block));
+    return quantity ? wholeNumber(quantity->number).value_or(0) : 0;
+  };
+  const SpipHeader header{number("x-pixels"), number("y-pixels"), number("voidpixels") > 0};
+  return header.columns > 0 && header.rows > 0 ? std::optional(header) : std::nullopt;
+}
+
 std::optional<double> nanometresPerHeight(const TextTable& table, const TextBlock& block) {
   const auto bit = quantityIn(table.entry("bit2nm", block));
   return bit && bit->number > 0 ? std::optional(bit->number) : std::nullopt;
+}
+
+/// Checks the size and takes the matrix of voids away from the heights.
+void applySpipHeader(const SpipHeader& header, const SurfaceSource& source, Topography& grid) {
+  const std::int64_t rows = header.hasVoids ? 2 * header.rows : header.rows;
+  if (grid.columns != header.columns || grid.rows != rows)
+    source.fail(header.hasVoids
+                    ? message("the header says {} x {} pixels and as many that mark those without "
+                              "a height; the file has {} x {} numbers",
+                              header.columns, header.rows, grid.columns, grid.rows)
+                    : message("the header says {} x {} pixels; the file has {} x {} numbers",
+                              header.columns, header.rows, grid.columns, grid.rows));
+  const auto points = static_cast<std::size_t>(header.columns * header.rows);
+  for (std::size_t i = 0; points + i < grid.height.size(); ++i)
+    if (!(grid.height[points + i] > 0)) grid.height[i] = kNone;
+  grid.height.resize(points);
+  grid.rows = header.rows;
 }
 
 Extent spipExtent(const TextTable& table, const TextBlock& block) {
@@ -137,8 +170,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
     spacing = length->value / count * factor;
     return true;
   };
-  Extent extent =
-      nanometresPerHeight(table, block) ? spipExtent(table, block) : extentOf(table, block);
+  Extent extent = spipHeader(table, block) ? spipExtent(table, block) : extentOf(table, block);
   const auto columnStep =
       headerLength(table, block,
                    {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
@@ -185,6 +217,8 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
       for (std::size_t column = firstColumn; column < block.columns.size(); ++column)
         grid.height.push_back(block.at(row, column));
   }
+  if (const auto spip = spipHeader(table, block); spip && !frame.hasColumn)
+    applySpipHeader(*spip, source, grid);
   draft.heightUnit = headerUnit(table, block, true);
   if (frame.hasColumn) {
     const double x = *uniformSpacing(frame.x), y = *uniformSpacing(frame.y);

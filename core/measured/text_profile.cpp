@@ -1,19 +1,79 @@
 // Profiles in text tables: positions and heights, or heights alone.
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/measured/text_surface.h"
 #include "core/measured/uniform_positions.h"
 
 namespace asperity {
 
+namespace {
+
+/// The step between points that lines above them state.
+std::optional<HeaderLength> statedSpacing(const TextTable& table, const TextBlock& block) {
+  const std::vector<std::string> keys{"spacing",
+                                      "x spacing",
+                                      "spacing x",
+                                      "dx",
+                                      "delta x",
+                                      "deltax",
+                                      "increment",
+                                      "x increment",
+                                      "x-increment",
+                                      "xincrement",
+                                      "step",
+                                      "step size",
+                                      "x step",
+                                      "sampling interval",
+                                      "sampling step",
+                                      "sample interval",
+                                      "point spacing",
+                                      "pixel size",
+                                      "pixelsize",
+                                      "punktabstand",
+                                      "messpunktabstand",
+                                      "schrittweite",
+                                      "abtastweite",
+                                      "abtastabstand",
+                                      "data spacing",
+                                      "pitch",
+                                      "x pitch",
+                                      "data pitch",
+                                      "point pitch",
+                                      "sampling pitch",
+                                      "measuring pitch"};
+  if (const auto spacing = headerLength(table, block, keys)) return spacing;
+  return countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
+}
+
+/// Where files write no number for a missing point, they may write one that no height can have.
+void requireHeights(const std::vector<double>& heights, const TextBlock& block,
+                    const SurfaceSource& source) {
+  constexpr double kNoHeight = 1e30;  // in any unit
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (!std::isnan(heights[i]) && std::abs(heights[i]) > kNoHeight)
+      source.fail(message("line {}: {} is no height; a missing point is left empty or is NaN",
+                          block.lines[i], plain(heights[i])));
+}
+
+}  // namespace
+
 SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                              const SurfaceSource& source) {
-  const ColumnRoles roles = columnRoles(block, source);
+  ColumnRoles roles = columnRoles(block, source);
   if (roles.z < 0) source.fail("has no column of heights");
   SurfaceDraft draft;
+  const auto spacing = statedSpacing(table, block);
+  const bool isGiven = source.choices.spacing > 0 && source.choices.positionUnit == "auto";
+  if ((spacing || isGiven) && mayNumberPoints(block, roles, source)) {
+    draft.facts.notes.push_back(message(
+        "The points are as far apart as is stated: {} numbers them.", columnText(block, roles.x)));
+    roles.x = -1;
+  }
   draft.facts.format = "profile";
   draft.facts.heightColumn = columnText(block, roles.z).english();
   std::vector<double> heights = block.column(static_cast<std::size_t>(roles.z));
+  requireHeights(heights, block, source);
   if (roles.validity >= 0) {
     for (std::size_t i = 0; i < block.rows; ++i) {
       const double valid = block.at(i, static_cast<std::size_t>(roles.validity));
@@ -44,33 +104,6 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
   } else {
     grid.height = std::move(heights);
     grid.columns = static_cast<std::int64_t>(grid.height.size());
-    auto spacing = headerLength(table, block,
-                                {"spacing",
-                                 "x spacing",
-                                 "spacing x",
-                                 "dx",
-                                 "delta x",
-                                 "deltax",
-                                 "increment",
-                                 "x increment",
-                                 "x-increment",
-                                 "xincrement",
-                                 "step",
-                                 "step size",
-                                 "x step",
-                                 "sampling interval",
-                                 "sampling step",
-                                 "sample interval",
-                                 "point spacing",
-                                 "pixel size",
-                                 "pixelsize",
-                                 "punktabstand",
-                                 "messpunktabstand",
-                                 "schrittweite",
-                                 "abtastweite",
-                                 "abtastabstand",
-                                 "data spacing"});
-    if (!spacing) spacing = countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
     draft.hasPositions = spacing.has_value();
     grid.columnSpacing = spacing ? spacing->value : 1;
     // The unit of the heights, which "Unit" may be as well, says nothing of a step.

@@ -48,10 +48,47 @@ Form formOf(const TextTable& table, const TextBlock& block, const SurfaceSource&
   return Form::Matrix;
 }
 
+/// What a reader can only suppose of how the numbers are written.
+void addAssumptions(const TextTable& table, ReadingFacts& facts) {
+  const auto add = [&facts](const Message& note) {
+    facts.notes.push_back(note);
+    facts.assumptions.push_back(note);
+  };
+  const std::vector<std::uint32_t>& leftOut = table.leftOut;
+  if (leftOut.size() == 1)
+    add(message("Line {} is left out: it begins with a number and is no row of the table.",
+                leftOut.front()));
+  if (leftOut.size() > 1)
+    add(
+        message("{} lines, the first is line {}, are left out: they begin with a number and are no "
+                "rows of the table.",
+                leftOut.size(), leftOut.front()));
+  if (table.dialect.isUnclear)
+    add(
+        message("All marks in the numbers stand before three digits: '{}' is taken for the decimal "
+                "mark.",
+                std::string(1, table.dialect.decimal)));
+}
+
 }  // namespace
 
+std::string_view roadKindOf(std::string_view bytes) {
+  constexpr std::size_t kHeader = 4096;  // bytes
+  if (bytes.starts_with("ERDFILE")) return "ERD";
+  const bool isOpen = bytes.substr(0, kHeader).find("$ROAD_CRG") != std::string_view::npos;
+  return isOpen ? "OpenCRG" : "";
+}
+
 SurfaceDraft readTextSurface(const SurfaceSource& source) {
+  const std::string& format = source.choices.format;
+  if (const std::string_view kind = roadKindOf(source.bytes);
+      !kind.empty() && (format == "auto" || format == "text"))
+    source.fail(
+        message("is a road file ({}), a kind that is not read; the heights of one track as "
+                "text are, with their distance as surface.point_spacing",
+                Message::name(std::string(kind))));
   TextTableOptions options;
+  options.blankLinesAreGaps = true;
   options.progress = [&source](double part) { source.report(0.9 * part); };
   const TextTable table = readTextTable(source.bytes, source.name, options);
   const TextBlock& block = table.largest();
@@ -63,6 +100,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
     draft.facts.notes.push_back(
         message("The file has {} tables of numbers; the largest one, from line {} on, is read.",
                 table.blocks.size(), block.lines.front()));
+  addAssumptions(table, draft.facts);
   return draft;
 }
 

@@ -23,6 +23,10 @@ struct ColumnRoles {
 /// Roles by names, by the user's choice, and by the numbers. Columns are counted from 0.
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
 
+/// Whether the column taken for positions, 0, 1, 2, ... or 1, 2, 3, ..., may number the points: it
+/// has neither a unit nor the name of a position, and the user does not choose it.
+bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles, const SurfaceSource& source);
+
 /// "column 2 'z'", "column 2".
 Message columnText(const TextBlock& block, int column);
 

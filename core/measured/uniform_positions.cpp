@@ -14,6 +14,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Deviations from uniform places that are nothing to a profile: this part of a step.
 constexpr double kNegligible = 1e-3;
 
+/// Least squares follow rounded numbers to about half of their rounding.
+constexpr double kSlack = 1.5;
+
 /// The decimals of a number in its shortest form: 0.0386 is 386e-4, of exponent -4 and three
 /// digits.
 struct Digits {
@@ -94,8 +97,7 @@ Straight straightThrough(std::span<const double> positions) {
 /// rounding. Where that is coarser than the steps for most of them, repeated and missing positions
 /// cannot be told from rounded ones, and they are taken as they stand.
 bool isStraight(std::span<const double> positions, const Straight& line, const Rounding* rounding) {
-  // Least squares follow rounded numbers to about half of their rounding.
-  constexpr double kSlack = 1.5, kCoarsest = 0.375;
+  constexpr double kCoarsest = 0.375;
   const double step = std::abs(line.spacing);
   if (!(step > 0)) return false;
   std::size_t coarse = 0;
@@ -120,13 +122,33 @@ double variationOf(std::span<const double> positions, double spacing) {
   return largest / std::abs(spacing);
 }
 
+/// Refuses positions that are even but for rounding and leave out many places of the grid of their
+/// last digit: nothing tells rounded steps from missing points.
+void requireFineDigits(std::span<const double> positions, const GridAxis& axis,
+                       const SurfaceSource& source) {
+  constexpr std::int64_t kManyMissing = 10;
+  const auto count = static_cast<std::int64_t>(positions.size());
+  if (axis.places - count < kManyMissing) return;
+  const Straight line = straightThrough(positions);
+  const Rounding rounding(positions);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (std::abs(positions[i] - (line.first + line.spacing * static_cast<double>(i))) >
+        kSlack * rounding.of(positions[i]))
+      return;
+  source.fail(message(
+      "the positions are rounded to {:.3g}, too coarsely for even steps of {:.3g}: they need "
+      "more digits, or the heights alone are read with surface.point_spacing",
+      axis.spacing, line.spacing));
+}
+
 /// Places of a uniform grid that the file leaves out become gaps. False where the positions lie on
 /// no such grid of at most twice their number.
 bool fillGaps(std::span<const double> positions, std::span<const double> heights,
-              SurfaceDraft& draft) {
+              const SurfaceSource& source, SurfaceDraft& draft) {
   const auto axis = gridAxis({positions.begin(), positions.end()},
                              2 * static_cast<std::int64_t>(positions.size()));
   if (!axis || axis->places < 2) return false;
+  requireFineDigits(positions, *axis, source);
   std::vector<double> placed(static_cast<std::size_t>(axis->places), kNone);
   std::vector<bool> isTaken(placed.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -303,7 +325,7 @@ void placeRising(std::vector<double> positions, std::vector<double> heights,
   const double mean =
       (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
   draft.facts.spacingVariation = variationOf(positions, mean);
-  if (fillGaps(positions, heights, draft)) return;
+  if (fillGaps(positions, heights, source, draft)) return;
   requireNoLeap(positions, source);
   interpolate(positions, heights, draft);
 }

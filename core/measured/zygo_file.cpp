@@ -1,27 +1,94 @@
-// Text files of Zygo interferometers (MetroPro Reference Guide, appendix "Data File Format"): 13 or
-// 14 lines of numbers and quoted texts up to a line "#". In line 4 are origin and size of the
-// field in pixels, in line 8 the interferometric scale factor, the wavelength (m), the obliquity
-// factor and the size of a pixel (m; 0: not known), at the beginning of line 11 the phase
+// Files of Zygo interferometers (MetroPro Reference Guide, appendix "Data File Format").
+//
+// Binary ones begin with a header of big-endian numbers, then intensities of two bytes, then phases
+// of four. The header has its size at byte 6, width, height and number of the intensities at 52,
+// size of the field in pixels at 68, scale factor, wavelength (m), obliquity factor and size of a
+// pixel (m; 0: not known) at 164, 168, 176 and 184, the phase resolution at 218.
+//
+// Texts have 13 or 14 lines of numbers and quoted texts up to a line "#". In line 4 are origin and
+// size of the field in pixels, in line 8 the interferometric scale factor, the wavelength (m), the
+// obliquity factor and the size of a pixel (m; 0: not known), at the beginning of line 11 the phase
 // resolution.
 //  - "Zygo XYZ Data File": lines "x y z" with pixels and micrometres, or "x y No Data".
 //  - "Zygo ASCII Data File": intensities up to "#", then whole numbers row by row, which are
 //    heights over scale factor, obliquity and wavelength times the phase resolution.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
+#include "core/measured/byte_reader.h"
 #include "core/measured/surface_draft.h"
 #include "core/measured/word_reader.h"
 
 namespace asperity {
 namespace {
 
+using namespace std::string_view_literals;
+
 constexpr std::string_view kXyz = "Zygo XYZ Data File", kPhases = "Zygo ASCII Data File";
 constexpr std::size_t kHeaderLines = 13, kMostHeaderLines = 16;
 constexpr double kNoPhase = 2147483640;  // this number and those above it
+constexpr std::array kMagics{"\x88\x1B\x03\x6F"sv, "\x88\x1B\x03\x70"sv, "\x88\x1B\x03\x71"sv};
+
+/// A draft with square pixels.
+SurfaceDraft draftOf(std::int64_t columns, std::int64_t rows, double pixel) {
+  SurfaceDraft draft;
+  draft.facts.format = "zygo";
+  draft.grid.columns = columns;
+  draft.grid.rows = rows;
+  draft.hasPositions = pixel > 0;
+  draft.grid.columnSpacing = draft.grid.rowSpacing = draft.hasPositions ? pixel : 1;
+  if (draft.hasPositions) draft.positionUnit = StatedUnit{"m", 1};
+  return draft;
+}
+
+/// Metres of one step of the phases.
+double phaseStep(const SurfaceSource& source, double scaleFactor, double wavelength,
+                 double obliquity, std::int64_t resolution) {
+  constexpr std::array kResolutions{4096, 32768, 131072};
+  if (resolution < 0 || resolution >= static_cast<std::int64_t>(kResolutions.size()))
+    source.fail(message("{} {} is not known", "PhaseRes", resolution));
+  const double step =
+      scaleFactor * wavelength * obliquity / kResolutions[static_cast<std::size_t>(resolution)];
+  if (!(std::abs(step) > 0))
+    source.fail(message("{} in the header is not a number above 0", "WavelengthIn"));
+  return step;
+}
+
+SurfaceDraft readBinary(const SurfaceSource& source) {
+  constexpr std::size_t kHeader = 570;  // bytes, at least
+  ByteReader reader(source, source.bytes);
+  const std::string header(reader.take(kHeader));
+  const auto number = [&]<class Number>(std::size_t place, Number value) -> double {
+    std::string bytes = header.substr(place, sizeof(Number));
+    std::ranges::reverse(bytes);
+    std::memcpy(&value, bytes.data(), sizeof(Number));
+    return static_cast<double>(value);
+  };
+  const auto whole = [&](std::size_t place) {
+    return static_cast<std::int64_t>(number(place, std::uint16_t{}));
+  };
+  const auto size = static_cast<std::size_t>(number(6, std::uint32_t{}));
+  reader.skip(std::max(size, kHeader) - kHeader);
+  reader.skip(static_cast<std::size_t>(2 * whole(52) * whole(54) * whole(56)));
+  SurfaceDraft draft = draftOf(whole(68), whole(70), number(184, float{}));
+  draft.heightUnit = StatedUnit{"m", 1};
+  Topography& grid = draft.grid;
+  requireSize(source, grid.columns, grid.rows, reader.left(), sizeof(std::int32_t));
+  std::string phases(reader.take(static_cast<std::size_t>(4 * grid.columns * grid.rows)));
+  for (std::size_t i = 0; i < phases.size(); i += 4)
+    std::reverse(phases.data() + i, phases.data() + i + 4);
+  const double step = phaseStep(source, number(164, float{}), number(168, float{}),
+                                number(176, float{}), whole(218));
+  appendHeights<std::int32_t>(source, phases, step, grid.height,
+                              [](std::int32_t phase) { return phase >= kNoPhase; });
+  return draft;
+}
 
 class Reader {
  public:
@@ -29,15 +96,9 @@ class Reader {
 
   SurfaceDraft read() {
     const bool hasPoints = readHeader().starts_with(kXyz);
-    SurfaceDraft draft;
-    draft.facts.format = "zygo";
+    const std::int64_t columns = whole(4, 2), rows = whole(4, 3);
+    SurfaceDraft draft = draftOf(columns, rows, number(8, 6));
     Topography& grid = draft.grid;
-    grid.columns = whole(4, 2);
-    grid.rows = whole(4, 3);
-    const double pixel = number(8, 6);
-    draft.hasPositions = pixel > 0;
-    grid.columnSpacing = grid.rowSpacing = draft.hasPositions ? pixel : 1;
-    if (draft.hasPositions) draft.positionUnit = StatedUnit{"m", 1};
     requireSize(source_, grid.columns, grid.rows, reader_.left(), 1);
     if (hasPoints) {
       draft.heightUnit = StatedUnit{"\u00B5m", 1e-6};
@@ -112,14 +173,7 @@ class Reader {
   void readPhases(Topography& grid) {
     while (!reader_.atEnd() && !reader_.nextLine().starts_with('#')) {
     }
-    constexpr std::array kResolutions{4096, 32768, 131072};
-    const std::int64_t code = whole(11, 0);
-    if (code < 0 || code >= static_cast<std::int64_t>(kResolutions.size()))
-      source_.fail(message("{} {} is not known", "PhaseRes", code));
-    const double scale =
-        number(8, 1) * number(8, 2) * number(8, 4) / kResolutions[static_cast<std::size_t>(code)];
-    if (!(std::abs(scale) > 0))
-      source_.fail(message("{} in the header is not a number above 0", "WavelengthIn"));
+    const double scale = phaseStep(source_, number(8, 1), number(8, 2), number(8, 4), whole(11, 0));
     const auto count = static_cast<std::size_t>(grid.columns * grid.rows);
     requireSize(source_, grid.columns, grid.rows, reader_.left() + 1, 2);
     readHeights(source_, reader_, count, {scale, kNoPhase, '#'}, grid.height);
@@ -131,15 +185,22 @@ class Reader {
   std::vector<std::string_view> lines_;
 };
 
+bool isBinary(const SurfaceSource& source) {
+  return std::ranges::any_of(
+      kMagics, [&source](std::string_view magic) { return source.bytes.starts_with(magic); });
+}
+
 }  // namespace
 
 bool isZygo(const SurfaceSource& source) {
   const std::string_view bytes = withoutByteOrderMark(source.bytes);
+  if (isBinary(source)) return true;
   return bytes.starts_with(kXyz) || bytes.starts_with(kPhases);
 }
 
 SurfaceDraft readZygo(const SurfaceSource& source) {
   if (!isZygo(source)) source.fail(message("is not a {} file", "Zygo"));
+  if (isBinary(source)) return readBinary(source);
   const DecodedText decoded(source.bytes, source.name);
   return Reader(source, decoded.text).read();
 }

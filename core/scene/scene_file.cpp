@@ -11,6 +11,7 @@
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/scene_check.h"
@@ -125,6 +126,12 @@ void apply(const Assignment& assignment, Scene& scene) {
     setFromText(asTyped(row, scene), scene, std::get<std::string>(assignment.value));
 }
 
+std::string withCommas(std::string_view words) {
+  std::string list(words);
+  replaceAll(list, " ", ", ");
+  return list;
+}
+
 void refuseOtherKind(const Parameter& row, const Scene& scene) {
   const Parameter* decides = findParameter(row.applies.choiceKey);
   // A choice that has no meaning itself cannot be named as what is missing.
@@ -138,7 +145,7 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
       of->applies.isExcept
           ? message("has no meaning for {} {}; it belongs to all others", choice.key, word)
           : message("has no meaning for {} {}; it belongs to {}", choice.key, word,
-                    of->applies.words));
+                    withCommas(of->applies.words)));
 }
 
 /// Whether --set has changed a kind that the row hangs on, directly or by another choice.

@@ -74,7 +74,7 @@ SpectralDensity spectrumOf(const Scene& scene) {
   const double low = cuts.longWaveCut > 0 ? 2 * std::numbers::pi / cuts.longWaveCut : 0;
   const double high = cuts.shortWaveCut > 0 ? 2 * std::numbers::pi / cuts.shortWaveCut : HUGE_VAL;
   SpectralDensity part = within(all, low, high);
-  if (part.waveNumber.size() < 2)
+  if (!(part.integral() > 0))
     throw InputError("", cuts.longWaveCut > 0 ? "surface.long_wave_cut" : "surface.short_wave_cut",
                      "leaves no wave of the spectrum");
   return part;
@@ -216,6 +216,11 @@ void LineSource::setSpectrum(const Scene& scene) {
   length_ = extent.length;
   elements_ = extent.elements;
   amplitudes_ = modeMagnitudes(density, length_, modeCount(static_cast<std::size_t>(elements_)));
+  spectrumFacts_ = {
+      density.binEdge.empty()
+          ? Message("the spectrum is a power law between each two of its points")
+          : Message("the wave numbers are whole multiples of one step, as of a periodogram: each "
+                    "value of the spectrum is its mean over a step")};
 }
 
 std::int64_t LineSource::rowOf(std::int64_t realization) const {

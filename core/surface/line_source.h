@@ -57,6 +57,8 @@ class LineSource {
   }
   /// Of a measured surface; else null.
   const MeasuredLines* measured() const { return measured_.get(); }
+  /// What the table of a spectrum was taken for, one sentence each; of other surfaces none.
+  const std::vector<Message>& spectrumFacts() const { return spectrumFacts_; }
   /// The row of a measured surface that a realization is, counted from 0 among those used.
   std::int64_t rowOf(std::int64_t realization) const;
 
@@ -87,6 +89,7 @@ class LineSource {
   bool drawsRows_ = false;          // any number of realizations from the rows there are
   std::vector<double> amplitudes_;  // |c_k| of a line of random phases
   std::shared_ptr<const MeasuredLines> measured_;
+  std::vector<Message> spectrumFacts_;
   Line only_;  // of a scene that is not random
   FourierLine profile_;
   LineStatistics statistics_;

@@ -175,6 +175,9 @@ void MeasuredLines::chooseRows(const Scene& scene) {
                                      row + 1, topography.columns - gaps));
       const auto place =
           std::ranges::find_if(heights, [](double z) { return std::isnan(z); }) - heights.begin();
+      if (gaps == 1)
+        fail("surface.gaps",
+             message("row {} has no height at point {}; interpolate fills it", row + 1, place + 1));
       fail("surface.gaps", message("row {} has {} points without a height, the first is point {}; "
                                    "interpolate fills them",
                                    row + 1, gaps, place + 1));

@@ -53,6 +53,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.profile = lines.profile(source.rowOf(0));
   const ProcessedProfile& profile = summary.profile;
   summary.isRoughness = processing.longWaveCut > 0;
+  summary.longWaveCut = processing.longWaveCut;
   summary.raw = surfaceValues(profile.raw, profile.spacing);
   summary.used = surfaceValues(profile.used, profile.spacing, processing.longWaveCut);
   summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
@@ -99,6 +100,11 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
       summary.isMirrored
           ? message("one period of the line is {} long, twice the profile", metres(summary.period))
           : message("one period of the line is {} long", metres(summary.period)));
+  if (summary.longWaveCut > summary.used.length)
+    list.push_back(message(
+        "the long-wave cut-off of {} is longer than the profile of {}: hardly any wave is removed, "
+        "and the values are no roughness parameters of ISO 21920-2",
+        metres(summary.longWaveCut), metres(summary.used.length)));
   if (!(summary.band.to > summary.band.from)) {
     list.push_back("the profile is too short, or too noisy, for a spectrum that can be relied on");
     return list;

@@ -23,6 +23,7 @@ struct MeasuredSummary {
   ProcessedProfile profile{};  // that row
   SurfaceValues raw{}, used{};
   bool isRoughness = false;  // a long-wave cut makes the values used R parameters
+  double longWaveCut = 0;    // m; 0: none
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
   ReliableBand band{};
   double period = 0;      // m, of the line

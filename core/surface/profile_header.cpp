@@ -22,7 +22,7 @@ bool isLetter(char letter) {
 constexpr std::array kMissing{"na"sv, "n/a"sv, "nan"sv, "null"sv, "none"sv, "missing"sv, "bad"sv};
 
 /// As numbers begin: 1, -1, .5, -.5, and what the reader takes for infinite.
-bool beginsAsNumber(std::string_view field) {
+bool beginsAsValue(std::string_view field) {
   if (!field.empty() && (field.front() == '+' || field.front() == '-')) field.remove_prefix(1);
   if (!field.empty() && field.front() == '.') field.remove_prefix(1);
   const std::string word = lowerCase(field);
@@ -93,7 +93,7 @@ bool scalesMetres(const std::vector<std::string>& words) {
 bool namesColumns(std::span<const std::string_view> fields) {
   const auto isName = [](std::string_view field) { return std::ranges::any_of(field, isLetter); };
   const auto isValue = [](std::string_view field) {
-    return beginsAsNumber(field) || isOneOf(lowerCase(field), kMissing);
+    return beginsAsValue(field) || isOneOf(lowerCase(field), kMissing);
   };
   return std::ranges::any_of(fields, isName) && std::ranges::none_of(fields, isValue);
 }

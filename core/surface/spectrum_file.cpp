@@ -166,7 +166,8 @@ class SpectrumReader {
       density.waveNumber.push_back(waves_[i]);
       density.density.push_back(densities_[i]);
     }
-    const double sum = density.integralTo(density.waveNumber.back());
+    density.binEdge = binEdgesOf(density.waveNumber);
+    const double sum = density.integral();
     if (!std::isfinite(sum)) fail("is beyond what a number can hold");
     if (!(sum > 0)) fail("has no wave with a strength above 0");
     return density;

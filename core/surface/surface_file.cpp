@@ -79,6 +79,8 @@ std::string surfaceJson(const Scene& scene, const LineSource& source, const Line
   const FourierLine modes = source.spectrum(0);
   root["spectrum"] = modes.coefficients.empty() ? Json(nullptr) : spectrumJson(modes);
   if (source.measured()) addTo(root, measuredSummary(scene, source));
+  for (const Message& fact : source.spectrumFacts())
+    root["reading"]["facts"].push_back(fact.english());
   return root.dump(2) + "\n";
 }
 

@@ -420,10 +420,6 @@
         <translation>F_N = %1 auf eine Periode von %2; F_N / L = %3</translation>
     </message>
     <message>
-        <source>chi squared %1 for %2 degrees of freedom</source>
-        <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
-    </message>
-    <message>
         <source>%1 times %2 states, %3 of them different</source>
         <translation>%1 mal %2 Zustände, davon %3 verschiedene</translation>
     </message>

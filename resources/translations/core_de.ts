@@ -179,8 +179,8 @@
         <translation>ein logarithmischer Bereich braucht Enden über 0; %1 ist es nicht</translation>
     </message>
     <message>
-        <source>reduced sliding velocity a_T v at %1 K</source>
-        <translation>reduzierte Gleitgeschwindigkeit a_T v bei %1 K</translation>
+        <source>reduced sliding velocity aᴛ v at %1 K</source>
+        <translation>reduzierte Gleitgeschwindigkeit aᴛ v bei %1 K</translation>
     </message>
     <message>
         <source>%1 = %2, %3 to %4</source>
@@ -231,8 +231,44 @@
         <translation>die Anpassung endete, bevor die Summe der Quadrate aufhörte zu fallen</translation>
     </message>
     <message>
-        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom</source>
-        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden</translation>
+        <source>the points lie further from the curve than their errors say: chi squared is %1 for %2 degrees of freedom; the errors of the values are computed from errors of the points that are %3 times as large</source>
+        <translation>die Punkte liegen weiter von der Kurve, als ihre Fehler sagen: Chi-Quadrat ist %1 bei %2 Freiheitsgraden; die Fehler der Werte sind aus %3-mal so großen Fehlern der Punkte berechnet</translation>
+    </message>
+    <message>
+        <source>the fit has not found the points: computed and measured friction differ by more than a factor of two on average, and the values and their errors say nothing; begin from other values, or vary further ones</source>
+        <translation>die Anpassung hat die Punkte nicht gefunden: berechnete und gemessene Reibung unterscheiden sich im Mittel um mehr als den Faktor zwei, und die Werte und ihre Fehler sagen nichts; mit anderen Werten beginnen oder weitere verändern</translation>
+    </message>
+    <message>
+        <source>times are shifted to the temperatures of the points by the general WLF constants, C1 = %1 and C2 = %2 K, which the scene does not replace by those of its rubber</source>
+        <translation>die Zeiten werden mit den allgemeinen WLF-Konstanten, C1 = %1 und C2 = %2 K, auf die Temperaturen der Punkte verschoben; die Szene ersetzt sie nicht durch die ihres Gummis</translation>
+    </message>
+    <message>
+        <source>the data state it in each row, so that there is nothing to fit</source>
+        <translation>die Daten geben es in jeder Zeile an, sodass nichts anzupassen ist</translation>
+    </message>
+    <message>
+        <source>the scene has no friction at row %1</source>
+        <translation>die Szene hat keine Reibung bei Zeile %1</translation>
+    </message>
+    <message>
+        <source>%1 has no errors of the coefficient of friction, and %2 has; give it a column mu_error, or leave the errors out of all tables</source>
+        <translation>%1 hat keine Fehler der Reibungszahl, %2 aber hat welche; eine Spalte mu_error ergänzen oder die Fehler in allen Tabellen weglassen</translation>
+    </message>
+    <message>
+        <source>ranges: one standard error to each side, by the points' errors and the spread of the lines</source>
+        <translation>Bereiche: ein Standardfehler zu jeder Seite, aus den Fehlern der Punkte und der Streuung der Linien</translation>
+    </message>
+    <message>
+        <source>the points have no errors; they scatter by %1 % about the fit, with %2 degrees of freedom</source>
+        <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung, bei %2 Freiheitsgraden</translation>
+    </message>
+    <message>
+        <source>chi squared %1 for %2 degrees of freedom</source>
+        <translation>Chi-Quadrat %1 bei %2 Freiheitsgraden</translation>
+    </message>
+    <message>
+        <source>%1 (± standard error)</source>
+        <translation>%1 (± Standardfehler)</translation>
     </message>
     <message>
         <source>a temperature of %1 K is too cold for rubber; name the unit, as in "temperature (C)"</source>
@@ -347,8 +383,8 @@
         <translation>Was die Daten über jeden Parameter sagen</translation>
     </message>
     <message>
-        <source>The least sum of squares with one parameter held: flat where the data leave it open.</source>
-        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen.</translation>
+        <source>The least sum of squares with one parameter held: flat where the data leave it open. Its points are at most one standard error apart, which holds the spread of the lines, too; the sum of squares does not.</source>
+        <translation>Die kleinste Summe der Quadrate bei einem festgehaltenen Parameter: flach, wo die Daten ihn offen lassen. Ihre Punkte liegen höchstens einen Standardfehler auseinander, der auch die Streuung der Linien enthält; die Summe der Quadrate enthält sie nicht.</translation>
     </message>
     <message>
         <source>chi squared above its least</source>
@@ -3239,6 +3275,18 @@
         <translation>eine Periode der Linie ist %1 lang, zweimal das Profil</translation>
     </message>
     <message>
+        <source>the long-wave cut-off of %1 is longer than the profile of %2: hardly any wave is removed, and the values are no roughness parameters of ISO 21920-2</source>
+        <translation>die lange Grenzwellenlänge von %1 ist länger als das Profil von %2: kaum eine Welle wird entfernt, und die Werte sind keine Rauheitskenngrößen nach ISO 21920-2</translation>
+    </message>
+    <message>
+        <source>the spectrum is a power law between each two of its points</source>
+        <translation>zwischen je zwei seiner Punkte ist das Spektrum ein Potenzgesetz</translation>
+    </message>
+    <message>
+        <source>the wave numbers are whole multiples of one step, as of a periodogram: each value of the spectrum is its mean over a step</source>
+        <translation>die Wellenzahlen sind ganze Vielfache eines Schritts, wie die eines Periodogramms: jeder Wert des Spektrums ist sein Mittel über einen Schritt</translation>
+    </message>
+    <message>
         <source>one period of the line is %1 long</source>
         <translation>eine Periode der Linie ist %1 lang</translation>
     </message>
@@ -3383,8 +3431,8 @@
         <translation>Zeile %1: hat %2 Felder, die Zeilen davor haben %3</translation>
     </message>
     <message>
-        <source>line %1: column %2 is not a number</source>
-        <translation>Zeile %1: Spalte %2 ist keine Zahl</translation>
+        <source>line %1: '%2' in column %3 is not a number</source>
+        <translation>Zeile %1: „%2“ in Spalte %3 ist keine Zahl</translation>
     </message>
     <message>
         <source>ends too early: %1 bytes are needed from byte %2 on, and %3 are there</source>
@@ -3435,8 +3483,8 @@
         <translation>lässt sich nicht umwandeln: es gibt keinen Ordner für Zwischendateien</translation>
     </message>
     <message>
-        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files are read without it</source>
-        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko und Surfer werden ohne es gelesen</translation>
+        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and Surfer files are read without it</source>
+        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte, auch der von Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo und Surfer werden ohne es gelesen</translation>
     </message>
     <message>
         <source>cannot be converted: Gwyddion does not start</source>
@@ -3551,12 +3599,52 @@
         <translation>Die Datei sagt nicht, wie weit ihre Punkte auseinander liegen: eine Einheit der Orte.</translation>
     </message>
     <message>
+        <source>One point has no height.</source>
+        <translation>Ein Punkt hat keine Höhe.</translation>
+    </message>
+    <message>
+        <source>The height %1 (in %2) is far from all others: if it means a missing point, it has to be left empty, or surface.outliers has to be set.</source>
+        <translation>Die Höhe %1 (in %2) liegt weit von allen anderen: Wenn sie für einen fehlenden Punkt steht, muss sie leer sein oder surface.outliers gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The height %1 (in %2) stands %3 times, far from all others: if it means missing points, they have to be left empty, or surface.outliers has to be set.</source>
+        <translation>Die Höhe %1 (in %2) steht %3-mal da, weit von allen anderen: Wenn sie für fehlende Punkte steht, müssen diese leer sein oder surface.outliers gesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Line %1 is left out: it begins with a number and is no row of the table.</source>
+        <translation>Zeile %1 bleibt weg: Sie beginnt mit einer Zahl und ist keine Zeile der Tabelle.</translation>
+    </message>
+    <message>
+        <source>%1 lines, the first is line %2, are left out: they begin with a number and are no rows of the table.</source>
+        <translation>%1 Zeilen, die erste ist Zeile %2, bleiben weg: Sie beginnen mit einer Zahl und sind keine Zeilen der Tabelle.</translation>
+    </message>
+    <message>
+        <source>All marks in the numbers stand before three digits: &apos;%1&apos; is taken for the decimal mark.</source>
+        <translation>Alle Zeichen in den Zahlen stehen vor drei Ziffern: „%1“ gilt als Dezimalzeichen.</translation>
+    </message>
+    <message>
+        <source>The points are as far apart as is stated: %1 numbers them.</source>
+        <translation>Die Punkte sind so weit auseinander wie angegeben: %1 nummeriert sie.</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is no height; a missing point is left empty or is NaN</source>
+        <translation>Zeile %1: %2 ist keine Höhe; ein fehlender Punkt ist leer oder NaN</translation>
+    </message>
+    <message>
+        <source>is a road file (%1), a kind that is not read; the heights of one track as text are, with their distance as surface.point_spacing</source>
+        <translation>ist eine Straßendatei (%1), eine Art, die nicht gelesen wird; gelesen werden die Höhen einer Spur als Text, mit ihrem Abstand als surface.point_spacing</translation>
+    </message>
+    <message>
+        <source>the positions are rounded to %1, too coarsely for even steps of %2: they need more digits, or the heights alone are read with surface.point_spacing</source>
+        <translation>die Orte sind auf %1 gerundet, zu grob für gleiche Schritte von %2: Sie brauchen mehr Stellen, oder die Höhen allein werden mit surface.point_spacing gelesen</translation>
+    </message>
+    <message>
         <source>%1 points have no height.</source>
         <translation>%1 Punkte haben keine Höhe.</translation>
     </message>
     <message>
-        <source>text (profiles, matrices, points), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko and Surfer files are read</source>
-        <translation>gelesen werden Text (Profile, Matrizen, Punkte), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo, Wyko und Surfer</translation>
+        <source>text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and Surfer files are read</source>
+        <translation>gelesen werden Text (Profile, Matrizen, Punkte, auch der von Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo und Surfer</translation>
     </message>
     <message>
         <source>has %1 x %2 points; at most %3 are read</source>
@@ -3643,8 +3731,8 @@
         <translation>Zeile %1: der Ort fehlt</translation>
     </message>
     <message>
-        <source>a text file of Zygo</source>
-        <translation>Textdatei von Zygo</translation>
+        <source>a file of Zygo</source>
+        <translation>Datei von Zygo</translation>
     </message>
     <message>
         <source>a text file of Wyko</source>
@@ -3665,6 +3753,14 @@
     <message>
         <source>The unit &apos;%1&apos; of the heights is not known: they are taken as metres.</source>
         <translation>Die Einheit „%1“ der Höhen ist nicht bekannt: Sie gelten als Meter.</translation>
+    </message>
+    <message>
+        <source>the header says %1 x %2 pixels; the file has %3 x %4 numbers</source>
+        <translation>der Kopf sagt %1 x %2 Pixel; die Datei hat %3 x %4 Zahlen</translation>
+    </message>
+    <message>
+        <source>the header says %1 x %2 pixels and as many that mark those without a height; the file has %3 x %4 numbers</source>
+        <translation>der Kopf sagt %1 x %2 Pixel und ebenso viele, die jene ohne Höhe kennzeichnen; die Datei hat %3 x %4 Zahlen</translation>
     </message>
     <message>
         <source>surface.point_spacing is not used: the file says how far its points are apart.</source>
@@ -4023,8 +4119,8 @@
         <translation>hat %1 Zeilen; erlaubt sind %2, mehr als ein Gerät braucht</translation>
     </message>
     <message>
-        <source>%1: %2 arms, G = %3 in equilibrium, at %4</source>
-        <translation>%1: %2 Arme, G = %3 im Gleichgewicht, bei %4</translation>
+        <source>%1: %2, G = %3 in equilibrium, at %4</source>
+        <translation>%1: %2, G = %3 im Gleichgewicht, bei %4</translation>
     </message>
     <message>
         <source>which frequencies were measured is not known: friction on it is not marked as extrapolated</source>
@@ -4051,8 +4147,8 @@
         <translation>Überlappungen: Nachbarn stimmen auf %1 bis %2 Dekaden überein (Effektivwert)</translation>
     </message>
     <message>
-        <source>Prony series: %1 arms from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
-        <translation>Prony-Reihe: %1 Arme aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
+        <source>Prony series: %1 from %2 relaxation times, G = %3 in equilibrium; rms residual %4 % of G', %5 % of G''</source>
+        <translation>Prony-Reihe: %1 aus %2 Relaxationszeiten, G = %3 im Gleichgewicht; Restabweichung %4 % von G', %5 % von G'' (Effektivwert)</translation>
     </message>
     <message>
         <source>Williams, Landel and Ferry: C1 = %1, C2 = %2 K, %3 decades rms</source>
@@ -4061,6 +4157,78 @@
     <message>
         <source>Arrhenius: %1, %2 decades rms</source>
         <translation>Arrhenius: %1, %2 Dekaden (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>is not stated for each of the sweeps side by side in the columns %1; write it into the names, as in &quot;G' 20C (MPa)&quot;, or once for each sweep into a row above them</source>
+        <translation>ist nicht für jede der Messreihen nebeneinander in den Spalten %1 angegeben; in die Namen schreiben, wie in &quot;G' 20C (MPa)&quot;, oder einmal je Messreihe in eine Zeile darüber</translation>
+    </message>
+    <message>
+        <source>has columns of moduli that belong to no sweep with a frequency and both moduli: %1; take them out, or say with --storage-column and --loss-column which are meant</source>
+        <translation>hat Spalten von Moduln, die zu keiner Messreihe mit Frequenz und beiden Moduln gehören: %1; sie herausnehmen, oder mit --storage-column und --loss-column sagen, welche gemeint sind</translation>
+    </message>
+    <message>
+        <source>%1 states no strain amplitude</source>
+        <translation>%1 gibt keine Dehnungsamplitude an</translation>
+    </message>
+    <message>
+        <source>%1 % was not measured; there is %2</source>
+        <translation>%1 % wurde nicht gemessen; vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>differs between sweeps at one temperature, and so do the moduli (Payne effect); choose one amplitude with --strain: %1</source>
+        <translation>ist in Messreihen bei derselben Temperatur verschieden, und damit auch die Moduln (Payne-Effekt); eine Amplitude mit --strain wählen: %1</translation>
+    </message>
+    <message>
+        <source>'%1' is not a strain such as 1%</source>
+        <translation>„%1“ ist keine Dehnung wie 1%</translation>
+    </message>
+    <message>
+        <source>repeated at the same temperature and frequency: %1 rows, averaged; moduli that became one differ by a factor of up to %2</source>
+        <translation>bei derselben Temperatur und Frequenz wiederholt: %1 Zeilen, gemittelt; zusammengefasste Moduln unterscheiden sich bis zum Faktor %2</translation>
+    </message>
+    <message>
+        <source>shifts from G' alone and from G'' alone differ by up to %1 decades between neighbours, %2 in all; vertical shifts, as of an entropic spring, explain that: --vertical-shifts</source>
+        <translation>Verschiebungen aus G' allein und aus G'' allein unterscheiden sich um bis zu %1 Dekaden zwischen Nachbarn, %2 insgesamt; senkrechte Verschiebungen wie bei einer entropischen Feder erklären das: --vertical-shifts</translation>
+    </message>
+    <message>
+        <source>one temperature alone: there is no shift, and scenes need elastomer.temperature=%1</source>
+        <translation>nur eine Temperatur: es gibt keine Verschiebung, und Szenen brauchen elastomer.temperature=%1</translation>
+    </message>
+    <message>
+        <source>one arm</source>
+        <translation>ein Arm</translation>
+    </message>
+    <message>
+        <source>%1 arms</source>
+        <translation>%1 Arme</translation>
+    </message>
+    <message>
+        <source>the reference temperature %1 of the file is taken in %2; --temperature-unit says another</source>
+        <translation>die Bezugstemperatur %1 der Datei gilt in %2; --temperature-unit sagt eine andere Einheit</translation>
+    </message>
+    <message>
+        <source>the shift with temperature by %1 is left out; one of Williams, Landel and Ferry (WLF) is read</source>
+        <translation>die Verschiebung mit der Temperatur nach %1 wird weggelassen; gelesen wird eine von Williams, Landel und Ferry (WLF)</translation>
+    </message>
+    <message>
+        <source>%1 is %2, outside %3 to %4</source>
+        <translation>%1 ist %2, außerhalb von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>looks like the moduli of a Prony series, but there is no column of relaxation times; such a table has columns as tau (s) and G (MPa), or g_i for parts of the instantaneous modulus</source>
+        <translation>sieht aus wie die Moduln einer Prony-Reihe, aber es gibt keine Spalte von Relaxationszeiten; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
+    </message>
+    <message>
+        <source>looks like the relaxation times of a Prony series, but there is no column of moduli; such a table has columns as tau (s) and G (MPa), or g_i for parts of the instantaneous modulus</source>
+        <translation>sieht aus wie die Relaxationszeiten einer Prony-Reihe, aber es gibt keine Spalte von Moduln; eine solche Tabelle hat Spalten wie tau (s) und G (MPa), oder g_i für Teile des Anfangsmoduls</translation>
+    </message>
+    <message>
+        <source>is a keyword of LS-DYNA, which is not read; write the Prony series as a table with columns tau (s) and G (MPa), whose tau is 1/beta, and the equilibrium modulus in a row with tau = inf</source>
+        <translation>ist ein Schlüsselwort von LS-DYNA, das nicht gelesen wird; die Prony-Reihe als Tabelle mit den Spalten tau (s) und G (MPa) schreiben, mit tau gleich 1/beta und dem Gleichgewichtsmodul in einer Zeile mit tau = inf</translation>
+    </message>
+    <message>
+        <source>%1 is above the lowest storage modulus of shear, %2; allowed is a modulus below it</source>
+        <translation>%1 liegt über dem kleinsten Speichermodul der Scherung, %2; erlaubt ist ein kleinerer Modul</translation>
     </message>
     <message>
         <source>one temperature alone: there is no shift</source>
@@ -4207,8 +4375,8 @@
         <translation>%1: Masterkurve</translation>
     </message>
     <message>
-        <source>%1 arms, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
-        <translation>%1 Arme, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
+        <source>%1, G = %2 in equilibrium, rms residual %3 % of G' and %4 % of G''</source>
+        <translation>%1, G = %2 im Gleichgewicht, Restabweichung %3 % von G' und %4 % von G'' (Effektivwert)</translation>
     </message>
     <message>
         <source>Not thermorheologically simple: G' and G'' alone ask for different shifts, and the points of one temperature leave the curve.</source>
@@ -5711,8 +5879,8 @@
         <translation>Text: Punkte x y z</translation>
     </message>
     <message>
-        <source>Zygo, text</source>
-        <translation>Zygo, Text</translation>
+        <source>Zygo</source>
+        <translation>Zygo</translation>
     </message>
     <message>
         <source>Wyko, text</source>
@@ -5858,6 +6026,10 @@
         <translation>Abb. 4</translation>
     </message>
     <message>
+    <message>
+        <source>row %1 has no height at point %2; interpolate fills it</source>
+        <translation>Zeile %1 hat an Punkt %2 keine Höhe; „interpolieren“ (interpolate) füllt sie</translation>
+    </message>
         <source>Fig. 5</source>
         <translation>Abb. 5</translation>
     </message>

@@ -68,6 +68,22 @@ TEST_F(FitCommandTest, FindsTheValuesThatMadeTheData) {
   EXPECT_THAT(read("again.csv"), HasSubstr("data"));
 }
 
+/// A table without errors of mu, under two pressures.
+TEST_F(FitCommandTest, SaysWhatItsNumbersMean) {
+  program.folder.write("bare.csv",
+                       "velocity,nominal_pressure (Pa),mu\n0.01,8.5,0.02\n0.1,8.5,0.1\n"
+                       "0.01,20,0.01\n0.1,20,0.05\n1,20,0.1\n");
+  const auto ran = program.run("fit s.json --data bare.csv --vary surface.rms_height -o out");
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.out + ran.err, AllOf(HasSubstr("ranges: one standard error to each side"),
+                                       HasSubstr("the points have no errors; they scatter by"),
+                                       Not(HasSubstr("chi squared"))));
+  EXPECT_THAT(read("out/fit.csv"), AllOf(HasSubstr("\nvelocity,normal_force,nominal_pressure,"),
+                                         HasSubstr("\n0.01,,8.5,")));
+  // Points of each load have a mark of their own.
+  EXPECT_THAT(read("out/curve.svg"), AllOf(HasSubstr("bare, 8.5 Pa"), HasSubstr("bare, 20 Pa")));
+}
+
 TEST_F(FitCommandTest, RefusesWhatItCannotFit) {
   const std::string fit = "fit s.json -o out --data data.csv --vary ";
   expectRefused("fit s.json -o out --vary surface.hurst", 2, "--data");

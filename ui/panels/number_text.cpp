@@ -74,7 +74,7 @@ constexpr std::array<ChoiceName, 33> kChoiceNames{{
     {"surface.format", "sur", "SUR"},
     {"surface.format", "gsf", "GSF"},
     {"surface.format", "gwy", "GWY"},
-    {"surface.format", "zygo", "Zygo, text"},
+    {"surface.format", "zygo", "Zygo"},
     {"surface.format", "wyko", "Wyko, text"},
     {"surface.format", "surfer", "Surfer grid"},
     {"surface.format", "gwyddion", "read by Gwyddion"},

@@ -755,8 +755,8 @@ def material(file, *, progress=None, **options):
 
     options: those of the program with underscores, such as ``reference_temperature="20C"``,
     ``terms=12``, ``shift="table"``, ``modulus="tension"``, ``poisson_ratio=0.49``,
-    ``leave_out=["-10C"]``, ``vertical_shifts=True``, ``frequency_column``, ``modulus_unit="MPa"``,
-    ``name``, ``source``. Returns a Material.
+    ``leave_out=["-10C"]``, ``vertical_shifts=True``, ``strain="1%"``, ``frequency_column``,
+    ``modulus_unit="MPa"``, ``name``, ``source``. Returns a Material.
     """
     written = []
     for name, value in options.items():

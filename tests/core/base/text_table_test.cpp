@@ -306,10 +306,11 @@ TEST(TextTable, TakesAnotherWidthForAnotherBlock) {
 }
 
 TEST(TextTable, NamesTheLineOfWhatIsWrong) {
-  EXPECT_THAT(errorOf("x;z\n1;2\n2;abc\n3;4\n"), "table.txt: line 3: column 2 is not a number");
+  EXPECT_THAT(errorOf("x;z\n1;2\n2;abc\n3;4\n"),
+              "table.txt: line 3: 'abc' in column 2 is not a number");
   EXPECT_THAT(errorOf("1 2\n2 3\n3\n4 5\n"),
               "table.txt: line 3: has 1 fields where the lines before have 2");
-  EXPECT_THAT(errorOf("1;2\n2;3\n3;1.2.3\n4;5\n"), HasSubstr("line 3: column 2"));
+  EXPECT_THAT(errorOf("1;2\n2;3\n3;1.2.3\n4;5\n"), HasSubstr("line 3: '1.2.3' in column 2"));
   EXPECT_THAT(errorOf("only\nwords\n"), "table.txt: has no rows of numbers");
   EXPECT_THAT(errorOf(""), "table.txt: has no rows of numbers");
   EXPECT_THAT(errorOf(std::string("\x89PNG\r\n", 6)), HasSubstr("is a PNG picture"));
@@ -321,12 +322,17 @@ TEST(TextTable, RefusesSeveralDamagedRowsInARow) {
   std::string good;
   for (int i = 0; i < 12; ++i) good += fmt::format("{};{}.5\n", i, i);
   EXPECT_THAT(errorOf(good + "12;lost\n13;lost\n14;lost\n"),
-              "table.txt: line 13: column 2 is not a number");
-  EXPECT_THAT(errorOf(good + "12;a.b.c\n13;a.b.c\n" + good), HasSubstr("line 13: column 2"));
+              "table.txt: line 13: 'lost' in column 2 is not a number");
+  EXPECT_THAT(errorOf(good + "12;a.b.c\n13;a.b.c\n" + good),
+              HasSubstr("line 13: 'a.b.c' in column 2"));
   EXPECT_THAT(errorOf(good + "12;1;5\n13;1;5\n14;1;5\n"),
               "table.txt: line 13: has 3 fields where the lines before have 2");
+  EXPECT_THAT(errorOf(good + "0.1.2;3\n0.1.2;3\n"), HasSubstr("in column 1 is not"));
+  EXPECT_THAT(errorOf("1.5\n2.5\n1.2.3\n1.2.3\n"), HasSubstr("in column 1 is not"));
+  EXPECT_THAT(errorOf("1.5\n2.5\n1.2.3\n3.5\n"), HasSubstr("in column 1 is not"));
   // Results below the rows, a table below a blank line, and a header of counts are none.
   EXPECT_EQ(read(good + "Ra;0.5\nRq;0.7\n").largest().rows, 12u);
+  EXPECT_EQ(read(good + "1. Ra;0.5\n2. Rq;0.7\n").largest().rows, 12u);
   EXPECT_EQ(read(good + "\n1;2;3\n4;5;6\n").blocks.size(), 2u);
   EXPECT_EQ(read("4 3\n0 1\n1 2 3\n4 5 6\n").largest().rows, 2u);
 }
@@ -347,8 +353,8 @@ TEST(TextTable, ReadsSeparatedThousands) {
   EXPECT_THAT(values("1,234\t5,678\n2,345\t6,789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
   EXPECT_THAT(values("1.234;5.678\n2.345;6.789\n"), ElementsAre(1.234, 5.678, 2.345, 6.789));
   // Groups of another size, or behind a 0, are none.
-  EXPECT_THAT(errorOf("1.5;2.5\n2.5;1,23\n3.5;2.5\n"), HasSubstr("line 2: column 2"));
-  EXPECT_THAT(errorOf("1.5;2.5\n2.5;0,234\n3.5;2.5\n"), HasSubstr("line 2: column 2"));
+  EXPECT_THAT(errorOf("1.5;2.5\n2.5;1,23\n3.5;2.5\n"), HasSubstr("line 2: '1,23' in column 2"));
+  EXPECT_THAT(errorOf("1.5;2.5\n2.5;0,234\n3.5;2.5\n"), HasSubstr("line 2: '0,234' in column 2"));
 }
 
 /// "invalid" among heights is a gap; a column of such words alone says what is valid.

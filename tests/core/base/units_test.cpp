@@ -109,5 +109,13 @@ TEST(Units, AreReadInAnyCaseWhereThatLeavesNoDoubt) {
   EXPECT_EQ(unitInAnyCase("c", "K")->toSi(25), 298.15);
 }
 
+/// Messages name what is read.
+TEST(Units, AreListedFromTheirTable) {
+  EXPECT_EQ(unitsOf("Pa"),
+            "Pa, kPa, MPa, GPa, N/m2, N/mm2, N/cm2, kN/m2, kgf/cm2, dyn/cm2, Torr, bar, mbar, "
+            "atm, psi, ksi");
+  EXPECT_EQ(unitsOf("m/s"), "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, m/min, mm/min");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -284,7 +284,7 @@ TEST(CurveDiagram, ShiftedVelocitiesAreCalledReduced) {
   set.present = {{}, smallScene(), {}};
   set.isReduced = true;
   EXPECT_THAT(curveSheet(set).diagrams.front().x.title.english(),
-              testing::StartsWith("reduced sliding velocity a_T v at "));
+              testing::StartsWith("reduced sliding velocity a\u1D1B v at "));
 }
 
 /// The name of a scene, such as "friction over velocity", may be wrong of another axis.

@@ -4,9 +4,11 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/base/input_error.h"
+#include "core/material/dma_strain.h"
 #include "tests/core/error_from.h"
 
 namespace asperity {
@@ -125,10 +127,109 @@ TEST(DmaFile, AMasterCurveIsAtOneTemperature) {
   expectRow(file.rows[1], 298.15, 1e5, 2e6, 5e5);
 }
 
+/// Two isotherms side by side, in every form that spreadsheets give them.
+TEST(DmaFile, SweepsSideBySideAreAllRead) {
+  const std::string rows = "1,2,1,1.5,1\n2,3,1,2.5,1\n";
+  const std::string ownRows = "1,2,1,1,1.5,1\n2,3,1,2,2.5,1\n";
+  const std::string names = "f (Hz),G' (MPa),G'' (MPa),G' (MPa),G'' (MPa)\n";
+  const std::string ownNames = "f (Hz),G' (MPa),G'' (MPa),f (Hz),G' (MPa),G'' (MPa)\n";
+  const std::string forms[] = {
+      "20 \u00B0C,,,30 \u00B0C,,\n" + ownNames + ownRows,
+      "T=20C,,,T=30C,,\n" + ownNames + ownRows,
+      "20 C,20 C,20 C,30 C,30 C,30 C\n" + ownNames + ownRows,
+      ",20 \u00B0C,20 \u00B0C,30 \u00B0C,30 \u00B0C\n" + names + rows,
+      ",20 \u00B0C,,30 \u00B0C,\n" + names + rows,
+      "f,G',G'',G',G''\nHz,MPa,MPa,MPa,MPa\n,20 \u00B0C,20 \u00B0C,30 \u00B0C,30 \u00B0C\n" + rows,
+      "f (Hz),G' (MPa) @ 20 C,G'' (MPa) @ 20 C,G' (MPa) @ 30 C,G'' (MPa) @ 30 C\n" + rows,
+      "T (C),f (Hz),G' (MPa),G'' (MPa),T (C),f (Hz),G' (MPa),G'' (MPa)\n"
+      "20,1,2,1,30,1,1.5,1\n20,2,3,1,30,2,2.5,1\n",
+      "20 C,,,,30 C,,\nf (Hz),G' (MPa),G'' (MPa),,f (Hz),G' (MPa),G'' (MPa)\n"
+      "1,2,1,,1,1.5,1\n2,3,1,,2,2.5,1\n",
+      ",20 C,30 C,20 C,30 C\nf (Hz),G' (MPa),G' (MPa),G'' (MPa),G'' "
+      "(MPa)\n1,2,1.5,1,1\n2,3,2.5,1,1\n",
+  };
+  for (const std::string& form : forms) {
+    SCOPED_TRACE(form);
+    const DmaFile file = read(form);
+    ASSERT_EQ(file.rows.size(), 4U);
+    expectRow(file.rows[0], 293.15, 1, 2e6, 1e6);
+    expectRow(file.rows[1], 293.15, 2, 3e6, 1e6);
+    expectRow(file.rows[2], 303.15, 1, 1.5e6, 1e6);
+    expectRow(file.rows[3], 303.15, 2, 2.5e6, 1e6);
+    EXPECT_EQ(file.facts.leftOut, 0U);
+  }
+}
+
+/// The shorter one of two sweeps side by side ends with empty cells, which are no gaps.
+TEST(DmaFile, SweepsSideBySideMayEndApart) {
+  const DmaFile file = read(
+      "20 C,,,30 C,,\nf (Hz),G' (MPa),G'' (MPa),f (Hz),G' (MPa),G'' (MPa)\n1,2,1,1,1.5,1\n"
+      "2,3,1,2,2.5,1\n,,,3,2.6,1\n");
+  EXPECT_EQ(file.rows.size(), 5U);
+  EXPECT_EQ(file.facts.leftOut, 0U);
+}
+
+TEST(DmaFile, NoColumnOfModuliIsDroppedInSilence) {
+  const std::string rows = "1,2,1,1.5,1\n2,3,1,2.5,1\n";
+  const std::string names = "f (Hz),G' (MPa),G'' (MPa),G' (MPa),G'' (MPa)\n";
+  EXPECT_THAT(errorOf(names + rows),
+              HasSubstr("temperature: is not stated for each of the sweeps side by side in the "
+                        "columns G' (2), G'' (3), G' (4), G'' (5)"));
+  EXPECT_THAT(errorOf("0 C,10 C,20 C,,\n" + names + rows), HasSubstr("is not stated for each"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (MPa),G'' (MPa),G' (MPa)\n1,20,2,1,3\n2,20,2,1,3\n"),
+              HasSubstr("belong to no sweep with a frequency and both moduli: G' (5)"));
+  // Whoever names the columns knows the others.
+  DmaChoices choices;
+  choices.storageColumn = "4";
+  choices.lossColumn = "5";
+  choices.temperature = 293.15;
+  expectRow(read(names + rows, choices).rows[0], 293.15, 1, 1.5e6, 1e6);
+}
+
+/// What instruments write beside the moduli is none: viscosities, energies, compliances.
+TEST(DmaFile, OtherQuantitiesAreNoModuli) {
+  const DmaFile file = read(
+      "f (Hz),T (C),eta'' (Pa s),G' (MPa),G'' (MPa),Loss energy (J),|G*| (MPa),J'' (1/Pa)\n"
+      "1,20,9,2,1,7,2.2,8\n2,20,9,3,1,7,3.2,8\n");
+  expectRow(file.rows[0], 293.15, 1, 2e6, 1e6);
+}
+
 TEST(DmaFile, StrainAmplitudeIsKept) {
   const DmaFile file =
       read("f (Hz),T (C),G' (Pa),G'' (Pa),strain (%)\n1,20,1e6,1e5,0.2\n2,20,1e6,1e5,0.2\n");
-  EXPECT_NEAR(file.facts.strainAmplitude, 0.002, 1e-15);
+  EXPECT_NEAR(file.rows[0].strainAmplitude, 0.002, 1e-15);
+}
+
+/// Rubber with filler is softer the more it is strained (Payne effect).
+TEST(DmaStrain, OneAmplitudeIsChosen) {
+  const auto rows = [] {
+    std::vector<MeasuredModulus> all;
+    for (const double strain : {0.001, 0.0101, 0.1})
+      for (const double frequency : {1.0, 3.0, 10.0})
+        all.push_back({293.15, {frequency, 1e6 / strain, 1e5}, strain});
+    return all;
+  };
+  auto all = rows();
+  EXPECT_THAT(errorFrom([&] { chooseStrain(all, {}, 0.6, "dma.csv"); }),
+              HasSubstr("choose one amplitude with --strain: 0.1 %, 1.01 %, 10 %"));
+  EXPECT_NEAR(chooseStrain(all, 0.01, 0.6, "dma.csv"), 0.0101, 1e-12);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_NEAR(all[0].modulus.storage, 1e6 / 0.0101, 1e-3);
+  all = rows();
+  EXPECT_THAT(errorFrom([&] { chooseStrain(all, 0.03, 0.6, "dma.csv"); }),
+              HasSubstr("--strain: 3 % was not measured; there is 0.1 %, 1.01 %, 10 %"));
+  // A smaller amplitude at low temperatures is usual.
+  all = rows();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].temperature += static_cast<double>(10 * (i / 3));
+  EXPECT_NEAR(chooseStrain(all, {}, 0.6, "dma.csv"), 0.0101, 1e-12);
+  EXPECT_EQ(all.size(), 9U);
+  all.front().strainAmplitude = std::numeric_limits<double>::quiet_NaN();
+  all.resize(1);
+  EXPECT_TRUE(std::isnan(chooseStrain(all, {}, 0.6, "dma.csv")));
+  EXPECT_EQ(strainFrom("1%"), 0.01);
+  EXPECT_EQ(strainFrom("0.01"), 0.01);
+  EXPECT_FALSE(strainFrom("1 mm"));
 }
 
 TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {
@@ -172,6 +273,8 @@ TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
               HasSubstr("line 2: the loss modulus is -1, which must be above 0"));
   EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n0,20,2e6,1\n2,20,2e6,1\n"),
               HasSubstr("the frequency is 0"));
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,-300,2e6,1\n"),
+              HasSubstr("the temperature in K is -26.85, which"));
   EXPECT_THAT(errorOf("f (Hz),T,G' (Pa),G'' (Pa)\n1,20,2e6,1\n2,300,2e6,1\n"), HasSubstr("mixed"));
   EXPECT_THAT(errorOf("f (Hz),G' (Pa),G'' (Pa)\n1,2e6,1\n2,2e6,1\n"), HasSubstr("--temperature"));
   EXPECT_THAT(errorOf("f,T,G',G''\n1,20,2,1\n2,20,2,1\n"), HasSubstr("--modulus-unit MPa"));

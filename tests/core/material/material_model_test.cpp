@@ -131,6 +131,49 @@ TEST(MaterialModel, AReadySeriesHasItsOneTemperature) {
   EXPECT_EQ(material.measured, MeasuredRange{});
 }
 
+/// A scene at its default temperature cannot use such a material.
+TEST(MaterialModel, AMaterialOfOneTemperatureSaysWhichScenesNeed) {
+  MaterialChoices choices;
+  choices.columns.temperature = 293.15;
+  const std::string series = "tau (s),G (MPa)\ninf,1\n0.1,2\n";
+  const auto linesAt = [&](double kelvin) {
+    choices.columns.temperature = kelvin;
+    std::vector<std::string> lines;
+    for (const Message& line : materialSummary(makeMaterial(series, "series.csv", choices)))
+      lines.push_back(line.english());
+    return lines;
+  };
+  EXPECT_THAT(linesAt(293.15), Contains(HasSubstr("elastomer.temperature=293.15")));
+  EXPECT_THAT(linesAt(293.15), Contains(HasSubstr("one arm, G")));
+  EXPECT_THAT(linesAt(298.15), Contains("one temperature alone: there is no shift"));
+}
+
+/// Entropy elasticity, b_T = T / T_0, and repeated rows are said in the summary.
+TEST(MaterialModel, TheSummarySaysWhatVerticalShiftsExplain) {
+  SyntheticRubber rubber;
+  rubber.equilibrium = 5e6;
+  std::vector<Isotherm> isotherms = rubber.sweeps(21);
+  for (Isotherm& isotherm : isotherms)
+    for (DynamicModulus& point : isotherm.points) {
+      point.storage *= isotherm.temperature / 298.15;
+      point.loss *= isotherm.temperature / 298.15;
+    }
+  isotherms.front().repeats = 2;
+  isotherms.front().repeatRatio = 2.8;
+  const auto linesOf = [&](bool isVertical) {
+    MaterialChoices choices;
+    choices.isVertical = isVertical;
+    std::string all;
+    for (const Message& line : materialSummary(fitMaterial(isotherms, choices)))
+      all += line.english() + "\n";
+    return all;
+  };
+  EXPECT_THAT(linesOf(false), HasSubstr("--vertical-shifts"));
+  EXPECT_THAT(linesOf(false), HasSubstr("2 rows, averaged; moduli that became one differ by a "
+                                        "factor of up to 2.8"));
+  EXPECT_THAT(linesOf(true), testing::Not(HasSubstr("shifts from G' alone")));
+}
+
 TEST(MaterialModel, IsothermsMayBeLeftOut) {
   MaterialChoices choices;
   choices.leftOut = {326.15};

@@ -63,6 +63,82 @@ TEST(PronyFile, CommandsOfAnsys) {
   EXPECT_EQ(file->shift->c2, 101.6);
 }
 
+/// The unit of a reference temperature stands nowhere in these files.
+TEST(PronyFile, TheUnitOfAReferenceTemperatureIsSaidOrTold) {
+  const std::string head = "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n";
+  const auto referenceOf = [&](const std::string& trs, const char* unit, std::size_t notes) {
+    PronyChoices choices;
+    choices.temperatureUnit = unit;
+    const auto file = read(head + trs, choices);
+    EXPECT_EQ(file->notes.size(), notes) << trs;
+    return file->shift->referenceTemperature;
+  };
+  EXPECT_EQ(referenceOf("*TRS\n170.,17.44,51.6\n", "", 1), 443.15);
+  EXPECT_EQ(referenceOf("*TRS\n170.,17.44,51.6\n", "K", 0), 170);
+  EXPECT_EQ(referenceOf("*TRS\n210.,17.44,51.6\n", "", 1), 210);
+  EXPECT_EQ(referenceOf("*TRS\n293.15,17.44,51.6\n", "", 0), 293.15);
+  EXPECT_DOUBLE_EQ(referenceOf("*TRS\n-20,17.44,51.6\n", "", 0), 253.15);
+  EXPECT_EQ(referenceOf("*TRS\n170.,17.44,51.6\n*PHYSICAL CONSTANTS, ABSOLUTE ZERO=0.\n", "", 0),
+            170);
+}
+
+/// ln a_T = E/R (1/T - 1/T_r).
+TEST(PronyFile, ArrheniusOfAbaqus) {
+  const std::string text =
+      "*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n*TRS, "
+      "DEFINITION=ARRHENIUS\n293.15, 1.2e5\n";
+  const auto file = read(text);
+  ASSERT_TRUE(file->shift.has_value());
+  EXPECT_EQ(file->shift->kind, ShiftKind::Arrhenius);
+  EXPECT_EQ(file->shift->activationEnergy, 1.2e5);
+  EXPECT_EQ(file->shift->referenceTemperature, 293.15);
+  // A model in mm, t and s has energies in mJ.
+  const auto small = read(
+      "*ELASTIC\n3, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n*TRS, "
+      "DEFINITION=ARRHENIUS\n20., 1.2e8\n*PHYSICAL CONSTANTS, ABSOLUTE ZERO=-273.15, UNIVERSAL GAS "
+      "CONSTANT=8314.46261815324\n",
+      [] {
+        PronyChoices choices;
+        choices.modulusUnit = "MPa";
+        return choices;
+      }());
+  EXPECT_NEAR(small->shift->activationEnergy, 1.2e5, 1e-6);
+  EXPECT_NEAR(small->shift->referenceTemperature, 293.15, 1e-12);
+}
+
+TEST(PronyFile, AShiftThatIsNotReadIsTold) {
+  const auto user =
+      read("*ELASTIC\n3e6, 0.5\n*VISCOELASTIC, TIME=PRONY\n0.5, 0., 0.1\n*TRS, DEFINITION=USER\n");
+  EXPECT_FALSE(user->shift.has_value());
+  ASSERT_EQ(user->notes.size(), 1U);
+  EXPECT_THAT(user->notes[0].english(), HasSubstr("*TRS, DEFINITION=USER is left out"));
+  const auto fictive = read(
+      "MP,EX,1,12e6\nTB,PRONY,1,1,1,SHEAR\nTBDATA,1,0.5,0.1\nTB,SHIFT,1,1,2,TN\n"
+      "TBDATA,1,293.15,50000\n");
+  ASSERT_EQ(fictive->notes.size(), 1U);
+  EXPECT_THAT(fictive->notes[0].english(), HasSubstr("TB,SHIFT,TN is left out"));
+}
+
+/// Scenes take C1 from 0 to 1000.
+TEST(PronyFile, AShiftThatNoSceneTakesIsRefused) {
+  EXPECT_THAT(errorOf("MP,EX,1,12e6\nTB,PRONY,1,1,1,SHEAR\nTBDATA,1,0.5,0.1\n"
+                      "TB,SHIFT,1,1,3,WLF\nTBDATA,1,20,-8.86,101.6\n"),
+              HasSubstr("shift: C1 is -8.86, outside 0 to 1000"));
+}
+
+/// A part of a series, and the keywords of another program, are no table of dynamic moduli.
+TEST(PronyFile, WhatLooksLikeASeriesIsCalledOne) {
+  EXPECT_THAT(errorOf("f_i (Hz),G_i (MPa)\n1000,0.5\n0.1,1\n"),
+              HasSubstr("there is no column of relaxation times"));
+  EXPECT_THAT(errorOf("tau (s),K_i (MPa)\n1000,0.5\n0.1,1\n"),
+              HasSubstr("there is no column of moduli"));
+  EXPECT_THAT(errorOf("*MAT_GENERAL_VISCOELASTIC\n$ gi betai\n1,1e-9,2000\n"),
+              HasSubstr("keyword of LS-DYNA"));
+  PronyChoices choices;
+  choices.instantaneousModulus = 4e6;
+  expectSeries(read("tau_i (s);G_i/G_0;K_i\n0.1;0.5;0.1\n10;0.25;0\n", choices));
+}
+
 TEST(PronyFile, TablesOfTimesAndModuli) {
   expectSeries(read("tau (s),G (MPa)\ninf,1\n0.1,2\n10,1\n"));
   expectSeries(read("G_inf: 1 MPa\ntau_i [s];G_i [MPa]\n0.1;2\n10;1\n"));

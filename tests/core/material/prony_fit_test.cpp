@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/material/temperature_shifts.h"
+#include "tests/core/error_from.h"
 #include "tests/core/material/synthetic_rubber.h"
 
 namespace asperity {
@@ -157,8 +158,17 @@ TEST(PronyFit, ALiquidIsAnErrorUnlessItIsWanted) {
   options.isLiquid = true;
   EXPECT_EQ(fitPronySeries(points, options).equilibriumModulus, 0);
   options.isLiquid = false;
-  options.equilibriumModulus = 1e3;
-  EXPECT_EQ(fitPronySeries(points, options).equilibriumModulus, 1e3);
+  options.equilibriumModulus = 1;
+  EXPECT_EQ(fitPronySeries(points, options).equilibriumModulus, 1);
+}
+
+/// G' >= G_inf at every frequency.
+TEST(PronyFit, AnEquilibriumModulusAboveTheMeasuredOnesIsRefused) {
+  const Isotherm sweep = SyntheticRubber().sweep(298.15, 0.1, 10, 9);
+  PronyOptions options;
+  options.equilibriumModulus = 50e6;
+  EXPECT_THAT(errorFrom([&] { fitPronySeries(sweep.points, options); }),
+              testing::HasSubstr("--equilibrium-modulus: 50 MPa is above the lowest storage"));
 }
 
 }  // namespace

@@ -88,12 +88,70 @@ TEST(TemperatureShifts, VerticalShiftsOfAFewPerCentComeBack) {
   }
 }
 
+/// Williams, Landel and Ferry at another reference: C1' = C1 C2 / (C2 + dT), C2' = C2 + dT.
 TEST(TemperatureShifts, TheReferenceMayLieBetweenIsotherms) {
   const auto isotherms = SyntheticRubber().sweeps(15);
+  for (const double reference : {271.15, 303.15, 326.15}) {
+    const MasterCurve curve = masterCurve(isotherms, reference);
+    for (const IsothermShift& shift : curve.shifts)
+      EXPECT_NEAR(
+          shift.log10Shift,
+          SyntheticRubber::log10Shift(shift.temperature) - SyntheticRubber::log10Shift(reference),
+          0.01)
+          << reference << " at " << shift.temperature;
+    const TemperatureFit fit = fitWlf(shiftTable(curve), reference);
+    const double above = reference - SyntheticRubber::kReference;
+    EXPECT_NEAR(fit.shift.c1, 8.86 * 101.6 / (101.6 + above), 0.1) << reference;
+    EXPECT_NEAR(fit.shift.c2, 101.6 + above, 1.5) << reference;
+  }
+}
+
+/// Where no formula holds, the shift is linear in T between two isotherms, as in a table.
+TEST(TemperatureShifts, WithoutAFormulaTheReferenceIsInterpolated) {
+  std::vector<Isotherm> isotherms = SyntheticRubber().sweeps(15);
+  for (std::size_t i = 0; i < isotherms.size(); ++i)
+    for (DynamicModulus& point : isotherms[i].points)
+      point.frequency *= std::pow(10, i % 2 == 0 ? 0.2 : 0);
   const MasterCurve at25 = masterCurve(isotherms, 298.15), at30 = masterCurve(isotherms, 303.15);
   const double half = 0.5 * (at25.shifts[3].log10Shift + at25.shifts[4].log10Shift);
   for (std::size_t i = 0; i < isotherms.size(); ++i)
     EXPECT_NEAR(at30.shifts[i].log10Shift, at25.shifts[i].log10Shift - half, 1e-12);
+}
+
+/// A table has a row at its reference, so that its shift there is 0.
+TEST(TemperatureFit, ATableIsZeroAtItsReference) {
+  const std::vector<ShiftPoint> rows{{280, 1}, {300, -2}};
+  EXPECT_EQ(tableShift(rows, 290).table, (std::vector<ShiftPoint>{{280, 1}, {290, 0}, {300, -2}}));
+  EXPECT_EQ(tableShift(rows, 280).table, rows);
+  const std::vector<ShiftPoint> crossing{{280, 1}, {300, -1}};
+  EXPECT_EQ(tableShift(crossing, 290).table, crossing);
+}
+
+TEST(TemperatureShifts, TheUsualReferenceWasMeasured) {
+  std::vector<Isotherm> isotherms(3);
+  isotherms[0].temperature = 283.15;
+  isotherms[1].temperature = 293.15;
+  isotherms[2].temperature = 313.15;
+  EXPECT_EQ(usualReference(isotherms), 293.15);
+  // Sweeps have the mean temperature of their rows.
+  isotherms[1].temperature = 297.95;
+  EXPECT_EQ(usualReference(isotherms), 298.15);
+  isotherms.resize(2);
+  EXPECT_EQ(usualReference(isotherms), 297.95) << "25 \u00B0C is outside";
+}
+
+/// Entropy elasticity: b_T = T / T_0.
+TEST(TemperatureShifts, AnEntropicRubberIsSimpleWithVerticalShifts) {
+  SyntheticRubber rubber;
+  rubber.equilibrium = 5e6;
+  std::vector<Isotherm> isotherms = rubber.sweeps(21);
+  for (Isotherm& isotherm : isotherms)
+    for (DynamicModulus& point : isotherm.points) {
+      point.storage *= isotherm.temperature / 298.15;
+      point.loss *= isotherm.temperature / 298.15;
+    }
+  EXPECT_FALSE(masterCurve(isotherms, 298.15).isThermorheologicallySimple);
+  EXPECT_TRUE(masterCurve(isotherms, 298.15, true).isThermorheologicallySimple);
 }
 
 TEST(TemperatureShifts, OneIsothermIsItsOwnMasterCurve) {
@@ -135,6 +193,8 @@ TEST(Isotherms, EqualFrequenciesAreAveraged) {
       isothermsOf({{300, {1, 1e6, 1e5}}, {300, {1, 4e6, 1e5}}, {300, {2, 3e6, 2e5}}});
   ASSERT_EQ(isotherms.front().points.size(), 2U);
   EXPECT_NEAR(isotherms.front().points.front().storage, 2e6, 1e-3);
+  EXPECT_EQ(isotherms.front().repeats, 1U);
+  EXPECT_NEAR(isotherms.front().repeatRatio, 4, 1e-12);
 }
 
 TEST(Isotherms, BadRowsAreSaidInOneLine) {

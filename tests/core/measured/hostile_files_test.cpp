@@ -45,6 +45,7 @@ std::map<std::string, std::string> samples() {
           {"prf", smd(SmdForm::Pairs)},
           {"zygo points", zygo({.withGap = true})},
           {"zygo phases", zygo({.hasPoints = false})},
+          {"zygo binary", binaryZygo({.withGap = true})},
           {"wyko", wyko({.withGap = true})},
           {"gsf", gsf(gsfHeader(), true)},
           {"gwy", gwyOfThree(true)},

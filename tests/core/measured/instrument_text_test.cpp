@@ -145,6 +145,29 @@ TEST(ZygoFile, ReadsPhases) {
     }
 }
 
+TEST(ZygoFile, ReadsBinaryPhases) {
+  ZygoOptions options;
+  for (const int format : {1, 2, 3})
+    for (const int resolution : {0, 1, 2}) {
+      options.withGap = format == 2;
+      options.phaseResolution = resolution;
+      const double step = 0.5 * 6.328e-7 * 1.02 / (resolution == 0 ? 4096 : 32768);
+      MeasuredFile file = read(binaryZygo(options, format));
+      // Sizes of pixels and wavelengths have seven digits.
+      EXPECT_NEAR(file.topography.columnSpacing / kColumnSpacing, 1, 1e-6);
+      file.topography.columnSpacing = file.topography.rowSpacing = kColumnSpacing;
+      expectKnownOfSquares(file, options.withGap, 0.51 * step + 1e-12);
+    }
+  EXPECT_THAT(errorOf(binaryZygo(options).substr(0, 900)), HasSubstr("ends too early"));
+  options.phaseResolution = 3;
+  EXPECT_THAT(errorOf(binaryZygo(options)), HasSubstr("PhaseRes 3 is not known"));
+  options.phaseResolution = 0;
+  options.pixel = 0;
+  EXPECT_THAT(errorOf(binaryZygo(options)), HasSubstr("surface.point_spacing: is needed"));
+  options.pixel = kColumnSpacing;
+  expectCutOffIsNoHarm(binaryZygo(options));
+}
+
 TEST(ZygoFile, NamesWhatIsWrong) {
   ZygoOptions options;
   options.pixel = 0;
@@ -285,6 +308,31 @@ TEST(MatrixHeaders, OfSpipAreInNanometres) {
       "# y-length = 20000\n# Bit2nm = 1000\n# Start of Data:\n" +
       rowsOf("", "\t", "");
   expectKnown(read(text), "matrix", false, 1e-15);
+  // Version 4.3 writes the unit of the heights in brackets.
+  const std::string withUnit =
+      replaced(replaced(text, "# Bit2nm = 1000\n", "# z-unit = [\u00B5m]\n# voidpixels =0\n"),
+               "14000", "1.40000e+04");
+  expectKnown(read(withUnit), "matrix", false, 1e-15);
+  EXPECT_THAT(errorOf(replaced(text, "y-pixels = 4", "y-pixels = 5")),
+              HasSubstr("the header says 7 x 5 pixels; the file has 7 x 4 numbers"));
+}
+
+TEST(MatrixHeaders, OfSpipMarkPixelsWithoutAHeight) {
+  const std::string header =
+      "# File Format = ASCII\n# x-pixels = 7\n# y-pixels = 4\n# x-length = 14000\n"
+      "# y-length = 20000\n# Bit2nm = 1000\n# voidpixels =1\n# Start of Data:\n";
+  std::string heights, marks;
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const bool gap = isGap(row, column), last = column == kColumns - 1;
+      heights += fmt::format("{:.9g}{}", gap ? 99 : micrometres(row, column), last ? "\n" : "\t");
+      marks += fmt::format("{}{}", gap ? 0 : 1, last ? "\n" : "\t");
+    }
+  expectKnown(read(header + heights + marks), "matrix", true, 1e-15);
+  EXPECT_THAT(
+      errorOf(header + heights),
+      HasSubstr("the header says 7 x 4 pixels and as many that mark those without a height; "
+                "the file has 7 x 4 numbers"));
 }
 
 TEST(PointSpacing, IsNeverIgnoredInSilence) {

@@ -2,9 +2,11 @@
 // from profiles cut from it (C_line = pi q C2, the Abel relation).
 #include "core/measured/roughness_spectrum.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -24,6 +26,12 @@ SpectralDensity powerLaw(double from, double to, int points, double exponent) {
   return density;
 }
 
+double squareOf(const std::vector<double>& magnitudes) {
+  double square = 0;
+  for (const double magnitude : magnitudes) square += 2 * magnitude * magnitude;
+  return square;
+}
+
 TEST(SpectralDensity, IsIntegratedAsAPowerLawExactly) {
   for (const double exponent : {-2.4, -1.0, 0.0, 1.5}) {
     const SpectralDensity density = powerLaw(1, 1000, 4, exponent);
@@ -38,9 +46,7 @@ TEST(SpectralDensity, GivesItsHeightToTheModesOfALine) {
   const SpectralDensity density = powerLaw(100, 1e5, 30, -2.4);
   const double length = 2 * std::numbers::pi / 10;  // ten times the longest wave
   const auto modes = modeMagnitudes(density, length, 20000);
-  double square = 0;
-  for (const double magnitude : modes) square += 2 * magnitude * magnitude;
-  EXPECT_NEAR(square / (2 * density.integralTo(1e5)), 1, 1e-12);
+  EXPECT_NEAR(squareOf(modes) / (2 * density.integral()), 1, 1e-12);
   EXPECT_EQ(modes[4], 0);  // 50 1/m, below the table
   EXPECT_EQ(modes[11000], 0);
 }
@@ -52,6 +58,84 @@ TEST(SpectralDensity, IsCutAtWaveNumbersBetweenItsPoints) {
   EXPECT_DOUBLE_EQ(part.waveNumber.back(), 20);
   EXPECT_NEAR(part.density.front(), 1.0 / 25, 1e-15);
   EXPECT_NEAR(part.integralTo(20), 1.0 / 5 - 1.0 / 20, 1e-13);
+}
+
+/// A table of the waves k step of a periodogram.
+SpectralDensity periodogram(int waves, double step, const std::function<double(int)>& value) {
+  SpectralDensity density;
+  for (int k = 1; k <= waves; ++k) {
+    density.waveNumber.push_back(k * step);
+    density.density.push_back(value(k));
+  }
+  density.binEdge = binEdgesOf(density.waveNumber);
+  return density;
+}
+
+/// <h^2> = 2 sum C1 dq, whose values are distributed exponentially (chi-squared, two degrees of
+/// freedom): to each wave of the line what its bin has, and as much to a line ten times as long.
+TEST(SpectralDensity, OfAPeriodogramKeepsTheSumOfItsBins) {
+  std::mt19937 random(3);
+  std::exponential_distribution<double> scatter;
+  const double step = 500, length = 2 * std::numbers::pi / step;
+  double sum = 0;
+  const SpectralDensity density = periodogram(2000, step, [&](int k) {
+    const double value = std::pow(k, -2.4) * scatter(random);
+    sum += value * step;
+    return value;
+  });
+  EXPECT_NEAR(density.integral() / sum, 1, 1e-12);
+  const auto modes = modeMagnitudes(density, length, 2000);
+  for (std::size_t k = 0; k < modes.size(); ++k)
+    EXPECT_NEAR(modes[k] * modes[k], density.density[k] * step, 1e-14 * sum) << k;
+  EXPECT_NEAR(squareOf(modeMagnitudes(density, 10 * length, 20005)) / (2 * sum), 1, 1e-12);
+}
+
+/// The bins of a smooth density are those of a midpoint rule: C dq (1 + a (a - 1) / 24 (dq / q)^2)
+/// in the bin at q for C = q^a.
+TEST(SpectralDensity, OfSmoothBinsIsTheMidpointRule) {
+  const double exponent = -2.4, step = 1;
+  SpectralDensity density = periodogram(1000, step, [&](int k) { return std::pow(k, exponent); });
+  for (const int first : {5, 20, 100}) {
+    const SpectralDensity part = within(density, first - 0.5, HUGE_VAL);
+    const double exact =
+        (std::pow(1000.5, exponent + 1) - std::pow(first - 0.5, exponent + 1)) / (exponent + 1);
+    const double allowed = exponent * (exponent - 1) / 24 / std::pow(first - 0.5, 2);
+    EXPECT_NEAR(part.integral() / exact, 1, allowed) << first;
+  }
+}
+
+TEST(SpectralDensity, HasBinsOnlyWhereTheWavesAreMultiplesOfOneStep) {
+  const auto waves = [](int points, const std::function<double(double)>& wave) {
+    std::vector<double> q;
+    for (int i = 0; i < points; ++i) q.push_back(wave(i));
+    return q;
+  };
+  const auto isBinned = [&](int points, const std::function<double(double)>& wave) {
+    return !binEdgesOf(waves(points, wave)).empty();
+  };
+  EXPECT_TRUE(isBinned(4, [](double i) { return 700 * (i + 1); }));
+  EXPECT_TRUE(isBinned(900, [](double i) { return 700 * (i + 3); }));
+  // Five digits, and a row that is missing.
+  EXPECT_TRUE(isBinned(
+      4000, [](double i) { return std::stod(fmt::format("{:.4e}", 785.39816 * (i + 1))); }));
+  EXPECT_TRUE(isBinned(100, [](double i) { return i < 40 ? i + 1 : i + 2; }));
+  EXPECT_FALSE(isBinned(3, [](double i) { return i + 1; }));
+  EXPECT_FALSE(isBinned(50, [](double i) { return std::pow(10, i / 10); }));
+  EXPECT_FALSE(isBinned(1000, [](double i) { return 10 + 999.0 * i; }));  // from far below a step
+  EXPECT_FALSE(isBinned(1000, [](double i) { return 1.4 + i; }));
+  // Bins meet half-way, and the outermost are as wide as the others.
+  const auto edges = binEdgesOf(waves(4, [](double i) { return 2 * (i + 1); }));
+  EXPECT_EQ(edges, (std::vector<double>{1, 3, 5, 7, 9}));
+}
+
+TEST(SpectralDensity, IsCutWithinItsBins) {
+  const SpectralDensity density = periodogram(10, 1, [](int k) { return k; });
+  const SpectralDensity part = within(density, 2.25, 3.75);
+  EXPECT_EQ(part.density, (std::vector<double>{2, 3, 4}));
+  EXPECT_EQ(part.binEdge, (std::vector<double>{2.25, 2.5, 3.5, 3.75}));
+  EXPECT_NEAR(part.integral(), 0.5 + 3 + 1, 1e-14);
+  EXPECT_TRUE(within(density, 20, 30).empty());
+  EXPECT_EQ(within(density, 20, 30).integral(), 0);
 }
 
 /// Parseval: under the window the powers add up to the mean square of noise, on average.

@@ -265,7 +265,7 @@ TEST(TextProfile, SaysWhatItLeavesOut) {
   expectProfile(file);
   EXPECT_TRUE(saysSomewhere(file, "2 tables of numbers"));
   EXPECT_THAT(errorOf("x (um),z (um)\n0,1\n1,2x\n2,3\n"),
-              HasSubstr("line 3: column 2 is not a number"));
+              HasSubstr("line 3: '2x' in column 2 is not a number"));
   EXPECT_THAT(errorOf("x (um),z (um)\n0,1\n1,2\n"), HasSubstr("at least 3"));
 }
 

@@ -186,7 +186,7 @@ TEST_F(MaterialScene, AShiftHasTheKeysOfItsKind) {
               HasSubstr("elastomer.shift.kind: has no meaning for elastomer.rheology elastic"));
   EXPECT_THAT(errorOf(R"({"elastomer": {"rheology": "elastic", "shift": {"c1": 3}}})"),
               HasSubstr("elastomer.shift.c1: has no meaning for elastomer.rheology elastic; it "
-                        "belongs to kelvin standard_solid prony"));
+                        "belongs to kelvin, standard_solid, prony"));
 }
 
 TEST_F(MaterialScene, ATableRisesAndHasNoOutside) {

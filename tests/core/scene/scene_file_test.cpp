@@ -50,7 +50,7 @@ TEST(SceneFile, EveryMotionReadsBackFromItsOwnText) {
   EXPECT_EQ(readScene(writeScene(back), "t.json").sliding.velocityAfter, -3);
   EXPECT_THAT(errorOf(R"({"sliding":{"duration":1}})"),
               HasSubstr("sliding.duration: has no meaning for sliding.kind steady; it belongs to "
-                        "start step oscillation reversal"));
+                        "start, step, oscillation, reversal"));
   EXPECT_THAT(errorOf(R"({"sliding":{"kind":"start","velocity_after":1}})"),
               HasSubstr("it belongs to step"));
 }

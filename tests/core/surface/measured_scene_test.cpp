@@ -227,6 +227,50 @@ TEST_F(MeasuredScene, OfASpectrumHasItsHeight) {
   EXPECT_EQ(provenance("curve", spectral)["seed"], 1);
 }
 
+/// <h^2> = 2 sum C dq and <z'^2> = 2 sum q^2 C dq of what the program writes itself.
+TEST_F(MeasuredScene, OfASpectrumThatWasWrittenHasItsHeightAndSlope) {
+  std::string tilted = "x [m],z [m]\n";
+  for (int i = 0; i < 500; ++i)
+    tilted += fmt::format("{},{}\n", 2e-6 * i,
+                          1e-6 * std::sin(i * 0.05) + 2e-7 * std::sin(0.9 * i + 1) + 1e-9 * i);
+  folder_.write("line.csv", tilted);
+  for (const char* surface :
+       {R"("kind": "measured", "file": "line.csv")",
+        R"("kind": "self_affine", "length": 1e-3, "elements": 400, "rms_height": 2e-6)",
+        R"("kind": "self_affine", "length": 1e-3, "elements": 16, "rms_height": 2e-6)"}) {
+    const Scene first =
+        readScene(fmt::format(R"({{"surface": {{{}}}}})", surface), "t", folder_.path());
+    const LineSource written(first, 1);
+    std::string table = "wave_number,power_spectral_density\n";
+    for (const auto& row : spectrumTable(written).rows)
+      table += fmt::format("{},{}\n", std::get<double>(row[0]), std::get<double>(row[1]));
+    folder_.write("own.csv", table);
+    const Scene second = readScene(
+        R"({"surface": {"kind": "spectrum", "file": "own.csv", "spectrum_kind": "c1_two_sided"}})",
+        "t", folder_.path());
+    const LineSource read(second, 1);
+    EXPECT_NEAR(read.length() / written.length(), 1, 1e-12) << surface;
+    EXPECT_NEAR(read.statistics().rmsHeight / written.statistics().rmsHeight, 1, 1e-9) << surface;
+    EXPECT_NEAR(read.statistics().rmsSlope / written.statistics().rmsSlope, 1, 1e-9) << surface;
+    EXPECT_THAT(read.spectrumFacts().front().english(), HasSubstr("periodogram"));
+  }
+}
+
+TEST_F(MeasuredScene, WithALongWaveCutBeyondTheProfileSaysSo) {
+  const auto says = [&](const char* cut) {
+    const Scene measured = readScene(
+        fmt::format(
+            R"({{"surface": {{"kind": "measured", "file": "p.txt", "long_wave_cut": {}}}}})", cut),
+        "t", folder_.path());
+    const auto facts = factsOf(measuredSummary(measured, LineSource(measured, 1)));
+    return std::ranges::any_of(facts, [](const Message& fact) {
+      return fact.english().find("is longer than the profile of 4 mm") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says("5e-3"));
+  EXPECT_FALSE(says("8e-4"));
+}
+
 TEST_F(MeasuredScene, IsSummedUpInItsOwnOrientation) {
   const Scene measured = scene();
   const LineSource source(measured, 1);

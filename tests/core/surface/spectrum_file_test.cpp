@@ -53,6 +53,19 @@ TEST(SpectrumFile, TakesDensitiesPerSpatialFrequency) {
   EXPECT_NEAR(byWavelength.waveNumber.front(), kTwoPi * 1e4, 1e-6);
 }
 
+/// Heights squared times the unit of lengths, and cycles, as standards for roads write them.
+TEST(SpectrumFile, TakesUnitsOfHeightsAndLengths) {
+  const double expected = 6e-18 * 9e4 / kTwoPi;  // <h^2> = integral C df
+  for (const char* text :
+       {"f [1/mm],PSD [um^2 mm]\n1.5915494309,6e-3\n15.915494309,6e-3\n",
+        "frequency [cycles/m],G_d [m^3]\n1591.5494309,6e-18\n15915.494309,6e-18\n",
+        "frequency (cycles/mm);PSD (\u00B5m\u00B2\u00B7mm)\n1,5915494309;6e-3\n15,915494309;6e-3\n",
+        "f [1/mm],PSD [um^2/(1/mm)]\n1.5915494309,6e-3\n15.915494309,6e-3\n"})
+    EXPECT_NEAR(squareHeight(parseSpectrum(text, "s", SpectrumKind::C1OneSided)) / expected, 1,
+                1e-9)
+        << text;
+}
+
 /// <h^2> = 2 pi integral C2 q dq = 2 integral C_line dq.
 TEST(SpectrumFile, MakesTheEquivalentLineOfAnIsotropicSpectrum) {
   std::string text = "q,C2\n";

@@ -39,6 +39,7 @@ QString errorText(const FittedParameter& parameter) {
 }
 
 QString stateText(const FittedParameter& parameter, const Fit& fit) {
+  if (!fit.hasFoundPoints) return QStringLiteral("⚠ ") + FitPage::tr("curve misses the points");
   if (!parameter.isDetermined) return QStringLiteral("⚠ ") + FitPage::tr("not determined");
   if (parameter.isAtLimit) return QStringLiteral("⚠ ") + FitPage::tr("at its limit");
   if (fit.missesPoints) return QStringLiteral("⚠ ") + FitPage::tr("curve misses the points");
@@ -119,13 +120,14 @@ QString fittedTable(const Fit& fit) {
 
 QString fittedNotes(const Fit& fit) {
   QStringList lines;
-  lines += FitPage::tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
-               .arg(number(fit.chiSquared, 4))
-               .arg(fit.freedom)
-               .arg(fit.evaluations);
   if (fit.relativeScatter > 0)
     lines += FitPage::tr("the points have no errors; they scatter by %1 % about the fit")
                  .arg(number(100 * fit.relativeScatter, 2));
+  else
+    lines += FitPage::tr("χ² = %1 for %2 degrees of freedom, %3 evaluations")
+                 .arg(number(fit.chiSquared, 4))
+                 .arg(fit.freedom)
+                 .arg(fit.evaluations);
   const bool isOpen = !std::ranges::all_of(fit.parameters, &FittedParameter::isDetermined);
   const bool areFactors = std::ranges::all_of(fit.parameters, &FittedParameter::isLogarithmic);
   if (isOpen && areFactors && fit.parameters.size() > 1) lines += combinationText(fit);

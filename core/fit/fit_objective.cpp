@@ -1,0 +1,235 @@
+#include "core/fit/fit_objective.h"
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/base/input_error.h"
+#include "core/friction/study.h"
+
+namespace asperity {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Residuals and their derivatives by the free parameters, as Ceres asks for them.
+class Residuals : public ceres::CostFunction {
+ public:
+  Residuals(const Objective& objective, VectorXd places, std::vector<int> free, Distance distance)
+      : objective_(objective),
+        places_(std::move(places)),
+        free_(std::move(free)),
+        distance_(distance) {
+    set_num_residuals(static_cast<int>(objective_.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(free_.size()));
+  }
+
+  bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
+    // Beyond a limit friction is that at the limit. Limits of Ceres's own would cost a search along
+    // a line, with derivatives, after every step.
+    std::vector<bool> isBeyond;
+    for (std::size_t j = 0; j < free_.size(); ++j) {
+      const VariedParameter& parameter = objective_.parameter(free_[j]);
+      const double place = std::clamp(blocks[0][j], parameter.lowest(), parameter.highest());
+      isBeyond.push_back(place != blocks[0][j]);
+      places_[free_[j]] = place;
+    }
+    const bool wantsSlopes = jacobians && jacobians[0];
+    try {
+      const FrictionWithDerivatives found =
+          objective_.evaluate(places_, wantsSlopes ? free_ : std::vector<int>{});
+      if (distance_ == Distance::Logarithm && !std::isfinite(objective_.logarithmicDistance(found)))
+        return false;
+      for (std::size_t i = 0; i < objective_.size(); ++i) {
+        double perSlope = 1 / objective_.deviation(i);
+        residuals[i] = objective_.residual(found, i);
+        if (distance_ == Distance::Logarithm) {
+          const double measured = objective_.point(i).mu, computed = meanOf(found.muOfLines[i]);
+          residuals[i] = perSlope * measured * std::log(computed / measured);
+          perSlope *= measured / computed;
+        }
+        if (!wantsSlopes) continue;
+        for (std::size_t j = 0; j < free_.size(); ++j)
+          jacobians[0][i * free_.size() + j] =
+              isBeyond[j] ? 0 : perSlope * meanOf(found.slopesOfLines[j][i]);
+      }
+      objective_.report(objective_.chiSquared(found));
+      return true;
+    } catch (...) {
+      // Ceres knows no exceptions: a state that cannot be is a step that failed.
+      failure_ = std::current_exception();
+      return false;
+    }
+  }
+
+  const std::exception_ptr& failure() const { return failure_; }
+
+ private:
+  const Objective& objective_;
+  mutable VectorXd places_;
+  std::vector<int> free_;
+  Distance distance_;
+  mutable std::exception_ptr failure_;
+};
+
+}  // namespace
+
+double meanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+Objective::Objective(const Scene& scene, std::span<const FrictionData> data,
+                     std::span<const VariedParameter> parameters, const FitOptions& options)
+    : scene_(scene), fixed_(scene), parameters_(parameters), options_(options) {
+  fixResolution(fixed_);
+  for (const FrictionData& set : data)
+    for (const MeasuredPoint& point : set.points) points_.push_back(point);
+  findStated();
+  weighWithErrors();
+}
+
+/// A point states a parameter where its state is the same for any value of it, or has another kind
+/// of load.
+void Objective::findStated() {
+  for (const VariedParameter& parameter : parameters_) {
+    Scene least = scene_, most = scene_;
+    parameter.set(least, parameter.lowest());
+    parameter.set(most, parameter.highest());
+    std::vector<bool>& isStated = isStated_.emplace_back();
+    for (const MeasuredPoint& point : points_)
+      isStated.push_back(parameter.of(sceneOf(point, least)) ==
+                             parameter.of(sceneOf(point, most)) ||
+                         !isApplicable(parameter.row(), sceneOf(point, scene_)));
+    if (std::ranges::all_of(isStated, std::identity{}))
+      throw InputError("", std::string(parameter.key()),
+                       "the data state it in each row, so that there is nothing to fit");
+  }
+}
+
+FrictionWithDerivatives Objective::evaluate(const VectorXd& places,
+                                            std::span<const int> varied) const {
+  ++evaluations_;
+  std::vector<VariedParameter> some;
+  for (const int k : varied) some.push_back(parameter(k));
+  FrictionWithDerivatives found = frictionWithDerivatives(statesAt(places), some, stateOptions());
+  for (std::size_t i = 0; i < size(); ++i)
+    if (!std::isfinite(meanOf(found.muOfLines[i])))
+      throw InputError("", "--data",
+                       message("the scene has no friction at row {}", points_[i].row));
+  for (std::size_t j = 0; j < varied.size(); ++j)
+    for (std::size_t i = 0; i < size(); ++i)
+      if (isStated_[static_cast<std::size_t>(varied[j])][i])
+        std::ranges::fill(found.slopesOfLines[j][i], 0.0);
+  return found;
+}
+
+double Objective::residual(const FrictionWithDerivatives& found, std::size_t i) const {
+  return (meanOf(found.muOfLines[i]) - points_[i].mu) / deviations_[i];
+}
+
+double Objective::chiSquared(const FrictionWithDerivatives& found) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) sum += residual(found, i) * residual(found, i);
+  return sum;
+}
+
+double Objective::logarithmicDistance(const FrictionWithDerivatives& found) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const double ratio = meanOf(found.muOfLines[i]) / points_[i].mu;
+    if (!(ratio > 0)) return std::numeric_limits<double>::infinity();
+    sum += std::log(ratio) * std::log(ratio);
+  }
+  return std::sqrt(sum / static_cast<double>(size()));
+}
+
+bool Objective::hasVelocityErrors() const {
+  return std::ranges::any_of(
+      points_, [](const MeasuredPoint& point) { return !std::isnan(point.velocityError); });
+}
+
+void Objective::addVelocityErrors(const VectorXd& places) {
+  if (!hasVelocityErrors()) return;
+  weighWithErrors();
+  const std::vector<Scene> states = statesAt(places);
+  const VariedParameter velocity("sliding.velocity", states.front());
+  const FrictionWithDerivatives found =
+      frictionWithDerivatives(states, {&velocity, 1}, stateOptions());
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (std::isnan(points_[i].velocityError)) continue;
+    const double relative = points_[i].velocityError / points_[i].velocity;
+    deviations_[i] = std::hypot(deviations_[i], relative * meanOf(found.slopesOfLines.front()[i]));
+  }
+}
+
+StateOptions Objective::stateOptions() const {
+  StateOptions options;
+  options.threads = options_.threads;
+  options.stop = options_.stop;
+  return options;
+}
+
+std::vector<Scene> Objective::statesAt(const VectorXd& places) const {
+  const Scene here = at(fixed_, places);
+  std::vector<Scene> states;
+  for (const MeasuredPoint& point : points_) states.push_back(sceneOf(point, here));
+  return states;
+}
+
+void Objective::weighWithErrors() {
+  deviations_.clear();
+  for (const MeasuredPoint& point : points_)
+    deviations_.push_back(std::isnan(point.muError) ? point.mu : point.muError);
+}
+
+Scene Objective::at(Scene scene, const VectorXd& places) const {
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    parameters_[k].set(scene, places[static_cast<Eigen::Index>(k)]);
+  return scene;
+}
+
+Minimum minimize(const Objective& objective, const VectorXd& start, const std::vector<int>& free,
+                 int iterations, Distance distance) {
+  Minimum minimum{start, 0, true};
+  std::vector<double> values;
+  for (const int k : free) values.push_back(start[k]);
+  auto residuals = std::make_unique<Residuals>(objective, start, free, distance);
+  const Residuals& watched = *residuals;
+  ceres::Problem::Options owned;
+  owned.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(owned);
+  problem.AddResidualBlock(residuals.get(), nullptr, values.data());
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = iterations;
+  options.function_tolerance = 1e-6;
+  options.parameter_tolerance = 1e-6;
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1;
+  // Ceres warns on the standard error stream of a step that failed; the exception behind it says
+  // more.
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  throwIfStopped(objective.stop());
+  if (summary.termination_type == ceres::FAILURE) {
+    if (watched.failure()) std::rethrow_exception(watched.failure());
+    throw std::runtime_error("the fit failed: " + summary.message);
+  }
+  for (std::size_t j = 0; j < free.size(); ++j)
+    minimum.places[free[j]] = std::clamp(values[j], objective.parameter(free[j]).lowest(),
+                                         objective.parameter(free[j]).highest());
+  minimum.chiSquared = 2 * summary.final_cost;
+  minimum.hasConverged = summary.termination_type == ceres::CONVERGENCE;
+  return minimum;
+}
+
+}  // namespace asperity

@@ -1,0 +1,220 @@
+#include "core/material/dma_sweeps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/input_error.h"
+#include "core/base/text.h"
+
+namespace asperity {
+namespace {
+
+using enum DmaQuantity;
+
+/// Whether a column of moduli is of the kind that the user wants, or may be.
+bool isOfKind(const DmaColumn& column, ModulusKind wanted) {
+  return wanted == ModulusKind::Unknown || column.kind == ModulusKind::Unknown ||
+         column.kind == wanted;
+}
+
+bool isModulus(DmaQuantity quantity) {
+  return quantity == Storage || quantity == Loss || quantity == Magnitude;
+}
+
+/// What belongs to one temperature in a table of several.
+bool isMeasured(DmaQuantity quantity) {
+  return isModulus(quantity) || quantity == LossTangent || quantity == Phase;
+}
+
+/// Where a table has both, the shear moduli are read unless the user wants the others.
+ModulusKind kindToRead(const std::vector<DmaColumn>& found, const DmaChoices& choices) {
+  if (choices.modulus != ModulusKind::Unknown) return choices.modulus;
+  const auto hasBoth = [&](ModulusKind kind) {
+    const auto has = [&](DmaQuantity quantity) {
+      return std::ranges::any_of(found, [&](const DmaColumn& column) {
+        return column.quantity == quantity && column.kind == kind;
+      });
+    };
+    return (has(Storage) && has(Loss)) || has(Magnitude);
+  };
+  if (hasBoth(ModulusKind::Shear) && hasBoth(ModulusKind::Tension)) return ModulusKind::Shear;
+  return ModulusKind::Unknown;
+}
+
+/// The columns that the user names win over those that are found.
+void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& columns) {
+  const auto add = [&](DmaQuantity quantity, const std::string& choice, const char* option) {
+    if (!choice.empty()) columns.places[quantity] = columnNamed(block, choice, option);
+  };
+  add(Frequency, choices.frequencyColumn, "--frequency-column");
+  add(Temperature, choices.temperatureColumn, "--temperature-column");
+  add(Storage, choices.storageColumn, "--storage-column");
+  add(Loss, choices.lossColumn, "--loss-column");
+  add(LossTangent, choices.lossTangentColumn, "--tan-delta-column");
+  add(Magnitude, choices.magnitudeColumn, "--magnitude-column");
+  add(Phase, choices.phaseColumn, "--phase-column");
+  add(Strain, choices.strainColumn, "--strain-column");
+  if (!choices.frequencyColumn.empty()) columns.places.erase(ReducedFrequency);
+}
+
+/// A column belongs to the first sweep of its temperature that has none of its quantity yet.
+std::vector<SweepColumns> sweepsIn(const std::vector<DmaColumn>& found) {
+  std::vector<SweepColumns> sweeps(1);  // what stands without a temperature is the first
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const DmaColumn& column = found[i];
+    if (column.quantity == None) continue;
+    const auto temperature = column.quantity == Temperature ? std::nullopt : column.temperature;
+    auto place = std::ranges::find_if(sweeps, [&](const SweepColumns& sweep) {
+      return sweep.temperature == temperature && !sweep.has(column.quantity);
+    });
+    if (place == sweeps.end()) {
+      sweeps.push_back({{}, temperature});
+      place = sweeps.end() - 1;
+    }
+    place->places[column.quantity] = i;
+  }
+  return sweeps;
+}
+
+std::vector<double> withoutRepeats(std::vector<double> values) {
+  values.erase(std::ranges::unique(values).begin(), values.end());
+  return values;
+}
+
+/// Sweeps that follow each other have a row of temperatures above their names: one for each column,
+/// or one for each sweep, wherever it stands. False where there is no such row.
+bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
+                      std::vector<SweepColumns>& sweeps) {
+  std::vector<std::size_t> measured, known;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].quantity != None) known.push_back(i);
+    if (isMeasured(found[i].quantity)) measured.push_back(i);
+  }
+  const auto count =
+      static_cast<std::size_t>(std::ranges::count_if(sweeps, &SweepColumns::hasModuli));
+  std::size_t stated = 0;
+  for (auto entry = block.header.rbegin(); entry != block.header.rend(); ++entry) {
+    const std::vector<double> all = temperaturesIn(entry->key + " " + entry->value);
+    stated += all.size();
+    for (const auto* columns : {&measured, &known}) {
+      if (all.size() != columns->size()) continue;
+      for (std::size_t i = 0; i < columns->size(); ++i) found[(*columns)[i]].temperature = all[i];
+      sweeps = sweepsIn(found);
+      return true;
+    }
+    for (const std::vector<double>& temperatures : {all, withoutRepeats(all)}) {
+      if (temperatures.size() != count) continue;
+      auto next = temperatures.begin();
+      for (SweepColumns& sweep : sweeps)
+        if (sweep.hasModuli()) sweep.temperature = *next++;
+      return true;
+    }
+  }
+  return stated == 1;  // one temperature for all, which were measured several times
+}
+
+std::string listOf(const TextBlock& block, const std::vector<std::size_t>& columns) {
+  constexpr std::size_t kMost = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
+    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(nameOf(block, columns[i])),
+                        columns[i] + 1);
+  return columns.size() > kMost ? list + ", \u2026" : list;
+}
+
+[[noreturn]] void refuseWithoutTemperatures(const TextBlock& block, const std::string& fileName,
+                                            const std::vector<SweepColumns>& sweeps) {
+  std::vector<std::size_t> columns;
+  for (const SweepColumns& sweep : sweeps)
+    for (const auto& [quantity, column] : sweep.places)
+      if (isModulus(quantity)) columns.push_back(column);
+  std::ranges::sort(columns);
+  throw InputError(fileName, "temperature",
+                   message("is not stated for each of the sweeps side by side in the columns {}; "
+                           "write it into the names, as in \"G' 20C (MPa)\", or once for each "
+                           "sweep into a row above them",
+                           listOf(block, columns)));
+}
+
+/// Whoever measured a modulus wants it used, or at least to know that it is not.
+void refuseLeftovers(const TextBlock& block, const std::string& fileName,
+                     const std::vector<DmaColumn>& found, const std::vector<SweepColumns>& sweeps) {
+  std::vector<std::size_t> unused;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool isUsed = std::ranges::any_of(sweeps, [i](const SweepColumns& sweep) {
+      return std::ranges::any_of(sweep.places,
+                                 [i](const auto& place) { return place.second == i; });
+    });
+    if (isModulus(found[i].quantity) && !isUsed) unused.push_back(i);
+  }
+  if (!unused.empty())
+    throw InputError(fileName, "",
+                     message("has columns of moduli that belong to no sweep with a frequency and "
+                             "both moduli: {}; take them out, or say with --storage-column and "
+                             "--loss-column which are meant",
+                             listOf(block, unused)));
+}
+
+}  // namespace
+
+bool SweepColumns::hasModuli() const {
+  return (has(Storage) && (has(Loss) || has(LossTangent))) ||
+         (has(Magnitude) && (has(Phase) || has(LossTangent))) || (has(Loss) && has(LossTangent));
+}
+
+bool SweepColumns::isComplete() const {
+  return hasModuli() && (has(Frequency) || has(ReducedFrequency));
+}
+
+std::string nameOf(const TextBlock& block, std::size_t column) {
+  const std::string& name = block.columns[column].name;
+  return name.empty() ? fmt::format("column {}", column + 1) : name;
+}
+
+std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
+                                   const DmaChoices& choices) {
+  std::vector<DmaColumn> found;
+  for (const TextColumn& column : block.columns)
+    found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
+  const ModulusKind kind = kindToRead(found, choices);
+  for (DmaColumn& column : found)
+    if (isModulus(column.quantity) && !isOfKind(column, kind)) column.quantity = None;
+  const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
+                          choices.magnitudeColumn + choices.phaseColumn)
+                             .empty();
+  const bool hasTemperatures = std::ranges::any_of(found, [](const DmaColumn& column) {
+    return column.temperature || column.quantity == Temperature;
+  });
+  std::vector<SweepColumns> sweeps = sweepsIn(found);
+  const auto isWide = [&] {
+    return !isChosen && std::ranges::count_if(sweeps, &SweepColumns::hasModuli) > 1;
+  };
+  if (isWide() && !hasTemperatures && !giveTemperatures(block, found, sweeps))
+    refuseWithoutTemperatures(block, fileName, sweeps);
+
+  SweepColumns common = sweeps.front();
+  addChosen(block, choices, common);
+  if (isWide()) {
+    for (SweepColumns& sweep : sweeps) {
+      for (const DmaQuantity quantity : {Frequency, ReducedFrequency, Strain})
+        if (common.has(quantity)) sweep.places.try_emplace(quantity, common[quantity]);
+      if (common.has(Temperature) && !sweep.temperature)
+        sweep.places.try_emplace(Temperature, common[Temperature]);
+    }
+  } else {
+    std::vector<double> temperatures;
+    for (const SweepColumns& sweep : sweeps) {
+      if (!sweep.temperature) continue;
+      temperatures.push_back(*sweep.temperature);
+      for (const auto& [quantity, place] : sweep.places) common.places.try_emplace(quantity, place);
+    }
+    if (withoutRepeats(temperatures).size() == 1) common.temperature = temperatures.front();
+    sweeps = {common};
+  }
+  std::erase_if(sweeps, [](const SweepColumns& sweep) { return !sweep.isComplete(); });
+  if (!sweeps.empty() && !isChosen) refuseLeftovers(block, fileName, found, sweeps);
+  return sweeps;
+}
+
+}  // namespace asperity

@@ -1,0 +1,39 @@
+// Which columns of a table belong together: one sweep, or several side by side, each with its
+// temperature in the names, in a row above them or in a column of its own. Pure; any thread.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/text_table.h"
+#include "core/material/dma_columns.h"
+#include "core/material/dma_file.h"
+
+namespace asperity {
+
+/// The columns of one sweep, or of all where the rows state the temperature; kNone: none.
+struct SweepColumns {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::map<DmaQuantity, std::size_t> places{};
+  std::optional<double> temperature{};  // K, where names or a row above the columns state it
+
+  std::size_t operator[](DmaQuantity quantity) const {
+    const auto found = places.find(quantity);
+    return found == places.end() ? kNone : found->second;
+  }
+  bool has(DmaQuantity quantity) const { return places.contains(quantity); }
+  bool hasModuli() const;
+  bool isComplete() const;  // has a frequency, too
+};
+
+/// The sweeps of a block that can be read; none where it is no table of moduli. Throws InputError
+/// where columns of moduli would be left over, or sweeps side by side have no temperature.
+std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
+                                   const DmaChoices& choices);
+
+/// The column's name, or "column 3".
+std::string nameOf(const TextBlock& block, std::size_t column);
+
+}  // namespace asperity

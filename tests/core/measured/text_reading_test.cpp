@@ -1,0 +1,143 @@
+// What a person is told, or asked, where the text of a profile can be taken for something else.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/core/measured/surface_expectations.h"
+
+namespace asperity::written {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kRowCount = 60;
+
+double micrometresAt(int i) {
+  return 3 * std::sin(0.7 * i) + 0.01 * i;
+}
+
+/// Lines made from the number of a point.
+template <class Line>
+std::string linesOf(const Line& line, int count = kRowCount) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += line(i) + "\n";
+  return text;
+}
+
+bool assumes(const MeasuredFile& file, const std::string& part) {
+  return std::ranges::any_of(file.facts.assumptions, [&part](const Message& note) {
+    return note.english().find(part) != std::string::npos;
+  });
+}
+
+void expectSpacing(const MeasuredFile& file, double spacing) {
+  EXPECT_NEAR(file.topography.columnSpacing, spacing, 1e-9 * spacing);
+  ASSERT_EQ(file.topography.columns, kRowCount);
+  for (int i = 0; i < kRowCount; ++i)
+    EXPECT_NEAR(file.topography.at(0, i), 1e-6 * micrometresAt(i), 1e-10) << i;
+}
+
+/// A first column 0, 1, 2, ... beside a stated distance numbers the points.
+TEST(PointNumbers, AreNoPositionsWhereADistanceIsStated) {
+  for (const int first : {0, 1}) {
+    const std::string rows =
+        linesOf([&](int i) { return fmt::format("{}\t{:.4f}", i + first, micrometresAt(i)); });
+    expectSpacing(read("Point spacing: 2 \u00B5m\nUnit: \u00B5m\n\n" + rows), 2e-6);
+    expectSpacing(read("Pitch\t0.002 mm\nUnit\tum\n[Data]\n" + rows), 2e-6);
+    expectSpacing(read("Unit\tum\n" + rows, {.spacing = 3e-6}), 3e-6);
+    // With the name of a position, chosen by the user, or without a distance they are positions.
+    expectSpacing(read("x [um]\tz [um]\n" + rows, {.spacing = 3e-6}), 1e-6);
+    expectSpacing(read("Unit\tum\n" + rows, {.positionColumn = 1, .spacing = 3e-6}), 1e-6);
+    expectSpacing(read("Unit\tum\n" + rows), 1e-6);
+  }
+  const std::string rows =
+      linesOf([](int i) { return fmt::format("{}\t{:.4f}", 2 * i, micrometresAt(i)); });
+  expectSpacing(read("Point spacing: 5 um\nUnit: um\n\n" + rows), 2e-6);
+}
+
+TEST(PointDistances, MayBeStatedForEachPixel) {
+  const std::string rows = linesOf([](int i) { return fmt::format("{:.4f}", micrometresAt(i)); });
+  for (const std::string unit : {"nm", "nm/pixel", "nm/px", "nm/Point"})
+    expectSpacing(read("Pixel size: 1500 " + unit + "\nUnit: um\n" + rows), 1.5e-6);
+}
+
+TEST(EmptyLines, InAListOfHeightsAreGaps) {
+  const MeasuredFile file =
+      read("z [um]\n" + linesOf([](int i) {
+             return i % 7 == 2 ? std::string() : fmt::format("{:.4f}", micrometresAt(i));
+           }) + "\n\n",
+           {.spacing = 2e-6});
+  ASSERT_EQ(file.topography.columns, kRowCount);
+  for (int i = 0; i < kRowCount; ++i)
+    if (i % 7 == 2)
+      EXPECT_TRUE(std::isnan(file.topography.at(0, i))) << i;
+    else
+      EXPECT_NEAR(file.topography.at(0, i), 1e-6 * micrometresAt(i), 1e-10) << i;
+}
+
+TEST(Assumptions, AreToldApart) {
+  const auto row = [](int i) { return fmt::format("{:.3f};{:.4f}", 2e-3 * i, micrometresAt(i)); };
+  EXPECT_TRUE(read("x [mm];z [um]\n" + linesOf(row)).facts.assumptions.empty());
+  EXPECT_TRUE(
+      assumes(read("x [mm];z [um]\n" + linesOf(row) + "0.120;1.2.3\n"), "Line 62 is left out"));
+  EXPECT_TRUE(assumes(read("x [mm];z [um]\n0.120;OVER\n" + linesOf(row)), "Line 2 is left out"));
+  const auto metres = [](int i) {
+    return fmt::format("{:.6f};{:.10f}", 2e-6 * i, 1e-6 * micrometresAt(i));
+  };
+  EXPECT_TRUE(assumes(read(linesOf(metres)), "positions: they are taken as metres"));
+  EXPECT_TRUE(assumes(read(linesOf(metres)), "heights: they are taken as metres"));
+  // All have three digits behind the mark, and none of them is below 1.
+  const auto marked = [](int i) { return fmt::format("{};{:.3f}", i, 5 + micrometresAt(i)); };
+  EXPECT_TRUE(
+      assumes(read("x [um];z [um]\n" + linesOf(marked)), "'.' is taken for the decimal mark"));
+}
+
+/// Numbers that stand for missing points are far from all heights and alike.
+TEST(VoidCodes, AreNamed) {
+  const auto withCode = [](const std::string& code, int every) {
+    return read("x [um];z [um]\n" + linesOf([&](int i) {
+                  return fmt::format("{};", 2 * i) +
+                         (i % every == 5 ? code : fmt::format("{:.4f}", micrometresAt(i)));
+                }));
+  };
+  for (const std::string code : {"-9999", "-32768", "9999.9999", "99999", "-123.5"})
+    EXPECT_TRUE(assumes(withCode(code, 20), "The height " + code + " (in \u00B5m) stands 3 times"))
+        << code;
+  EXPECT_TRUE(assumes(withCode("-999.9", 100), "The height -999.9 (in \u00B5m) is far"));
+  // One deep scratch, or a plateau among the others.
+  EXPECT_TRUE(withCode("-123.5", 100).facts.assumptions.empty());
+  EXPECT_TRUE(withCode("-5", 4).facts.assumptions.empty());
+  EXPECT_THAT(errorOf("x [um];z [um]\n0;1\n2;1.70141e38\n4;1\n6;2\n"),
+              HasSubstr("line 3: 1.70141e38 is no height"));
+}
+
+/// Steps of 1.3 in whole numbers look like missing points, and nothing tells them apart.
+TEST(Positions, RoundedTooCoarselyAreRefused) {
+  const auto file = [](double step, int decimals) {
+    return "x [um],z [um]\n" + linesOf([&](int i) {
+             return fmt::format("{:.{}f},{:.4f}", step * i, decimals, micrometresAt(i));
+           });
+  };
+  EXPECT_THAT(errorOf(file(1.3, 0)), HasSubstr("the positions are rounded to 1, too coarsely"));
+  expectSpacing(read(file(1.3, 1)), 1.3e-6);
+  // Points that are missing here and there are gaps.
+  const MeasuredFile missing =
+      read("x [um],z [um]\n" + linesOf([](int i) {
+             return fmt::format("{},{:.4f}", i < 20 ? i : i + i / 20 * 6, micrometresAt(i));
+           }));
+  EXPECT_EQ(missing.facts.gaps, 12);
+}
+
+TEST(RoadFiles, AreNamed) {
+  const std::string rows =
+      linesOf([](int i) { return fmt::format("{:.4f} 0.1", micrometresAt(i)); });
+  EXPECT_THAT(errorOf("$CT\nComment\n$\n$ROAD_CRG\nREFERENCE_LINE_INCREMENT = 0.01\n$$$$\n" + rows),
+              HasSubstr("is a road file (OpenCRG)"));
+  EXPECT_THAT(errorOf("ERDFILEV2.00\n 2, 60, -1, 1, 5, 0.25, -1,\nEND\n" + rows),
+              HasSubstr("is a road file (ERD)"));
+}
+
+}  // namespace
+}  // namespace asperity::written
