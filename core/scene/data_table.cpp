@@ -79,6 +79,11 @@ std::set<std::string_view> columnsOf(const std::vector<std::string_view>& tables
   return names;
 }
 
+/// Tables name a key's column by its last word where that says which it is.
+std::string_view lastWord(std::string_view column) {
+  return column.substr(column.rfind('.') + 1);
+}
+
 }  // namespace
 
 std::string csvCell(std::string_view text) {
@@ -139,8 +144,11 @@ std::string ColumnChoice::of(const std::string& csv) const {
   std::string text = csv.substr(0, at) + fmt::format("{}\n", fmt::join(columns_, ","));
   const std::vector<std::string_view> names = cellsAt(csv, at);
   std::vector<std::size_t> places;
-  for (const std::string& column : columns_)
-    places.push_back(static_cast<std::size_t>(std::ranges::find(names, column) - names.begin()));
+  for (const std::string& column : columns_) {
+    auto place = std::ranges::find(names, column);
+    if (place == names.end()) place = std::ranges::find(names, lastWord(column));
+    places.push_back(static_cast<std::size_t>(place - names.begin()));
+  }
   while (at < csv.size()) {
     const std::vector<std::string_view> cells = cellsAt(csv, at);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -167,7 +175,8 @@ Json ColumnChoice::of(const Json& rows) const {
   Json chosen = Json::array();
   for (const Json& row : rows) {
     Json object;
-    for (const std::string& column : columns_) object[column] = row.value(column, Json());
+    for (const std::string& column : columns_)
+      object[column] = row.value(column, row.value(std::string(lastWord(column)), Json()));
     chosen.push_back(std::move(object));
   }
   return chosen;

@@ -42,7 +42,8 @@ class ColumnChoice {
 
   bool isAll() const { return columns_.empty(); }
 
-  /// Returns the table with these columns alone, in their order. A column that this table has not,
+  /// Returns the table with these columns alone, in their order. A key stands for the column of its
+  /// last word where the table has none of the whole key. A column that this table has not,
   /// because its scene gives it no meaning, is empty. csv: a line of names, then rows; lines of
   /// comment before them stay.
   std::string of(const std::string& csv) const;

@@ -2064,6 +2064,10 @@
         <source>Reading was stopped</source>
         <translation>Das Lesen wurde angehalten</translation>
     </message>
+    <message>
+        <source>the first lines of the file</source>
+        <translation>die ersten Zeilen der Datei</translation>
+    </message>
 </context>
 <context>
     <name>asperity::InfluencePage</name>

@@ -43,6 +43,16 @@ TEST(ColumnChoice, AColumnWithoutAMeaningHereIsEmpty) {
             R"([{"mu":2,"mu_total":null}])");
 }
 
+/// A curve over load.normal_force has it as normal_force.
+TEST(ColumnChoice, AKeyIsTheColumnOfItsLastWord) {
+  const ColumnChoice choice("load.normal_force,mu", {"curve"});
+  EXPECT_EQ(choice.of(std::string("normal_force,mu\n1,2\n")), "load.normal_force,mu\n1,2\n");
+  EXPECT_EQ(choice.of(std::string("normal_force,load.normal_force,mu\n1,3,2\n")),
+            "load.normal_force,mu\n3,2\n");
+  const auto rows = nlohmann::ordered_json::parse(R"([{"normal_force":1,"mu":2}])");
+  EXPECT_EQ(choice.of(rows).dump(), R"([{"load.normal_force":1,"mu":2}])");
+}
+
 TEST(ColumnChoice, RefusesWhatTheTableNeverHas) {
   const auto refusal = [](const std::string& words) {
     return errorFrom([&] { ColumnChoice(words, {"curve", "curves"}); });

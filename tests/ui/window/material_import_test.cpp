@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
@@ -153,6 +154,11 @@ TEST_F(MaterialImportTest, ColumnsCanBeSaid) {
   EXPECT_TRUE(page_->complaint().contains("“frequency column”"))
       << page_->complaint().toStdString();
   EXPECT_TRUE(page_->complaint().startsWith("mine.csv")) << page_->complaint().toStdString();
+  // The names stand where they are asked for.
+  auto& beginning = inPage<QPlainTextEdit>("importBeginning");
+  EXPECT_TRUE(beginning.isVisibleTo(page_));
+  EXPECT_TRUE(beginning.toPlainText().startsWith("run,drive,cold,one,two\n1,0.1,20"));
+  EXPECT_FALSE(inPage<DiagramView>("dmaSheet").isVisibleTo(page_));
   for (const auto& [entry, column] : {std::pair{"dmaFrequencyColumn", "drive"},
                                       {"dmaTemperatureColumn", "3"},
                                       {"dmaStorageColumn", "one"},

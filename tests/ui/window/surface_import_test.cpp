@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QHash>
+#include <QPlainTextEdit>
 #include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
@@ -233,6 +234,28 @@ TEST_F(SurfaceImportTest, AsksForAUnitThatIsMissing) {
   ASSERT_TRUE(waitForPage());
   EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
   EXPECT_NEAR(page_->summary()->spacing, 1e-6, 1e-12);
+}
+
+/// A person sees what was refused: whole lines of a text, and nothing of what is none.
+TEST_F(SurfaceImportTest, ShowsHowARefusedFileBegins) {
+  std::string text = "Höhe in μm, ohne Zahlen\n";
+  while (text.size() < 10000) text += "these are words and no numbers\n";
+  openPage(write("words.csv", text));
+  ASSERT_TRUE(waitForPage());
+  auto& beginning = inPage<QPlainTextEdit>("importBeginning");
+  EXPECT_TRUE(beginning.isVisibleTo(page_));
+  const QString shown = beginning.toPlainText();
+  EXPECT_TRUE(shown.startsWith(QStringLiteral("Höhe in μm, ohne Zahlen\nthese are words")));
+  EXPECT_TRUE(shown.endsWith(QStringLiteral("no numbers\n")));
+  EXPECT_LT(shown.size(), 5000);
+  EXPECT_FALSE(inPage<DiagramView>("surfaceProfile").isVisibleTo(page_));
+}
+
+TEST_F(SurfaceImportTest, ShowsNothingOfARefusedFileThatIsNoText) {
+  openPage(write("noise.dat", std::string("\x89PNG\0\x01\x02\0\xff\0\0", 12)));
+  ASSERT_TRUE(waitForPage());
+  EXPECT_FALSE(page_->isReady());
+  EXPECT_FALSE(inPage<QPlainTextEdit>("importBeginning").isVisibleTo(page_));
 }
 
 TEST_F(SurfaceImportTest, SaysWhatIsWrongInOneLine) {

@@ -1,16 +1,21 @@
 #include "ui/window/import/import_page.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/base/input_error.h"
+#include "core/base/text_encoding.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
 #include "ui/window/main/window_layout.h"
@@ -19,14 +24,31 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(1120, 720);  // pixels
+constexpr QSize kUsual(1120, 720);   // pixels
+constexpr qint64 kBeginning = 4096;  // bytes of a file that are shown
+
+/// Returns the first whole lines of a text file; empty where the file is no text.
+QString beginningOf(const QString& name) {
+  QFile file(name);
+  if (!QFileInfo(name).isFile() || !file.open(QIODevice::ReadOnly)) return {};
+  std::string bytes = file.read(kBeginning).toStdString();
+  if (!file.atEnd()) bytes.resize(bytes.find_last_of('\n') + 1);  // 0 without a line's end
+  try {
+    const DecodedText decoded(bytes, name.toStdString());
+    return QString::fromUtf8(decoded.text.data(), static_cast<qsizetype>(decoded.text.size()));
+  } catch (const InputError&) {
+    return {};
+  }
+}
 
 }  // namespace
 
 ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* parent)
     : QDialog(parent),
       file_(file),
-      views_(new QVBoxLayout),
+      shown_(new QWidget),
+      views_(new QVBoxLayout(shown_)),
+      beginning_(new QPlainTextEdit),
       halves_(new QHBoxLayout),
       complaint_(new QLabel),
       progress_(new QProgressBar),
@@ -42,9 +64,20 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   bold.setBold(true);
   name->setFont(bold);
   views_->setSpacing(8);
-  views_->addWidget(name);
+  views_->setContentsMargins(0, 0, 0, 0);
+  beginning_->setObjectName("importBeginning");
+  beginning_->setAccessibleName(tr("the first lines of the file"));
+  beginning_->setReadOnly(true);
+  beginning_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  beginning_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  beginning_->hide();
+  auto* left = new QVBoxLayout;
+  left->setSpacing(8);
+  left->addWidget(name);
+  left->addWidget(shown_, 1);
+  left->addWidget(beginning_, 1);
   halves_->setSpacing(12);
-  halves_->addLayout(views_, 1);
+  halves_->addLayout(left, 1);
 
   complaint_->setObjectName("importComplaint");
   complaint_->setProperty("role", "error");
@@ -93,12 +126,6 @@ QString ImportPage::complaint() const {
   return complaint_->text();
 }
 
-DiagramSheet ImportPage::sheetSaying(const QString& complaint) {
-  DiagramSheet sheet;
-  sheet.title = Message::name(complaint.toStdString());
-  return sheet;
-}
-
 void ImportPage::restart() {
   setState(State::Reading);
   begin();
@@ -124,6 +151,15 @@ void ImportPage::setState(State state) {
   stop_->setToolTip(tip);
   stop_->setAccessibleName(tip);
   accept_->setEnabled(state == State::Shown);
+  if (state == State::Wrong) showBeginning();
+  if (state == State::Shown) beginning_->hide();
+  if (state == State::Wrong || state == State::Shown) shown_->setVisible(state == State::Shown);
+}
+
+/// Shows what the file is like: a person who has to name its columns sees them.
+void ImportPage::showBeginning() {
+  beginning_->setPlainText(beginningOf(file_));
+  beginning_->setVisible(!beginning_->document()->isEmpty());
 }
 
 void ImportPage::pressStop() {

@@ -1,19 +1,19 @@
 // What the pages of the window that read a file of a person have in common: the name of the file,
-// progress that can be stopped, one line that says what is wrong, and the buttons that take or
-// leave the result. The work runs in the background; the newest choices win. A page that is closed
-// disappears at once and deletes itself when its work has stopped, so that the window never waits
-// for it. GUI thread.
+// progress that can be stopped, one line that says what is wrong, with the first lines of the file
+// in place of the views, and the buttons that take or leave the result. The work runs in the
+// background; the newest choices win. A page that is closed disappears at once and deletes itself
+// when its work has stopped, so that the window never waits for it. GUI thread.
 #pragma once
 
 #include <QDialog>
 #include <QString>
 
-#include "core/chart/diagram.h"
 #include "ui/draw/theme.h"
 #include "ui/window/tasks/background_work.h"
 
 class QHBoxLayout;
 class QLabel;
+class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QToolButton;
@@ -34,9 +34,6 @@ class ImportPage : public QDialog {
  protected:
   /// Returns a text of core as a sentence, with a capital letter and a full stop.
   static QString sentence(QString text);
-
-  /// Returns a sheet that says, in place of diagrams, why there are none.
-  static DiagramSheet sheetSaying(const QString& complaint);
 
   ImportPage(const QString& file, const QString& accept, QWidget* parent);
 
@@ -60,11 +57,14 @@ class ImportPage : public QDialog {
   enum class State { Reading, Shown, Wrong, Stopped };
   void setState(State state);
   void pressStop();
+  void showBeginning();
   void endSoon();
 
   QString file_;
   State state_ = State::Reading;
+  QWidget* shown_;  // holds the views
   QVBoxLayout* views_;
+  QPlainTextEdit* beginning_;  // of the file, while something is wrong with it
   QHBoxLayout* halves_;
   QLabel* complaint_;
   QProgressBar* progress_;

@@ -367,10 +367,7 @@ void MaterialImport::take(const Preview& preview) {
   material_ = preview.material;
   if (preview.fault) {
     const auto& [option, message] = *preview.fault;
-    summary_->clear();
-    const QString complaint = inWordsOfThePage(option, translatedText(message));
-    sheet_->show([complaint] { return sheetSaying(complaint); });
-    return finish(complaint);
+    return finish(inWordsOfThePage(option, translatedText(message)));
   }
   const std::vector<NamedSheet> sheets = materialSheets(*material_);
   const QString before = sheets_->tabData(sheets_->currentIndex()).toString();

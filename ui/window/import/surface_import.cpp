@@ -185,13 +185,8 @@ void SurfaceImport::take(const Preview& preview) {
     const QString text = withLabels(translatedText(message));
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
-    for (QLabel* label : {facts_, values_, notes_}) label->clear();
-    const QString complaint =
-        (parameter ? ParameterRow::labelOf(*parameter) : QFileInfo(file()).fileName()) + ": " +
-        text;
-    profile_->show([complaint] { return sheetSaying(complaint); });
-    spectrum_->show([] { return DiagramSheet{}; });
-    return finish(complaint);
+    return finish((parameter ? ParameterRow::labelOf(*parameter) : QFileInfo(file()).fileName()) +
+                  ": " + text);
   }
   panel_->showLine(preview.line);
   showSummary(*summary_);
