@@ -1,7 +1,6 @@
 #include "ui/window/import/import_page.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -15,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/input_error.h"
+#include "core/base/regular_file.h"
 #include "core/base/text_encoding.h"
 #include "ui/language/translated.h"
 #include "ui/panels/choice_box.h"
@@ -24,17 +24,17 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(1120, 720);   // pixels
-constexpr qint64 kBeginning = 4096;  // bytes of a file that are shown
+constexpr QSize kUsual(1120, 720);  // pixels
+constexpr std::size_t kShownBytes = 4096;
 
 /// Returns the first whole lines of a text file; empty where the file is no text.
-QString beginningOf(const QString& name) {
-  QFile file(name);
-  if (!QFileInfo(name).isFile() || !file.open(QIODevice::ReadOnly)) return {};
-  std::string bytes = file.read(kBeginning).toStdString();
-  if (!file.atEnd()) bytes.resize(bytes.find_last_of('\n') + 1);  // 0 without a line's end
+QString beginningOf(const std::string& name) {
   try {
-    const DecodedText decoded(bytes, name.toStdString());
+    const RegularFile file(name);
+    std::string bytes = file.read(0, kShownBytes);
+    if (file.size() > bytes.size())
+      bytes.resize(bytes.find_last_of('\n') + 1);  // 0 without the end of a line
+    const DecodedText decoded(bytes, name);
     return QString::fromUtf8(decoded.text.data(), static_cast<qsizetype>(decoded.text.size()));
   } catch (const InputError&) {
     return {};
@@ -158,7 +158,7 @@ void ImportPage::setState(State state) {
 
 /// Shows what the file is like: a person who has to name its columns sees them.
 void ImportPage::showBeginning() {
-  beginning_->setPlainText(beginningOf(file_));
+  beginning_->setPlainText(beginningOf(file_.toStdString()));
   beginning_->setVisible(!beginning_->document()->isEmpty());
 }
 
