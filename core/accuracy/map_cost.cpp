@@ -10,7 +10,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kMostTrial = 0.5;  // s, of one line in all cells
+constexpr double kMostTrial = 0.5;        // s, of one line in all cells
+constexpr double kMostSecondTrial = 0.1;  // s, of one line, where more lines are tried, too
 
 struct Trial {
   ParameterMap map;
@@ -44,7 +45,15 @@ MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int t
     trial = tried(MapStage::OneLine, scene, x, y, stop);
   if (trial.cells() == cells) cost.different = trial.map.computed;
   cost.lines = static_cast<double>(planPilot(scene, cost.threads).run.lines);
-  cost.seconds = trial.seconds * cells / trial.cells() * cost.lines / cost.threads;
+  double perLine = trial.seconds * cells / trial.cells();
+  double once = 0;  // to find equal states and to gather them, whatever the number of lines is
+  if (cost.lines > 1 && trial.cells() == cells && trial.seconds < kMostSecondTrial) {
+    const Trial few = tried(MapStage::FewLines, scene, x, y, stop);
+    const auto more = static_cast<double>(few.map.lines - trial.map.lines);
+    perLine = std::clamp((few.seconds - trial.seconds) / more, 0.0, trial.seconds);
+    once = trial.seconds - perLine;
+  }
+  cost.seconds = once + perLine * cost.lines / cost.threads;
   return cost;
 }
 

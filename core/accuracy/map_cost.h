@@ -1,5 +1,6 @@
 // What a map over two parameters will cost, predicted from a trial: of all its states on one line,
-// or where that takes long of some of them. Time depends on the machine and is shown to users, but
+// or where that takes long of some of them, and where it is short of all on a few lines, too, which
+// tells what does not grow with the lines. Time depends on the machine and is shown to users, but
 // never decides what is computed. Threading: one thread at a time (time is measured). Failure: as
 // parameterMap; StudyStopped.
 #pragma once

@@ -207,7 +207,10 @@ ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, cons
                       const MapOptions& options) {
   checkMap(scene, x, y);
   const bool isCoarse = stage == MapStage::Coarse;
-  return stageOf(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, 1, workOf(options));
+  const std::int64_t all = scene.ensemble.realizations;  // 0: every row of a measured surface
+  std::int64_t lines = 1;
+  if (stage == MapStage::FewLines) lines = all == 0 ? kFewLines : std::min(kFewLines, all);
+  return stageOf(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, lines, workOf(options));
 }
 
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,

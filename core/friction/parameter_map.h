@@ -80,8 +80,9 @@ struct MapOptions {
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options = {});
 
-/// Parts of the work: at most 16 x 16 of the cells on one line, and all cells on one line.
-enum class MapStage { Coarse, OneLine };
+/// Parts of the work: at most 16 x 16 of the cells on one line; all cells on one line; all cells on
+/// ten lines, or on those of the scene where they are fewer.
+enum class MapStage { Coarse, OneLine, FewLines };
 
 /// Computes such a part, at the resolution of the whole map. Throws as parameterMap.
 ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,

@@ -78,7 +78,7 @@ std::vector<SweepColumns> sweepsIn(const std::vector<DmaColumn>& found) {
 }
 
 std::vector<double> withoutRepeats(std::vector<double> values) {
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
 }
 

@@ -123,12 +123,12 @@ TemperatureShift tableShift(std::span<const ShiftPoint> table, double referenceT
   const auto above =
       std::ranges::lower_bound(shift.table, referenceTemperature, {}, &ShiftPoint::temperature);
   if (above == shift.table.begin() || above == shift.table.end()) return shift;
-  constexpr double kNothing = 1e-9;  // decades
+  constexpr double kNoShift = 1e-9;  // decades
   const ShiftPoint low = *(above - 1), high = *above;
   const double between =
       std::lerp(low.log10Shift, high.log10Shift,
                 (referenceTemperature - low.temperature) / (high.temperature - low.temperature));
-  if (std::abs(between) > kNothing) shift.table.insert(above, {referenceTemperature, 0});
+  if (std::abs(between) > kNoShift) shift.table.insert(above, {referenceTemperature, 0});
   return shift;
 }
 

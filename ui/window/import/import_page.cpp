@@ -151,9 +151,14 @@ void ImportPage::setState(State state) {
   stop_->setToolTip(tip);
   stop_->setAccessibleName(tip);
   accept_->setEnabled(state == State::Shown);
-  if (state == State::Wrong) showBeginning();
-  if (state == State::Shown) beginning_->hide();
-  if (state == State::Wrong || state == State::Shown) shown_->setVisible(state == State::Shown);
+  // What goes is hidden first: both together are higher than the page, which would grow.
+  if (state == State::Shown) {
+    beginning_->hide();
+    shown_->show();
+  } else if (state == State::Wrong) {
+    shown_->hide();
+    showBeginning();
+  }
 }
 
 /// Shows what the file is like: a person who has to name its columns sees them.
