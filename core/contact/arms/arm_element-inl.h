@@ -21,11 +21,6 @@ HWY_BEFORE_NAMESPACE();
 namespace asperity {
 namespace HWY_NAMESPACE {
 
-/// A value and its derivative.
-struct ValueAndSlope {
-  double value, slope;
-};
-
 /// A part of a segment in contact: w (m) over u in [0, 1], in the direction of travel.
 struct ContactPiece {
   Cubic depth;

@@ -8,22 +8,32 @@
 namespace asperity {
 namespace {
 
-constexpr double kNone = 2;  // beyond [0, 1]
+/// The first place from `from` towards `to` where pressure or clearance ends, or kNoZero.
+template <class Function>
+double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
+                const Function& function) {
+  // Right where a stretch begins the function is 0 to rounding.
+  first.value = std::max(first.value, 0.0);
+  const auto value = [&function](double t, double& slope) {
+    const ValueAndSlope at = function(t);
+    slope = at.slope;
+    return at.value;
+  };
+  return firstZero(from, first, to, last, function,
+                   [&value](double a, ValueAndSlope, double b, ValueAndSlope atB) {
+                     return a < b ? zeroBetween(a, b, 1, value)
+                                  : zeroBetween(b, a, atB.value, value);
+                   });
+}
 
 }  // namespace
 
-Few<4> breakpoints(const Cubic& cubic, bool onwards) {
-  Few<4> found;
-  const double turn = cubic.c3 != 0 ? -cubic.c2 / (3 * cubic.c3) : kNone;
-  bool turned = !(turn > 0 && turn < 1);
-  for (const double t : stationaryPoints(cubic)) {
-    if (!turned && turn < t) found.add(turn);
-    turned |= turn < t;
-    found.add(t);
-  }
-  if (!turned) found.add(turn);
-  if (!onwards && found.count > 1)
-    std::reverse(found.values.begin(), found.values.begin() + found.count);
+Few<3> turnsUntil(double to, const Cubic& cubic, bool onwards) {
+  const Few<2> turns = stationaryPoints(cubic);
+  Few<3> found;
+  for (int i = 0; i < turns.count; ++i)
+    found.add(turns.values[static_cast<std::size_t>(onwards ? i : turns.count - 1 - i)]);
+  found.add(to);
   return found;
 }
 
@@ -42,8 +52,8 @@ ArmPass::Piece ArmPass::pieceOf(const Inside& inside, double from, double to) co
           inside.at(from)};
 }
 
-/// p / 4G at u of a piece that begins with the present strains, and its derivative there.
-double ArmPass::pressureAt(const Piece& piece, double u, double& slope) const {
+/// p / 4G at u of a piece that begins with the present strains.
+ValueAndSlope ArmPass::pressureAt(const Piece& piece, double u) const {
   const Cubic& w = piece.depth;
   const double d0 = w.c1, d1 = 2 * w.c2, d2 = 3 * w.c3, way = piece.length * u;
   double strain = 0, loss = 0;
@@ -56,27 +66,16 @@ double ArmPass::pressureAt(const Piece& piece, double u, double& slope) const {
     loss += coefficients_.lossRate[i] * e;
   }
   const double perLength = coefficients_.dashpot / piece.length, rising = d0 + u * (d1 + u * d2);
-  slope = rising * coefficients_.glassy - piece.length * loss + perLength * (d1 + 2 * u * d2);
-  return w(u) + strain + perLength * rising;
+  return {w(u) + strain + perLength * rising,
+          rising * coefficients_.glassy - piece.length * loss + perLength * (d1 + 2 * u * d2)};
 }
 
-/// Where pressure ends on the piece, or kNone.
+/// Where pressure ends on the piece, or kNoZero.
 double ArmPass::liftOff(const Piece& piece) const {
-  double slopeBefore = 0, slopeAfter = 0;
-  const double before = pressureAt(piece, 0, slopeBefore);
-  // Right where contact begins p may be 0 to rounding, but it grows.
-  if (before <= 0 && slopeBefore <= 0) return 0;
-  const double after = pressureAt(piece, 1, slopeAfter);
-  const auto pressure = [&](double u, double& slope) { return pressureAt(piece, u, slope); };
-  if (after <= 0) return zeroBetween(0, 1, 1, pressure);
-  if (!(slopeBefore < 0 && slopeAfter > 0)) return kNone;
-  double low = 0, high = 1, slope = 0;  // the lowest pressure is between
-  for (int i = 0; i < 60 && high - low > 1e-9; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (pressureAt(piece, middle, slope) <= 0) return zeroBetween(0, middle, 1, pressure);
-    (slope < 0 ? low : high) = middle;
-  }
-  return kNone;
+  const ValueAndSlope before = pressureAt(piece, 0);
+  if (before.value <= 0 && before.slope <= 0) return 0;
+  return firstEnd(0, before, 1, pressureAt(piece, 1),
+                  [&](double u) { return pressureAt(piece, u); });
 }
 
 /// What slow arms yield over [0, u], before the strains advance.
@@ -154,49 +153,35 @@ double ArmPass::comesBack(double distance) const {
   return back;
 }
 
-/// Depth of the line below the free surface at t, mode_ being that at `from`; slope with t.
-double ArmPass::gapAt(const Inside& inside, double from, double t, double& slope) const {
+/// Height of the line above the free surface at t, mode_ being that at `from`.
+ValueAndSlope ArmPass::clearanceAt(const Inside& inside, double from, double t) const {
   const double distance = (t - from) * inside.along;
-  double back = back_, falling = 0;
+  double back = back_, rising = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j) {
     const double gone = std::expm1(-coefficients_.rate[j] * distance);
     back -= mode_[j] * gone;
-    falling += coefficients_.rate[j] * mode_[j] * (1 + gone);
+    rising += coefficients_.rate[j] * mode_[j] * (1 + gone);
   }
-  slope = -inside.height.derivative(t) + inside.along * falling;
-  return leftHeight_ + back - inside.height(t);
+  return {inside.height(t) - (leftHeight_ + back),
+          inside.height.derivative(t) - inside.along * rising};
 }
 
-/// First place in (from, to] where the line reaches the free surface, or kNone.
+/// First place in (from, to] where the line reaches the free surface, or kNoZero.
 double ArmPass::findEntry(const Inside& inside, double from, double to, double lowest) const {
-  if (leftHeight_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest) return kNone;
-  Few<4> stops = breakpoints(inside.height, to > from);
-  stops.add(to);
-  double a = from, slopeA = 0;
-  gapAt(inside, from, a, slopeA);
-  const double onward = to > from ? 1 : -1;
-  const auto gap = [&](double t, double& slope) { return gapAt(inside, from, t, slope); };
-  const auto zeroFrom = [&](double low, double high) {
-    double ignored = 0;
-    return onward > 0 ? zeroBetween(low, high, -1, gap)
-                      : zeroBetween(high, low, gapAt(inside, from, high, ignored), gap);
-  };
-  for (const double b : stops) {
-    if ((b - a) * onward <= 0) continue;
-    double slopeB = 0;
-    if (gapAt(inside, from, b, slopeB) > 0) return zeroFrom(a, b);
-    if (slopeA * onward > 0 && slopeB * onward < 0) {
-      double low = a, high = b, slope = 0;
-      for (int i = 0; i < 60 && std::abs(high - low) > 1e-9; ++i) {
-        const double middle = 0.5 * (low + high);
-        if (gapAt(inside, from, middle, slope) > 0) return zeroFrom(a, middle);
-        (slope * onward > 0 ? low : high) = middle;
-      }
-    }
+  if (leftHeight_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest)
+    return kNoZero;
+  const auto clearance = [&](double t) { return clearanceAt(inside, from, t); };
+  double a = from;
+  ValueAndSlope atA = clearance(a);
+  for (const double b : turnsUntil(to, inside.height, inside.along > 0)) {
+    if ((b - a) * inside.along <= 0) continue;
+    const ValueAndSlope atB = clearance(b);
+    const double found = firstEnd(a, atA, b, atB, clearance);
+    if (found != kNoZero) return found;
     a = b;
-    slopeA = slopeB;
+    atA = atB;
   }
-  return kNone;
+  return kNoZero;
 }
 
 }  // namespace asperity

@@ -119,7 +119,6 @@ class ArmKernel {
   }
 
  private:
-  static constexpr double kNone = 2;               // beyond [0, 1]
   static constexpr int kMostEvents = 64;           // in one segment, as in arm_pass.cpp
   static constexpr double kPlaceTolerance = 1e-6;  // of a last step, relative to the place
 
@@ -221,11 +220,11 @@ class ArmKernel {
     const One after = mulAdd(perLength, rise, depth - s.end + One::load(batch.strainSum + 1));
     const One slopeAfter = mulAdd(
         rise, glassy, mulSub(perLength, s.d1 + s.d2 + s.d2, h * One::load(batch.lossSum + 1)));
-    // A dip between the ends lies above where the tangents meet.
-    const One meet = (after - before - slopeAfter) / (slopeBefore - slopeAfter);
-    const OneMask mayDip =
-        (slopeBefore < zero) & (slopeAfter > zero) & !(mulAdd(slopeBefore, meet, before) > zero);
-    const OneMask lasts = (before > zero) & (after > zero) & !mayDip;
+    // As in firstZero().
+    const One third = One::all(1.0 / 3);
+    const OneMask lasts = (before > zero) & (after > zero) &
+                          (mulAdd(third, slopeBefore, before) > zero) &
+                          (negMulAdd(third, slopeAfter, after) > zero);
     return static_cast<std::size_t>(std::countr_one(bitsOf(lasts)));
   }
 
@@ -235,12 +234,20 @@ class ArmKernel {
     return line_.spacing * sumOf(w);
   }
 
-  /// Whether the tangents at both ends of an interval meet below 0.
-  static HWY_INLINE bool mayDip(ValueAndSlope before, ValueAndSlope after, double width) {
-    if (!(before.slope < 0 && after.slope > 0)) return false;
-    const double meet =
-        (after.value - before.value - after.slope * width) / (before.slope - after.slope);
-    return !(before.value + before.slope * meet > 0);
+  /// Returns the first place from `from` towards `to` where contact or a free stretch ends, or
+  /// kNoZero. `function` is the pressure or the clearance.
+  template <class Function>
+  static double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
+                         const Function& function) {
+    // Right where a stretch begins the function is 0 to rounding.
+    first.value = std::max(first.value, 0.0);
+    return firstZero(
+        from, first, to, last, function,
+        [&](double a, ValueAndSlope atA, double b, ValueAndSlope atB) {
+          const bool isBracketed = atA.value > 0;
+          const double guess = isBracketed ? hermiteZero(a, atA, b, atB) : 0.5 * (a + b);
+          return zeroNear(guess, std::min(a, b), std::max(a, b), a > b, kPlaceTolerance, function);
+        });
   }
 
   /// Follows contact from `from` on and returns where it ends, or `to`. atEnd: the pressure at `to`
@@ -261,31 +268,12 @@ class ArmKernel {
     return at;
   }
 
-  /// Returns where pressure ends on the piece, or kNone.
+  /// Returns where pressure ends on the piece, or kNoZero.
   double liftOff(const ContactPiece& piece, const ValueAndSlope* atEnd) {
     const ValueAndSlope before = element_.pressure(piece);
-    // Where contact begins p may be 0 to rounding, but it grows.
     if (before.value <= 0 && before.slope <= 0) return 0;
     const ValueAndSlope after = atEnd ? *atEnd : element_.pressureAt(piece, 1);
-    const auto pressure = [&](double u) { return element_.pressureAt(piece, u); };
-    const auto zeroUntil = [&](double high, ValueAndSlope atHigh) {
-      const double guess = before.value > 0 ? hermiteZero(0, before, high, atHigh) : 0.5 * high;
-      return zeroNear(guess, 0, high, false, kPlaceTolerance, pressure);
-    };
-    if (after.value <= 0) return zeroUntil(1, after);
-    // The lowest pressure lies between. It is closed in from both sides until it is surely above 0
-    // or found to be below.
-    ValueAndSlope atLow = before, atHigh = after;
-    double low = 0, high = 1;
-    for (int i = 0; i < 60 && high - low > 1e-9 && mayDip(atLow, atHigh, high - low); ++i) {
-      const double share = i % 2 == 0 ? atLow.slope / (atLow.slope - atHigh.slope) : 0.5;
-      const double middle = low + std::clamp(share, 0.05, 0.95) * (high - low);
-      const ValueAndSlope at = pressure(middle);
-      if (at.value <= 0) return zeroUntil(middle, at);
-      (at.slope < 0 ? low : high) = middle;
-      (at.slope < 0 ? atLow : atHigh) = at;
-    }
-    return kNone;
+    return firstEnd(0, before, 1, after, [&](double u) { return element_.pressureAt(piece, u); });
   }
 
   template <bool Everything>
@@ -351,58 +339,42 @@ class ArmKernel {
     return lookInside<Everything>(i, nullptr);
   }
 
-  /// Returns the depth of the line below the free surface at t, and its slope with t. The
+  /// Returns the height of the line above the free surface at t, and its slope with t. The
   /// amplitudes are those at `from`.
-  HWY_INLINE ValueAndSlope gapAt(const Inside& inside, double from, double t) const {
+  HWY_INLINE ValueAndSlope clearanceAt(const Inside& inside, double from, double t) const {
     const ValueAndSlope back = element_.comesBack(std::abs((t - from) * inside.along));
-    return {leftHeight_ + (back_ + back.value) - inside.height(t),
-            -inside.height.derivative(t) + inside.along * back.slope};
+    return {inside.height(t) - (leftHeight_ + (back_ + back.value)),
+            inside.height.derivative(t) - inside.along * back.slope};
   }
 
-  /// Returns the first place in (from, to] where the line reaches the free surface, or kNone.
+  /// Returns the first place in (from, to] where the line reaches the free surface, or kNoZero.
   double findEntry(const Inside& inside, double from, double to) const {
-    const double onward = to > from ? 1 : -1;
     // The free surface rises, over the rest of a segment not farther than over a whole one.
     const double highest = leftHeight_ + (back_ + element_.comesBackOverBlock(0));
-    const auto gap = [&](double t) { return gapAt(inside, from, t); };
-    // From one breakpoint to the next the line only rises or only falls, so it is lowest at an end.
-    Few<4> stops = breakpoints(inside.height, to > from);
-    stops.add(to);
+    const auto clearance = [&](double t) { return clearanceAt(inside, from, t); };
+    // From one stationary point to the next the line only rises or only falls, so it is lowest at
+    // an end.
     double a = from, heightA = inside.height(from);
-    ValueAndSlope atA{leftHeight_ + back_ - heightA,
-                      -inside.height.derivative(from) + inside.along * element_.speedBack()};
+    ValueAndSlope atA{heightA - (leftHeight_ + back_),
+                      inside.height.derivative(from) - inside.along * element_.speedBack()};
     bool isKnownAtA = true;
-    for (const double b : stops) {
-      if ((b - a) * onward <= 0) continue;
+    for (const double b : turnsUntil(to, inside.height, inside.along > 0)) {
+      if ((b - a) * inside.along <= 0) continue;
       const double heightB = inside.height(b);
       if (std::min(heightA, heightB) >= highest) {
         isKnownAtA = false;
       } else {
-        if (!isKnownAtA) atA = gap(a);
-        const ValueAndSlope atB = gap(b);
-        const auto zeroBefore = [&](double t, ValueAndSlope at) {
-          const bool isGuessed = (atA.value < 0) != (at.value < 0);
-          const double guess = isGuessed ? hermiteZero(a, atA, t, at) : 0.5 * (a + t);
-          return zeroNear(guess, std::min(a, t), std::max(a, t), onward > 0, kPlaceTolerance, gap);
-        };
-        if (atB.value > 0) return zeroBefore(b, atB);
-        // The line may come down to the surface and go up again in between.
-        if (atA.slope * onward > 0 && atB.slope * onward < 0) {
-          double low = a, high = b;
-          for (int i = 0; i < 60 && std::abs(high - low) > 1e-9; ++i) {
-            const double middle = 0.5 * (low + high);
-            const ValueAndSlope at = gap(middle);
-            if (at.value > 0) return zeroBefore(middle, at);
-            (at.slope * onward > 0 ? low : high) = middle;
-          }
-        }
+        if (!isKnownAtA) atA = clearance(a);
+        const ValueAndSlope atB = clearance(b);
+        const double found = firstEnd(a, atA, b, atB, clearance);
+        if (found != kNoZero) return found;
         atA = atB;
         isKnownAtA = true;
       }
       a = b;
       heightA = heightB;
     }
-    return kNone;
+    return kNoZero;
   }
 
   /// Goes over segment i, through every event inside; returns the next one. atEnd: the pressure at

@@ -145,12 +145,9 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
       depth_ - line_.heightAboveMinimum[i + 1] + strainSum + perLength * (d0 + d1 + d2);
   const double slopeAfter =
       (d0 + d1 + d2) * coefficients_.glassy - h * lossSum + perLength * (d1 + 2 * d2);
-  // A dip between the ends lies above where the tangents meet.
-  bool lasts = before > 0 && after > 0;
-  if (lasts && slopeBefore < 0 && slopeAfter > 0) {
-    const double meet = (after - before - slopeAfter) / (slopeBefore - slopeAfter);
-    lasts = before + slopeBefore * meet > 0;
-  }
+  // As in firstZero().
+  const bool lasts =
+      before > 0 && after > 0 && before + slopeBefore / 3 > 0 && after - slopeAfter / 3 > 0;
   if (!lasts) {
     lookInside<Everything>(i);
     return i + 1;

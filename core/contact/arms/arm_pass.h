@@ -24,8 +24,9 @@ struct ArmShape {
   std::vector<double> modes;  // m, [node][mode]: amplitudes a_j, in contact too
 };
 
-/// Where the slope of a cubic or its curvature changes sign inside (0, 1), in order of travel.
-Few<4> breakpoints(const Cubic& cubic, bool onwards);
+/// Where a cubic turns inside (0, 1), in order of travel, and then `to`. In between it only rises
+/// or only falls.
+Few<3> turnsUntil(double to, const Cubic& cubic, bool onwards);
 
 /// Counts free stretches. Where pressure is 0 to rounding as contact begins, it ends and begins
 /// again within a few digits of the place: so short stretches, of either kind, count as none.
@@ -103,7 +104,7 @@ class ArmPass {
 
   Inside insideOf(std::size_t i) const;
   Piece pieceOf(const Inside& inside, double from, double to) const;
-  double pressureAt(const Piece& piece, double u, double& slope) const;
+  ValueAndSlope pressureAt(const Piece& piece, double u) const;
   double liftOff(const Piece& piece) const;
   void advance(const Piece& piece, double u);
   void gatherPiece(const Piece& piece, double u);
@@ -112,7 +113,7 @@ class ArmPass {
   template <bool Everything>
   void gatherArc(double position);
   double comesBack(double distance) const;
-  double gapAt(const Inside& inside, double from, double t, double& slope) const;
+  ValueAndSlope clearanceAt(const Inside& inside, double from, double t) const;
   double findEntry(const Inside& inside, double from, double to, double lowest) const;
   void refreshSums();
   void setStrainsFree();

@@ -106,6 +106,54 @@ double zeroBetween(double low, double high, double valueLow, const Function& val
   return t;
 }
 
+/// A value and its derivative.
+struct ValueAndSlope {
+  double value, slope;
+};
+
+/// Returned by firstZero() where there is no zero; beyond [0, 1].
+inline constexpr double kNoZero = 2;
+
+/// Returns the first place of [0, 1] from `from` towards `to`, which may lie below it, where a
+/// smooth function that begins at or above 0 ends to be positive, or kNoZero. `function(t)` returns
+/// a ValueAndSlope. `zeroIn(from, first, to, last)` finds the zero where there is only one. The
+/// interval is halved until the Bezier ordinates of Hermite's cubic through its ends are positive,
+/// so that the cubic is, or fall, so that it has one zero.
+template <class Function, class ZeroIn>
+double firstZero(double from, ValueAndSlope first, double to, ValueAndSlope last,
+                 const Function& function, const ZeroIn& zeroIn) {
+  constexpr double kShortest = 1e-9;
+  // Only a function that is 0 to rounding over a whole stretch needs more; it counts as positive.
+  constexpr int kMostHalvings = 200;
+  struct End {
+    double at;
+    ValueAndSlope value;
+  };
+  std::array<End, 32> ends;  // of the intervals from `from` on, the nearest last
+  std::size_t count = 0;
+  ends[count++] = {to, last};
+  for (int halvings = 0; count > 0;) {
+    const End& end = ends[count - 1];
+    const double width = end.at - from, third = width / 3;
+    const double next = first.value + third * first.slope;
+    const double previous = end.value.value - third * end.value.slope;
+    const bool isPositive = next > 0 && previous > 0 && end.value.value > 0;
+    const bool falls = first.value >= next && next >= previous && previous >= end.value.value;
+    const bool isShort = std::abs(width) <= kShortest || halvings == kMostHalvings;
+    if (end.value.value <= 0 && (falls || isShort)) return zeroIn(from, first, end.at, end.value);
+    if (isPositive || isShort) {
+      from = end.at;
+      first = end.value;
+      --count;
+    } else {
+      const double middle = from + 0.5 * width;
+      ends[count++] = {middle, function(middle)};
+      ++halvings;
+    }
+  }
+  return kNoZero;
+}
+
 /// Returns the zeros of `cubic` inside (0, 1), ascending; a double zero may be left out.
 inline Few<3> zerosInside(const Cubic& cubic) {
   Few<3> zeros;

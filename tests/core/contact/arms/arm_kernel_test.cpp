@@ -97,6 +97,61 @@ TEST_P(ArmKernel, AgreesWithThePlainPass) {
       }
 }
 
+/// The same line with each segment cut into equal parts of its own cubic.
+Line cutInto(int parts, const Line& line) {
+  Line fine = line;
+  fine.spacing = line.spacing / parts;
+  fine.height.clear();
+  fine.slopeAfter.clear();
+  for (std::size_t i = 0; i < line.nodes(); ++i) {
+    const std::size_t to = (i + 1) % line.nodes();
+    const Cubic cubic =
+        hermiteCubic(line.height[i], line.height[to], line.slopeAfter[i] * line.spacing,
+                     line.slopeLeftOf(to) * line.spacing);
+    for (int part = 0; part < parts; ++part) {
+      const double t = static_cast<double>(part) / parts;
+      fine.height.push_back(cubic(t));
+      fine.slopeAfter.push_back(cubic.derivative(t) / line.spacing);
+    }
+  }
+  return fine;
+}
+
+/// However far apart the nodes are, a pass finds all that its curve does between them: contact
+/// begins and ends where it does on the same curve in shorter segments.
+TEST_P(ArmKernel, NoEventInsideASegmentIsMissed) {
+  for (const int arms : {1, 3, 8})
+    for (std::int64_t realization = 0; realization < 12; ++realization) {
+      const ElementLaw law = lawWith(arms);
+      const RetardationModes modes = retardationModes(law);
+      ArmTables tables(law, modes), tablesOfParts(law, modes);
+      const Line curve = roughLine(40, 1, 0.3, realization);
+      const PreparedProfile line = prepareProfile(curve, Scheme::Cubic);
+      const PreparedProfile parts = prepareProfile(cutInto(16, curve), Scheme::Cubic);
+      for (const double velocity : {1e-4, 1e-2, 1.0, 100.0})
+        for (const double depth : {1e-7, 1e-6, 3e-6}) {
+          SCOPED_TRACE(testing::Message() << arms << " arms, line " << realization << ", "
+                                          << velocity << " m/s, " << depth << " m deep");
+          const ArmBalance balance = ArmSolver(line, tables, velocity).atDepth(depth);
+          ASSERT_TRUE(balance.isMet());
+          ArmPass plain(line, tables.at(velocity, line)->coefficients);
+          ArmPass plainOfParts(parts, tablesOfParts.at(velocity, parts)->coefficients);
+          plain.runForState(depth, balance.strain);
+          plainOfParts.runForState(depth, balance.strain);
+          EXPECT_NEAR(plain.sums().contactLength, plainOfParts.sums().contactLength,
+                      1e-8 * line.length);
+          EXPECT_NEAR(plain.sums().depth, plainOfParts.sums().depth,
+                      1e-9 * plainOfParts.sums().depth);
+          ArmWorkspace work(tables.at(velocity, line)->vectors);
+          runArmPass(line, tables.at(velocity, line)->vectors, depth, balance.strain,
+                     Output::Everything, work);
+          EXPECT_NEAR(work.sums.contactLength, plainOfParts.sums().contactLength,
+                      1e-8 * line.length);
+          EXPECT_NEAR(work.sums.depth, plainOfParts.sums().depth, 1e-9 * plainOfParts.sums().depth);
+        }
+    }
+}
+
 /// The plain pass, from where a search in vectors has ended, finds force and period met and the
 /// same friction.
 TEST_P(ArmKernel, ItsBalancesAreThoseOfThePlainPass) {

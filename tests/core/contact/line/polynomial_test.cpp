@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace asperity {
@@ -67,6 +69,44 @@ TEST(Polynomial, BracketedZeroSurvivesSteepAndFlatFunctions) {
     return 0.5 - std::exp(-1e6 * t);
   };
   EXPECT_NEAR(zeroBetween(0, 1, -0.5, steep) * 1e6, std::log(2.0), 1e-9);
+}
+
+/// Two dips between ends that rise and fall: the first one is found, in either direction.
+TEST(Polynomial, TheFirstZeroIsFoundWhateverTheSlopesAtTheEndsAre) {
+  constexpr double kWaves = 4 * std::numbers::pi;
+  const auto firstIn = [](double from, double to, const auto& function) {
+    const auto value = [&](double t, double& slope) {
+      const ValueAndSlope at = function(t);
+      slope = at.slope;
+      return at.value;
+    };
+    return firstZero(from, function(from), to, function(to), function,
+                     [&](double a, ValueAndSlope, double b, ValueAndSlope atB) {
+                       return a < b ? zeroBetween(a, b, 1, value)
+                                    : zeroBetween(b, a, atB.value, value);
+                     });
+  };
+  for (const double level : {0.5, 0.99, 0.999999}) {
+    const auto dips = [&](double t) {
+      return ValueAndSlope{level + std::sin(kWaves * t), kWaves * std::cos(kWaves * t)};
+    };
+    const double half = std::acos(level) / kWaves;  // of a dip's width
+    EXPECT_NEAR(firstIn(0, 1, dips), 0.375 - half, 1e-9);
+    EXPECT_NEAR(firstIn(1, 0, dips), 0.875 + half, 1e-9);
+  }
+  const auto above = [&](double t) {
+    return ValueAndSlope{1.001 + std::sin(kWaves * t), kWaves * std::cos(kWaves * t)};
+  };
+  EXPECT_EQ(firstIn(0, 1, above), kNoZero);
+  // The search ends where the function is 0 to rounding.
+  int looks = 0;
+  const auto around0 = [&](double t) {
+    ++looks;
+    return ValueAndSlope{1e-20 * std::cos(1e12 * t), -1e-8 * std::sin(1e12 * t)};
+  };
+  firstIn(0, 1, around0);
+  EXPECT_LT(looks, 1000);
+  EXPECT_EQ(firstIn(1, 0, above), kNoZero);
 }
 
 }  // namespace
