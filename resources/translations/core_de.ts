@@ -6058,8 +6058,8 @@
         <translation>Parabel</translation>
     </message>
     <message>
-        <source>A single wave asks a standard solid for its loss at a single frequency, so the friction curve is the loss modulus itself. Its peak lies where the wave number times velocity times relaxation time is 1.</source>
-        <translation>Eine einzelne Welle fragt den Standardkörper nach seinem Verlust bei einer einzigen Frequenz, daher ist die Reibungskurve der Verlustmodul selbst. Ihr Maximum liegt dort, wo Wellenzahl mal Geschwindigkeit mal Relaxationszeit 1 ist.</translation>
+        <source>A single wave excites a standard solid at a single frequency, so the friction curve is the loss modulus itself. Its peak lies where the wave number times velocity times relaxation time is 1.</source>
+        <translation>Eine einzelne Welle regt den Standardkörper bei einer einzigen Frequenz an, daher ist die Reibungskurve der Verlustmodul selbst. Ihr Maximum liegt dort, wo Wellenzahl mal Geschwindigkeit mal Relaxationszeit 1 ist.</translation>
     </message>
     <message>
         <source>A step of velocity</source>
@@ -6086,7 +6086,7 @@
         <translation>Bei 283 K sind alle Relaxationszeiten etwa 2600-mal so lang wie bei 343 K, daher rückt die ganze Kurve zu kleineren Geschwindigkeiten. Ihre Form bleibt: Es zählt allein Geschwindigkeit mal Verschiebung.</translation>
     </message>
     <message>
-        <source>At half time the line stops, and friction does not vanish with the velocity: contact is still one-sided and pushes back, at once with about half of the force and within a relaxation time with none. Meanwhile the line sinks in as the rubber creeps around its summits, which is why the next start is harder.</source>
+        <source>At half time the line stops, and friction does not vanish with the velocity: contact is still one-sided and pushes back, with about half of the force at first and with none after a relaxation time. Meanwhile the line sinks in as the rubber creeps around its summits, which is why the next start is harder.</source>
         <translation>Nach der halben Zeit bleibt die Linie stehen, und die Reibung verschwindet nicht mit der Geschwindigkeit: Der Kontakt ist noch einseitig und drückt zurück, sofort mit etwa der halben Kraft und nach einer Relaxationszeit nicht mehr. Inzwischen sinkt die Linie ein, während das Gummi um ihre Gipfel kriecht; deshalb ist das nächste Anfahren schwerer.</translation>
     </message>
     <message>
@@ -6098,12 +6098,12 @@
         <translation>Kaltes Gummi</translation>
     </message>
     <message>
-        <source>Contact shifts to the leading side as the velocity grows, while the indentation falls. Friction has a maximum where the way slid in a relaxation time is 1.4 contact half-widths at rest, and falls again.</source>
-        <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit 1,4 halbe Kontaktbreiten in Ruhe beträgt, und fällt dann wieder.</translation>
+        <source>Contact shifts to the leading side as the velocity grows, while the indentation falls. Friction has a maximum where the distance slid in a relaxation time is 1.4 times the half-width of the contact at rest, and falls again.</source>
+        <translation>Mit wachsender Geschwindigkeit wandert der Kontakt zur Vorderseite, und die Eindringung nimmt ab. Die Reibung hat ein Maximum, wo der Gleitweg in einer Relaxationszeit das 1,4-Fache der halben Kontaktbreite in Ruhe beträgt, und fällt dann wieder.</translation>
     </message>
     <message>
-        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0 and the plateau becomes a fall.</source>
-        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 wird aus dem Plateau ein Abfall.</translation>
+        <source>Each arm adds a shoulder to the curve, and the dashpot a last climb to the plateau of a Kelvin body. Set the viscosity to 0, and friction falls instead of reaching a plateau.</source>
+        <translation>Jeder Arm gibt der Kurve eine Schulter und der Dämpfer einen letzten Anstieg zum Plateau eines Kelvin-Körpers. Mit der Viskosität 0 fällt die Reibung, statt ein Plateau zu erreichen.</translation>
     </message>
     <message>
         <source>Elastic rubber has no friction</source>
@@ -6142,7 +6142,7 @@
         <translation>Nur die Vorderseiten der Gipfel sind in Kontakt: Das Gummi wirkt wie eine viskose Flüssigkeit, und die Reibungszahl ist dort die Steigung der Linie mal etwa 1,4. Modul oder Kraft ändern: Es geschieht wenig.</translation>
     </message>
     <message>
-        <source>Only the highest summits still touch, with tips that are smooth at the shortest wave. Raise the number of elements: finer tips move the decrease to higher velocities.</source>
+        <source>Only the highest summits still touch, with tips that are smooth on the scale of the shortest wave. Raise the number of elements: finer tips move the decrease to higher velocities.</source>
         <translation>Nur die höchsten Gipfel haben noch Kontakt, mit Kuppen, die auf der Skala der kürzesten Welle glatt sind. Die Zahl der Elemente erhöhen: Feinere Kuppen verschieben die Abnahme zu höheren Geschwindigkeiten.</translation>
     </message>
     <message>
@@ -6150,8 +6150,8 @@
         <translation>Schwingung durch den Stillstand</translation>
     </message>
     <message>
-        <source>Pressed in for ever and then pulled at once: contact is full width at first, so friction begins above its steady value. It settles within a relaxation time or the way of one contact, whichever is shorter, while the line is lifted.</source>
-        <translation>Beliebig lange eingedrückt und dann plötzlich gezogen: Der Kontakt hat zunächst seine volle Breite, daher beginnt die Reibung über ihrem stationären Wert. Sie stellt sich innerhalb einer Relaxationszeit oder des Weges eines Kontakts ein, je nachdem, was kürzer ist; dabei hebt sich die Linie.</translation>
+        <source>The line has been pressed in for a very long time and is then pulled suddenly: contact has its full width at first, so friction begins above its steady value. It settles within a relaxation time or a sliding distance of one contact length, whichever is shorter, while the line is lifted.</source>
+        <translation>Die Linie ist seit sehr langer Zeit eingedrückt und wird dann plötzlich gezogen: Der Kontakt hat zunächst seine volle Breite, daher beginnt die Reibung über ihrem stationären Wert. Sie stellt sich innerhalb einer Relaxationszeit oder eines Gleitwegs von einer Kontaktlänge ein, je nachdem, was kürzer ist; dabei hebt sich die Linie.</translation>
     </message>
     <message>
         <source>Region I: friction grows with velocity</source>
@@ -6190,8 +6190,8 @@
         <translation>Rauheit mit Roll-off</translation>
     </message>
     <message>
-        <source>Slow or fast, a standard solid is elastic, soft or stiff, and friction vanishes on both sides. Compare with the wedge on the Kelvin body, where it stays at its highest.</source>
-        <translation>Langsam oder schnell: Ein Standardkörper ist elastisch, weich oder steif, und auf beiden Seiten verschwindet die Reibung. Zum Vergleich der Keil auf dem Kelvin-Körper, wo sie am höchsten Wert bleibt.</translation>
+        <source>In slow sliding a standard solid is soft and elastic, in fast sliding stiff and elastic, so friction vanishes at both ends. Compare with the wedge on the Kelvin body, where friction stays at its maximum.</source>
+        <translation>Bei langsamem Gleiten ist ein Standardkörper weich und elastisch, bei schnellem steif und elastisch, daher verschwindet die Reibung an beiden Enden. Zum Vergleich der Keil auf dem Kelvin-Körper, wo die Reibung an ihrem Maximum bleibt.</translation>
     </message>
     <message>
         <source>Standard solid on a rough line</source>
@@ -6210,7 +6210,7 @@
         <translation>Anhalten und Ruhen</translation>
     </message>
     <message>
-        <source>Summits of the line are dented into the rubber, which comes back behind them; colour is pressure. Raise the velocity: contact withdraws to the leading sides.</source>
+        <source>Summits of the line dent the rubber, which comes back behind them; the colour shows the pressure. Raise the velocity: contact withdraws to the leading sides.</source>
         <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
@@ -6238,12 +6238,12 @@
         <translation>Die kurzen Wellen stehen auf den Gipfeln, die zuerst Kontakt haben, daher ist die Steigung im Kontakt bei kleiner Last groß und fällt mit wachsender Last. Das Spektrum allein unterscheidet diese Linie nicht von einer mit rauen Tälern.</translation>
     </message>
     <message>
-        <source>The surface has long come back where the next summit meets it, and every contact is nearly even fore and aft. Double the velocity: friction doubles with it.</source>
+        <source>The surface has long come back where the next summit meets it, and every contact is nearly the same at its front and at its back. Double the velocity: friction doubles with it.</source>
         <translation>Die Oberfläche ist längst zurückgekehrt, wo der nächste Gipfel auf sie trifft, und jeder Kontakt ist vorn und hinten fast gleich. Die Geschwindigkeit verdoppeln: Die Reibung verdoppelt sich mit.</translation>
     </message>
     <message>
-        <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it is another on the way up than on the way down, as the rubber remembers where it came from. Slow the oscillation and both ways come together.</source>
-        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie auf dem Hinweg eine andere als auf dem Rückweg, denn das Gummi erinnert sich, woher es kommt. Bei langsamerer Schwingung kommen beide Wege zusammen.</translation>
+        <source>The velocity swings through zero and back, and friction lags behind it: at the same velocity it differs between rising and falling velocity, as the rubber remembers its past. Slow the oscillation down and both branches come together.</source>
+        <translation>Die Geschwindigkeit schwingt durch null und zurück, und die Reibung hinkt hinterher: Bei gleicher Geschwindigkeit ist sie bei steigender Geschwindigkeit eine andere als bei fallender, denn das Gummi erinnert sich an seine Vergangenheit. Bei langsamerer Schwingung kommen beide Äste zusammen.</translation>
     </message>
     <message>
         <source>Two arms and a dashpot</source>
@@ -6254,7 +6254,7 @@
         <translation>Warmes Gummi</translation>
     </message>
     <message>
-        <source>Waves longer than a millimetre are all equally strong, so the line looks like many alike summits instead of one landscape. At the same rms height its slope is far larger, and so is friction.</source>
+        <source>Waves longer than a millimetre are all equally strong, so the line looks like many similar summits instead of one landscape. At the same rms height its slope is far larger, and so is friction.</source>
         <translation>Wellen über einem Millimeter sind alle gleich stark, daher sieht die Linie wie viele gleiche Gipfel aus statt wie eine Landschaft. Bei gleicher RMS-Höhe ist ihre Steigung weit größer und damit auch die Reibung.</translation>
     </message>
     <message>
@@ -6306,15 +6306,15 @@
         <translation>Oberflächen des Alltags</translation>
     </message>
     <message>
-        <source>Each stone is met on its front side alone: the rubber behind it comes back too late, and that is the friction. Wavelengths of some millimetres are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm), the pressure is that of a car tyre, and the height, the moduli near the glass transition and the width of 2 mm that turns pressure into force are an example; shorter waves, with which slopes are not small any more, are left out.</source>
-        <translation>Jeder Stein wird nur an seiner Vorderseite berührt: Das Gummi dahinter kommt zu spät zurück, und das ist die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
+        <source>Each stone is touched on its front side alone, because the rubber behind it comes back too late: this causes the friction. Wavelengths of some millimetres are those of road macrotexture (ISO 13473-1: 0.5 mm to 50 mm), the pressure is that of a car tyre, and the height, the moduli near the glass transition and the width of 2 mm that turns pressure into force are an example; shorter waves, with which slopes are not small any more, are left out.</source>
+        <translation>Jeder Stein wird nur an seiner Vorderseite berührt, weil das Gummi dahinter zu spät zurückkommt: Daher kommt die Reibung. Wellenlängen von einigen Millimetern sind die der Makrotextur von Straßen (ISO 13473-1: 0,5 mm bis 50 mm), der Druck ist der eines Autoreifens, und die Höhe, die Moduln nahe dem Glasübergang und die Breite von 2 mm, die aus Druck Kraft macht, sind ein Beispiel; kürzere Wellen, mit denen Steigungen nicht mehr klein sind, fehlen.</translation>
     </message>
     <message>
-        <source>Move the velocity: slowly the rubber fills the valleys behind each tip and pushes from both sides, at some centimetres a second it is met from the front alone. Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1); the height, low enough that slopes stay small, and the rubber with its one relaxation time are an example.</source>
-        <translation>Die Geschwindigkeit ändern: Langsam füllt das Gummi die Täler hinter jedem Gipfel und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde wird es nur von vorn getroffen. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und das Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
+        <source>Change the velocity: in slow sliding the rubber fills the valleys behind each tip and pushes from both sides, at a few centimetres per second it touches only the front of each tip. Grains of P80 paper are 0.2 mm wide on average (FEPA 43-1); the height, low enough that slopes stay small, and the rubber with its one relaxation time are an example.</source>
+        <translation>Die Geschwindigkeit ändern: Langsam füllt das Gummi die Täler hinter jedem Gipfel und drückt von beiden Seiten, bei einigen Zentimetern in der Sekunde berührt es nur noch die Vorderseite jedes Gipfels. Körner von Papier P80 sind im Mittel 0,2 mm breit (FEPA 43-1); die Höhe, so niedrig, dass Steigungen klein bleiben, und das Gummi mit seiner einen Relaxationszeit sind ein Beispiel.</translation>
     </message>
     <message>
-        <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not in it.</source>
+        <source>Slow creeping costs little and so does a fast slip: friction is highest where a ridge passes in the time in which the rubber relaxes, and a foot that begins to slip has less and less of it. All figures are an example for a soft sole under a person who stands on both feet; adhesion, which on clean dry concrete adds to this friction, is not included.</source>
         <translation>Langsames Kriechen kostet wenig, schnelles Rutschen ebenso: Die Reibung ist am größten, wo ein Grat in der Zeit vorbeikommt, in der das Gummi relaxiert, und ein Fuß, der zu rutschen beginnt, hat immer weniger davon. Alle Werte sind ein Beispiel für eine weiche Sohle unter einem Menschen, der auf beiden Füßen steht; Adhäsion, die auf sauberem trockenem Beton dazukommt, ist nicht enthalten.</translation>
     </message>
     <message>
