@@ -137,6 +137,7 @@ double firstZero(double from, ValueAndSlope first, double to, ValueAndSlope last
     const double width = end.at - from, third = width / 3;
     const double next = first.value + third * first.slope;
     const double previous = end.value.value - third * end.value.slope;
+    if (std::isnan(next + previous)) return kNoZero;  // halving would not end before the limit
     const bool isPositive = next > 0 && previous > 0 && end.value.value > 0;
     const bool falls = first.value >= next && next >= previous && previous >= end.value.value;
     const bool isShort = std::abs(width) <= kShortest || halvings == kMostHalvings;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -106,6 +107,14 @@ TEST(Polynomial, TheFirstZeroIsFoundWhateverTheSlopesAtTheEndsAre) {
   };
   firstIn(0, 1, around0);
   EXPECT_LT(looks, 1000);
+  // Without numbers there is no zero, and nothing to halve.
+  looks = 0;
+  const auto noNumber = [&](double t) {
+    ++looks;
+    return ValueAndSlope{t < 1 ? 1 : std::numeric_limits<double>::quiet_NaN(), 0};
+  };
+  EXPECT_EQ(firstIn(0, 1, noNumber), kNoZero);
+  EXPECT_EQ(looks, 2);
   EXPECT_EQ(firstIn(1, 0, above), kNoZero);
 }
 
