@@ -26,7 +26,7 @@ std::string linesOf(const Lesson& lesson) {
   return printable(shown(lesson.title)) + "\n  " +
          filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
                 {std::to_string(lesson.minutes), std::to_string(lesson.steps.size()),
-                 std::to_string(predictionsOf(lesson))}) +
+                 std::to_string(predictionCount(lesson))}) +
          "\n  " + printable(shown(lesson.goal)) + "\n";
 }
 

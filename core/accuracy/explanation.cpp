@@ -53,12 +53,12 @@ void addLine(Explanation& explanation) {
     explanation.normalForce = loadOn(scene.load, extent.length).normalForce;
   if (extent.rows > kLongProfile || extent.elements > kLongLine) return;
   const LineSource source(scene, 1);
-  explanation.notes = notesOf(source);
+  explanation.notes = lineNotes(source);
   if (!measuredFrequencies(scene.elastomer)) return;
   const Excitation excitation(scene, source);
-  explanation.excitation = excitationInWords(scene, excitation);
+  explanation.excitation = describeExcitation(scene, excitation);
   explanation.notes.add(
-      notesOf(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
+      elastomerNotes(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
 }
 
 /// A curve over velocity that costs what the scene's curve over another key costs: all points on
@@ -136,9 +136,9 @@ std::string explanationJson(const Explanation& explanation) {
   root["force_per_length"] = numberOrNull(explanation.normalForce / explanation.length);
   root["notes"] = Json::array();
   for (const Note note : explanation.notes.list())
-    root["notes"].push_back({{"word", wordOf(note)}, {"meaning", sentenceOf(note).english()}});
+    root["notes"].push_back({{"word", noteWord(note)}, {"meaning", noteSentence(note).english()}});
   for (const Theory theory : theoriesBeside(explanation.scene)) {
-    const TheoryEntry& entry = entryOf(theory);
+    const TheoryEntry& entry = theoryEntry(theory);
     root["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(theory)]},
                                 {"name", entry.name},
                                 {"range", entry.range}});

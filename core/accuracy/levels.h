@@ -24,7 +24,7 @@ namespace asperity {
 
 /// The maximum number of levels: `cubic` with 1, 2, 4, ... points per element.
 inline constexpr int kMostLevels = 9;
-inline std::int64_t oversamplingOf(int level) {
+inline std::int64_t levelOversampling(int level) {
   return std::int64_t{1} << level;
 }
 
@@ -62,7 +62,7 @@ std::vector<std::int64_t> optimalLines(std::span<const double> variances,
 /// Returns an upper estimate of |mu_level - mu_converged| for the mean over lines, level >= 1: a
 /// third of its difference from the level below (second order; the cubic line's error falls as 1/16
 /// once it is resolved), or a part of the spread of that difference where the mean is smaller.
-double resolutionErrorOf(const Halves& halves, int level);
+double estimateResolutionError(const Halves& halves, int level);
 
 /// Returns an upper estimate of |mu_l - mu_converged| for one line, from its friction on levels 0
 /// to l >= 2: the last difference, or a quarter of the previous one where that is larger, because
@@ -83,7 +83,7 @@ struct LevelEstimate {
   double mean = 0, standardError = 0;
   double freedom = 0;  // degrees of freedom (Welch and Satterthwaite)
 };
-LevelEstimate estimateOf(const Halves& halves, const LevelPlan& plan);
+LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan);
 
 /// Returns the variance of the estimate over the variance that is allowed for a total error of
 /// `relative` of mu after the resolution's part: above 1 more lines are needed.

@@ -2,7 +2,7 @@
 // or where that takes long of some of them, and where it is short of all on a few lines, too, which
 // tells what does not grow with the lines. Time depends on the machine and is shown to users, but
 // never decides what is computed. Threading: one thread at a time (time is measured). Failure: as
-// parameterMap; StudyStopped.
+// parameterMap; StopRequested.
 #pragma once
 
 #include <cstddef>

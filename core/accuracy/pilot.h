@@ -68,6 +68,6 @@ PilotScene sampleWithin(const PilotScene& whole, double perPoint, double points,
 
 /// Returns the memory in bytes of a friction curve: lines in work on `threads`, their sources, and
 /// results. finest: points per element of the finest line.
-double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest);
+double curveMemory(const PilotScene& run, int threads, std::int64_t finest);
 
 }  // namespace asperity

@@ -22,13 +22,14 @@ namespace asperity {
 void checkMembers(const nlohmann::ordered_json& object, const std::string& where,
                   std::initializer_list<std::string_view> known);
 
-double numberIn(const nlohmann::ordered_json& object, const std::string& where, const char* member);
-std::optional<double> optionalNumber(const nlohmann::ordered_json& object, const std::string& where,
-                                     const char* member);
-std::int64_t wholeIn(const nlohmann::ordered_json& object, const char* member, std::int64_t least,
-                     std::int64_t most, const std::string& where = "");
-std::string textIn(const nlohmann::ordered_json& object, const char* member,
-                   const std::string& otherwise = "", const std::string& where = "");
+double numberMember(const nlohmann::ordered_json& object, const std::string& where,
+                    const char* member);
+std::optional<double> optionalNumberMember(const nlohmann::ordered_json& object,
+                                           const std::string& where, const char* member);
+std::int64_t integerMember(const nlohmann::ordered_json& object, const char* member,
+                           std::int64_t least, std::int64_t most, const std::string& where = "");
+std::string textMember(const nlohmann::ordered_json& object, const char* member,
+                       const std::string& otherwise = "", const std::string& where = "");
 
 /// Names and what they stand for.
 template <class Choice, std::size_t N>
@@ -46,7 +47,7 @@ Choice chosen(const NamedChoices<Choice, N>& choices, const std::string& word,
 }
 
 template <class Choice, std::size_t N>
-std::string_view wordOf(const NamedChoices<Choice, N>& choices, Choice choice) {
+std::string_view choiceWord(const NamedChoices<Choice, N>& choices, Choice choice) {
   for (const auto& [word, one] : choices)
     if (one == choice) return word;
   return {};

@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <set>
+#include <system_error>
 
 #include "core/base/text_number.h"
 
 namespace asperity {
 namespace {
+
+bool isBlankOrTab(char letter) {
+  return letter == ' ' || letter == '\t';
+}
 
 using Separator = TextDialect::Separator;
 using Lines = std::vector<std::string_view>;
@@ -229,7 +235,7 @@ Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit) {
 /// ("1,000,000" is a number then), or where marks separate thousands by all that is there.
 TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, const Fit& fit) {
   const bool isQuoted = dialect == TextDialect{Separator::Comma, ','};
-  if (markOf(dialect.separator) == ',' && !isQuoted) return dialect;
+  if (separatorCharacter(dialect.separator) == ',' && !isQuoted) return dialect;
   TextDialect other = dialect;
   other.decimal = dialect.decimal == '.' ? ',' : '.';
   const Fit otherFit = fitOf(sample.lines, other);
@@ -242,7 +248,7 @@ TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, cons
 
 }  // namespace
 
-char markOf(Separator separator) {
+char separatorCharacter(Separator separator) {
   switch (separator) {
     case Separator::Blanks:
       return ' ';
@@ -275,7 +281,7 @@ bool isComment(std::string_view line) {
 void splitFields(std::string_view line, Separator separator,
                  std::vector<std::string_view>& fields) {
   fields.clear();
-  const char mark = markOf(separator);
+  const char mark = separatorCharacter(separator);
   const bool atBlanks = separator == Separator::Blanks;
   bool second = false;
   std::size_t begin = 0;
@@ -287,7 +293,7 @@ void splitFields(std::string_view line, Separator separator,
         i = end;
         continue;
       }
-    const bool isBlank = !atEnd && (line[i] == ' ' || line[i] == '\t');
+    const bool isBlank = !atEnd && isBlankOrTab(line[i]);
     if (atBlanks) {
       if (!atEnd && !isBlank) continue;
       if (i > begin) fields.push_back(line.substr(begin, i - begin));
@@ -295,7 +301,7 @@ void splitFields(std::string_view line, Separator separator,
       continue;
     }
     if (!atEnd && line[i] != mark) continue;
-    const bool blankFollows = i + 1 < line.size() && (line[i + 1] == ' ' || line[i + 1] == '\t');
+    const bool blankFollows = i + 1 < line.size() && isBlankOrTab(line[i + 1]);
     if (!atEnd && separator == Separator::CommaBlank && !blankFollows) continue;
     second = !second;
     if (!atEnd && separator == Separator::CommaPair && second) continue;
@@ -365,6 +371,45 @@ TextDialect detectDialect(std::string_view text) {
     }
   }
   return withRightMark(sample, best, bestFit);
+}
+
+bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers) {
+  using Separator = TextDialect::Separator;
+  if (dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair)
+    return false;
+  const char mark = separatorCharacter(dialect.separator);
+  const bool atBlanks = dialect.separator == Separator::Blanks;
+  const char* next = line.data();
+  const char* const end = next + line.size();
+  const auto skipBlanks = [&] {
+    while (next != end && (*next == ' ' || (*next == '\t' && mark != '\t'))) ++next;
+  };
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    skipBlanks();
+    if (i > 0 && !atBlanks) {
+      if (next == end || *next != mark) return false;
+      ++next;
+      skipBlanks();
+    }
+    if (next != end && *next == '+') ++next;
+    // Neither "inf" nor "nan", which std::from_chars takes for numbers.
+    const char* first = next != end && *next == '-' ? next + 1 : next;
+    if (first == end || !(isDigit(*first) || *first == '.')) return false;
+    if (dialect.decimal == '.') {
+      const auto [stop, error] = std::from_chars(next, end, numbers[i]);
+      if (error != std::errc{}) return false;
+      next = stop;
+    } else {
+      const char* stop = next;
+      while (stop != end && !isBlankOrTab(*stop) && *stop != mark) ++stop;
+      const auto size = static_cast<std::size_t>(stop - next);
+      if (!readTextNumber(std::string_view(next, size), ',', numbers[i])) return false;
+      next = stop;
+    }
+    if (next != end && !isBlankOrTab(*next) && *next != mark) return false;
+  }
+  skipBlanks();
+  return next == end;
 }
 
 }  // namespace asperity

@@ -2,6 +2,7 @@
 // is a point or a comma. Found from the numbers themselves. Pure; any thread.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct TextDialect {
 };
 
 /// What separates two fields; a blank where any run of blanks does.
-char markOf(TextDialect::Separator separator);
+char separatorCharacter(TextDialect::Separator separator);
 
 /// The dialect in which most lines of the text are rows of equally many numbers. Looks at some
 /// places of a long text alone.
@@ -49,5 +50,10 @@ std::string_view takeLine(std::string_view& text);
 
 /// Whether a line begins as a comment does: '#', '%', "//", '!'.
 bool isComment(std::string_view line);
+
+/// Reads a row of exactly `numbers.size()` numbers without quotes, comments and words for missing
+/// values: the fast way. Returns false where the line is anything else, for which splitRow and
+/// readField are needed.
+bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers);
 
 }  // namespace asperity

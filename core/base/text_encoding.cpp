@@ -115,7 +115,7 @@ DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     : text(bytes), encoding("UTF-8") {
   constexpr std::string_view kMark8 = "\xEF\xBB\xBF", kMarkLittle = "\xFF\xFE",
                              kMarkBig = "\xFE\xFF";
-  const std::string_view kind = foreignKindOf(bytes);
+  const std::string_view kind = detectNonText(bytes);
   if (kind == "text in UTF-16") {
     const bool hasMark = bytes.starts_with(kMarkLittle) || bytes.starts_with(kMarkBig);
     const bool isLittle = hasMark ? bytes.starts_with(kMarkLittle) : byteAt(bytes, 0) != 0;

@@ -24,7 +24,7 @@ std::size_t keyEnd(std::string_view line) {
   return at == 0 ? std::string_view::npos : at;
 }
 
-TextEntry entryOf(const TextLine& kept, const TextDialect& dialect) {
+TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   const std::string_view line = withoutCommentMark(kept.text, dialect);
   TextEntry entry{{}, std::string(line), kept.number};
   std::vector<std::string_view> fields;

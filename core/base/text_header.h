@@ -23,7 +23,7 @@ std::string_view withoutCommentMark(std::string_view line, const TextDialect& di
 std::size_t keyEnd(std::string_view line);
 
 /// The key and value of a line.
-TextEntry entryOf(const TextLine& line, const TextDialect& dialect);
+TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 
 /// The columns of a block with the names and units that the lines above it have. `first`: the
 /// fields of its first row.

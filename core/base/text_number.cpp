@@ -217,7 +217,7 @@ bool beginsWithSpreadsheetError(std::string_view text) {
                              [text](std::string_view error) { return text.starts_with(error); });
 }
 
-std::optional<TextQuantity> quantityIn(std::string_view text) {
+std::optional<TextQuantity> parseQuantity(std::string_view text) {
   text = trimmedField(text);
   // The longest beginning that is a number, with either mark.
   const std::size_t most =

@@ -62,6 +62,6 @@ struct TextQuantity {
 };
 
 /// "10 \u00B5m", "1,25e-3 m", "512": a number with a point or a comma, and what follows it.
-std::optional<TextQuantity> quantityIn(std::string_view text);
+std::optional<TextQuantity> parseQuantity(std::string_view text);
 
 }  // namespace asperity

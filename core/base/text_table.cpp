@@ -13,7 +13,6 @@
 #include "core/base/text_header.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
-#include "core/base/text_row.h"
 
 namespace asperity {
 namespace {
@@ -88,7 +87,7 @@ class TableReader {
   /// block of its own.
   bool goesOn() const {
     return std::ranges::all_of(above_, [this](const TextLine& line) {
-      return isComment(line.text) && entryOf(line, table_.dialect).key.empty();
+      return isComment(line.text) && parseEntry(line, table_.dialect).key.empty();
     });
   }
 
@@ -354,7 +353,7 @@ class TableReader {
   }
 
   void addEntry(const TextLine& line, std::vector<TextEntry>& entries) const {
-    entries.push_back(entryOf(line, table_.dialect));
+    entries.push_back(parseEntry(line, table_.dialect));
   }
 
   std::string_view whole_, rest_;

@@ -75,7 +75,7 @@ std::optional<double> namedLength(std::string_view unit) {
   std::string word = lowerCase(unit);
   for (int plural = 0; plural < 2; ++plural) {
     // "HM" is a hardness, and nobody measures in hectometres.
-    if (const auto known = unitNamed(word, "m"); known && word != "hm") return known->toSi(1);
+    if (const auto known = findUnit(word, "m"); known && word != "hm") return known->toSi(1);
     for (const NamedLength& one : kLengths)
       if (one.name == word) return one.metres;
     if (word.size() < 4 || !word.ends_with('s')) return {};
@@ -137,9 +137,9 @@ bool isUnitWord(std::string_view text) {
   // Letters of Greek and of the ring stay as they are.
   const std::string word = lowerCase(text);
   if (std::ranges::find(kOtherWords, word) != kOtherWords.end()) return true;
-  if (text.size() > 1 && (unitNamed(text) || metresPer(text))) return true;
+  if (text.size() > 1 && (findUnit(text) || metresPer(text))) return true;
   // "1/nm", "um^3"; a letter with a digit, such as "A2", is rather a name than square angstroms.
-  if (const auto length = lengthPowerNamed(text); length && length->power != 1)
+  if (const auto length = parseLengthPower(text); length && length->power != 1)
     return word.find('m') != std::string::npos;
   return std::ranges::any_of(kSymbols, [&word](std::string_view symbol) {
     if (!word.ends_with(symbol)) return false;
@@ -173,10 +173,10 @@ std::optional<LengthPower> productNamed(std::string_view text) {
     const std::size_t at = text.find(mark);
     if (at == std::string_view::npos) continue;
     const bool isOver = mark == "/(";
-    const auto square = lengthPowerNamed(trimmedBlanks(text.substr(0, at)));
+    const auto square = parseLengthPower(trimmedBlanks(text.substr(0, at)));
     // The bracket of a quotient stays with what it holds.
     const std::string_view rest = text.substr(isOver ? at + 1 : at + mark.size());
-    const auto other = lengthPowerNamed(trimmedBlanks(rest));
+    const auto other = parseLengthPower(trimmedBlanks(rest));
     if (!square || square->power != 2 || !other) return {};
     const int otherPower = isOver ? -other->power : other->power, power = 2 + otherPower;
     if (power <= 0) return {};
@@ -188,7 +188,7 @@ std::optional<LengthPower> productNamed(std::string_view text) {
 
 }  // namespace
 
-std::optional<LengthPower> lengthPowerNamed(std::string_view text) {
+std::optional<LengthPower> parseLengthPower(std::string_view text) {
   // Longer endings first, for "-1" ends in a digit, too.
   constexpr std::array<std::pair<std::string_view, int>, 14> kPowers{{{"\u207B\u00B9", -1},
                                                                       {"{-1}", -1},

@@ -26,6 +26,6 @@ struct LengthPower {
 
 /// Reads "1/um", "rad/m", "cycles/m", "nm^-1", "m^3", "um\u00B3", "mm", "um^2 mm", "um^2/(1/mm)".
 /// Empty where the text is none.
-std::optional<LengthPower> lengthPowerNamed(std::string_view text);
+std::optional<LengthPower> parseLengthPower(std::string_view text);
 
 }  // namespace asperity

@@ -226,7 +226,7 @@ Message refusalOf(std::string_view text, const std::string& unit, const Quantity
                          : isDifference ? Message("a difference of temperatures")
                                         : Message(known->words);
   const PrintedNumber example{std::string(known ? known->example : "0.5"sv)};
-  const std::optional<Unit> given = unitNamed(unit);
+  const std::optional<Unit> given = findUnit(unit);
   const Dimension* other = given && !given->si.empty() ? dimensionOf(given->si) : nullptr;
   if (other)
     return message("{} is {}; wanted is {}, such as {}", PrintedNumber{shortened(text)},
@@ -251,14 +251,14 @@ double Unit::toSi(double number) const {
   return (number + offset) * size * std::pow(10.0, exponent);
 }
 
-std::optional<Unit> unitNamed(std::string_view name, std::string_view si) {
+std::optional<Unit> findUnit(std::string_view name, std::string_view si) {
   const std::string text = usualSpelling(name);
   if (const auto found = other(text); found && found->si == si) return found;
   const Dimension* dimension = dimensionOf(si);
   return dimension ? withPrefix(text, dimension->si) : std::nullopt;
 }
 
-std::optional<Unit> unitNamed(std::string_view name) {
+std::optional<Unit> findUnit(std::string_view name) {
   const std::string text = usualSpelling(name);
   if (const auto found = other(text)) return found;
   for (const Dimension& dimension : kDimensions)
@@ -267,7 +267,7 @@ std::optional<Unit> unitNamed(std::string_view name) {
 }
 
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
-  if (const auto exact = unitNamed(name, si)) return exact;
+  if (const auto exact = findUnit(name, si)) return exact;
   const std::string text = lowerCase(usualSpelling(name));
   for (const OtherUnit& one : kOthers)
     if (one.unit.si == si && lowerCase(one.name) == text) return one.unit;
@@ -285,12 +285,12 @@ std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
   return si == "Pa" ? larger : std::nullopt;
 }
 
-std::optional<double> sizeOfUnit(std::string_view name, std::string_view si) {
+std::optional<double> unitSize(std::string_view name, std::string_view si) {
   const auto unit = unitInAnyCase(name, si);
   return unit && unit->offset == 0 ? std::optional(unit->toSi(1)) : std::nullopt;
 }
 
-std::string unitsOf(std::string_view si) {
+std::string unitNames(std::string_view si) {
   std::string list(si);
   for (const std::string_view prefix : {"k"sv, "M"sv, "G"sv})
     if (si == "Pa") list += fmt::format(", {}{}", prefix, si);
@@ -315,9 +315,9 @@ TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {
   if (!parts) return {};
   if (parts->isTooLarge) return {{}, {}, true};
   if (parts->unit.empty()) return {parts->number, {}};
-  const std::optional<Unit> unit = unitNamed(parts->unit, rule.unit);
+  const std::optional<Unit> unit = findUnit(parts->unit, rule.unit);
   // Words behind a pure number that are no unit are no number, either.
-  if (!unit && rule.unit.empty() && !unitNamed(parts->unit)) return {};
+  if (!unit && rule.unit.empty() && !findUnit(parts->unit)) return {};
   if (!unit || (unit->offset != 0 && !rule.isTemperature) || (rule.unit.empty() && rule.isWhole))
     return {{}, refusalOf(trimmedBlanks(text), parts->unit, rule)};
   if (unit->size != 1 || unit->offset != 0) return {roundedProduct(unit->toSi(parts->number)), {}};

@@ -64,7 +64,7 @@ bool agrees(const MeasuredColumn& column, const MeasuredPoint& point, const Scen
   const Parameter& row = *findParameter(column.key);
   const double measured = point.*column.value;
   if (std::isnan(measured) || !isApplicable(row, scene)) return true;
-  const double own = numberOf(row, scene);
+  const double own = parameterNumber(row, scene);
   // Two per cent of a temperature would be six kelvins.
   const double allowed = column.key == "elastomer.temperature" ? 1.0 : kClose * std::abs(own);
   return std::abs(measured - own) <= allowed;
@@ -104,7 +104,7 @@ FrictionData onAxis(FrictionData table, CurveSet& set) {
   return table;
 }
 
-double placeOf(const MeasuredPoint& point, const Scene& scene) {
+double measuredAbscissa(const MeasuredPoint& point, const Scene& scene) {
   if (scene.sweep.isOfVelocity()) return point.velocity * shiftToScene(point, scene);
   return point.*std::ranges::find(kMeasuredColumns, scene.sweep.key, &MeasuredColumn::key)->value;
 }
@@ -157,8 +157,8 @@ void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOp
     MeasuredCurve curve;
     std::vector<Scene> states;
     for (const MeasuredPoint& point : table.points) {
-      curve.places.push_back(placeOf(point, scene));
-      states.push_back(sceneOf(point, scene));
+      curve.places.push_back(measuredAbscissa(point, scene));
+      states.push_back(sceneAtPoint(point, scene));
     }
     SteadyStates found = slideStates(states, options);
     if (found.isComplete) curve.computed = std::move(found.points);

@@ -27,14 +27,14 @@ class Grid {
   }
 
   /// Where the level is crossed on a side.
-  ContourPlace placeOn(std::size_t side) const {
+  ContourPoint placeOn(std::size_t side) const {
     const bool isAlongY = side >= columns() * rows();
     const std::size_t node = isAlongY ? side - columns() * rows() : side;
     const std::size_t i = node % columns(), j = node / columns();
     const double a = at(i, j), b = isAlongY ? at(i, j + 1) : at(i + 1, j);
     const double t = (level_ - a) / (b - a);
-    return isAlongY ? ContourPlace{x_[i], y_[j] + t * (y_[j + 1] - y_[j])}
-                    : ContourPlace{x_[i] + t * (x_[i + 1] - x_[i]), y_[j]};
+    return isAlongY ? ContourPoint{x_[i], y_[j] + t * (y_[j + 1] - y_[j])}
+                    : ContourPoint{x_[i] + t * (x_[i + 1] - x_[i]), y_[j]};
   }
 
  private:
@@ -129,7 +129,7 @@ std::vector<ContourLine> contourLines(std::span<const double> x, std::span<const
   for (const std::vector<std::size_t>& sides : Joining(pieces).lines()) {
     ContourLine line;
     for (const std::size_t side : sides) {
-      const ContourPlace place = grid.placeOn(side);
+      const ContourPoint place = grid.placeOn(side);
       // A level that runs through a node is crossed on several sides in the same place.
       if (line.empty() || !(place == line.back())) line.push_back(place);
     }

@@ -8,14 +8,14 @@
 
 namespace asperity {
 
-struct ContourPlace {
+struct ContourPoint {
   double x = 0, y = 0;
 
-  bool operator==(const ContourPlace&) const = default;
+  bool operator==(const ContourPoint&) const = default;
 };
 
 /// Places one after the other; of a closed line the last one is the first one again.
-using ContourLine = std::vector<ContourPlace>;
+using ContourLine = std::vector<ContourPoint>;
 
 /// x, y: places of the grid's columns and rows, strictly rising; values: x fastest, NaN where there
 /// is none, which interrupts the lines. A value equal to the level counts as above it.

@@ -30,7 +30,7 @@ struct AxesFactors {
   double velocity = std::numeric_limits<double>::quiet_NaN();
   double friction = std::numeric_limits<double>::quiet_NaN();
 };
-AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes);
+AxesFactors axesFactors(std::span<const CurvePoint> points, CurveAxes axes);
 
 struct NamedCurve {
   Message name;  // "G = 20 MPa": the difference from the present curve, which has no name
@@ -83,12 +83,12 @@ struct CurveSet {
 /// Returns the factor from the friction of a measured point to the vertical axis; NaN where the
 /// axis shows no friction. Forces and powers follow from what was computed at the point. `factors`:
 /// of the present curve on the set's axes.
-double factorOfMeasured(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
-                        const AxesFactors& factors);
+double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
+                      const AxesFactors& factors);
 
 /// Returns the place of a point on the horizontal axis, and the value on the vertical one.
-double placeOf(const CurvePoint& point, const CurveSet& set);
-double valueOf(const CurvePoint& point, const CurveSet& set);
+double abscissa(const CurvePoint& point, const CurveSet& set);
+double ordinate(const CurvePoint& point, const CurveSet& set);
 
 /// Returns whether the chart shows forces, which its table then has, too.
 bool showsForces(const CurveSet& set);
@@ -98,7 +98,7 @@ bool showsForces(const CurveSet& set);
 inline constexpr int kPinColours = 8;
 bool showsLaw(const Scene& scene);
 
-int colourOfPin(int place);
+int pinColour(int place);
 
 /// Returns one row for each point of each curve: the series, all columns of a curve (curve_file.h),
 /// and with a comparison its difference in two more columns. Names of series: the scene's title,

@@ -23,7 +23,7 @@ enum class TickSide { Inside, Outside, None };
 enum class PanelLetters { None, Small, Capital, Bracketed };
 
 /// The look of one curve; what is not given stays automatic.
-struct CurveLook {
+struct CurveStyle {
   std::optional<std::uint32_t> paint;  // 0xRRGGBB
   std::optional<SeriesMark> mark;
   std::optional<SeriesStroke> stroke;
@@ -41,7 +41,7 @@ inline constexpr int kSmallestPicture = 160, kLargestPicture = 16384;  // pixels
 
 /// Reads "1200x800", "86mmx60mm", "86x60mm", "3.4inx2.4in"; units: px, mm, cm, in, pt (1/72 in).
 /// Empty where it is none of these.
-std::optional<PictureSize> pictureSizeFrom(std::string_view text);
+std::optional<PictureSize> parsePictureSize(std::string_view text);
 
 struct FigureStyle {
   std::string size{}, theme{};  // as given; empty: automatic
@@ -56,7 +56,7 @@ struct FigureStyle {
   PanelLetters letters = PanelLetters::None;
   std::optional<AxisScale> xScale{}, yScale{};
   std::vector<std::pair<std::string, std::string>> labels{};  // what, text
-  std::vector<std::pair<std::size_t, CurveLook>> curves{};    // number from 1 on, look
+  std::vector<std::pair<std::size_t, CurveStyle>> curves{};   // number from 1 on, look
 };
 
 /// What an option is of: any picture, charts, or friction curves alone. Those of pictures hold for
@@ -75,7 +75,13 @@ struct FigureOption {
 
 std::span<const FigureOption> figureOptions();
 
-/// Names of the shipped styles (resources/styles).
+/// A shipped style: a file of resources/styles as it is.
+struct ShippedStyle {
+  std::string_view name, json;
+};
+std::span<const ShippedStyle> shippedStyleFiles();
+
+/// Returns the names of the shipped styles.
 std::vector<std::string_view> shippedStyles();
 
 /// Returns the style of a file, or of a shipped name. Throws InputError.

@@ -9,11 +9,11 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/study.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
@@ -196,7 +196,7 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
   return text;
 }
 
-std::vector<Message> fitInWords(const Fit& fit) {
+std::vector<Message> describeFit(const Fit& fit) {
   std::vector<Message> lines;
   for (const FittedParameter& parameter : fit.parameters)
     lines.push_back(withRange(Message::name(parameter.key), parameter));
@@ -266,7 +266,7 @@ DiagramSheet profileSheet(const Fit& fit) {
 
 FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
                          std::span<const VariedParameter> parameters, const FitOptions& options) {
-  needSteadySliding(scene, "a fit");
+  requireSteadySliding(scene, "a fit");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "a fit needs the same lines everywhere, not a target");

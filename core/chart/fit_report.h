@@ -23,7 +23,7 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data);
 
 /// What a person reads first, line by line: "elastomer.shear_modulus = 1.02e7 Pa, 9.5e6 to 1.1e7",
 /// what these ranges are, how far the points lie from the curve, and the notes.
-std::vector<Message> fitInWords(const Fit& fit);
+std::vector<Message> describeFit(const Fit& fit);
 
 /// The fitted curve with its band, the points and their residuals. `set`: the curve of the fitted
 /// scene with the measured tables.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/chart/contours.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
@@ -58,11 +59,12 @@ AxisScale scaleOf(const MapAxis& axis) {
 
 DiagramAxis axisOf(const MapAxis& axis) {
   const auto [least, most] = std::ranges::minmax(axis.values);
-  return {titleOfKey(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least, most};
+  return {parameterTitle(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least,
+          most};
 }
 
-double numberOf(const Scene& scene, const MapAxis& axis) {
-  return numberOf(*axis.range.row, scene);
+double axisNumber(const Scene& scene, const MapAxis& axis) {
+  return parameterNumber(*axis.range.row, scene);
 }
 
 /// Returns the relative standard error that half of the cells are below; 1 where none is known, as
@@ -73,9 +75,7 @@ double noiseOf(const ParameterMap& map) {
     if (std::isfinite(cell.muStandardError) && cell.mu > 0)
       errors.push_back(cell.muStandardError / cell.mu);
   if (errors.empty()) return 1;
-  const auto middle = errors.begin() + std::ssize(errors) / 2;
-  std::ranges::nth_element(errors, middle);
-  return *middle;
+  return upperMedian(std::move(errors));
 }
 
 /// A map with both sides rising.
@@ -97,9 +97,7 @@ class RisingMap {
   }
   /// Returns the usual relative standard error of friction.
   double noise() const { return noiseOf(map_); }
-  Scene scene(std::size_t i, std::size_t j) const {
-    return sceneOfCell(map_, columns_[i], rows_[j]);
-  }
+  Scene scene(std::size_t i, std::size_t j) const { return cellScene(map_, columns_[i], rows_[j]); }
 
   std::vector<double> x, y, values;
 
@@ -123,7 +121,7 @@ std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale)
 
 /// Scale and range of the colours.
 DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quantity) {
-  DiagramAxis axis{titleOfMapQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
+  DiagramAxis axis{mapQuantityTitle(quantity), std::string(mapQuantityUnit(quantity)),
                    AxisScale::Linear};
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : values) {
@@ -145,7 +143,7 @@ DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quanti
 
 std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisScale y) {
   std::vector<DiagramPoint> points;
-  for (const ContourPlace& place : line)
+  for (const ContourPoint& place : line)
     points.push_back({axisValue(x, place.x), axisValue(y, place.y)});
   return points;
 }
@@ -244,7 +242,7 @@ Regions regionsOf(const RisingMap& map, bool velocityIsX) {
     for (std::size_t i = 0; i < velocities.size(); ++i)
       curve.push_back(velocityIsX ? map.cell(i, k) : map.cell(k, i));
     const Scene scene = velocityIsX ? map.scene(0, k) : map.scene(k, 0);
-    const std::vector<CurveRegion> found = regionsOfCurve(scene, curve);
+    const std::vector<CurveRegion> found = findRegions(scene, curve);
     std::array<bool, 3> isThere{};
     for (std::size_t r = 0; r < found.size(); ++r) {
       const std::size_t number = numberOfRegion(found[r].name);
@@ -285,8 +283,8 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
     const double from = axisPlace(axis.scale, axis.from), to = axisPlace(axis.scale, axis.to);
     return (axisPlace(axis.scale, value) - from) / (to - from);
   };
-  const double crossAlong = part(along, numberOf(map.scene, velocityIsX ? map.x : map.y));
-  const double crossAcross = part(across, numberOf(map.scene, velocityIsX ? map.y : map.x));
+  const double crossAlong = part(along, axisNumber(map.scene, velocityIsX ? map.x : map.y));
+  const double crossAcross = part(across, axisNumber(map.scene, velocityIsX ? map.y : map.x));
   DiagramPoint best;
   double most = -std::numeric_limits<double>::infinity();
   for (const RegionCut& cut : cuts) {
@@ -355,7 +353,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
 
 /// The scene's own state, where it is on the map.
 std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& diagram) {
-  const double x = numberOf(map.scene, map.x), y = numberOf(map.scene, map.y);
+  const double x = axisNumber(map.scene, map.x), y = axisNumber(map.scene, map.y);
   if (x < diagram.x.from || x > diagram.x.to || y < diagram.y.from || y > diagram.y.to) return {};
   DiagramMarker cross;
   cross.x = x;
@@ -366,7 +364,7 @@ std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& dia
 
 }  // namespace
 
-Message titleOfMapQuantity(std::string_view quantity) {
+Message mapQuantityTitle(std::string_view quantity) {
   for (const QuantityTitle& one : kTitles)
     if (one.quantity == quantity) return one.title;
   return Message::name(std::string(quantity));
@@ -376,7 +374,7 @@ DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
   DiagramSheet sheet;
   sheet.title = message("Friction over {} and {}", Message(map.x.range.row->label),
                         Message(map.y.range.row->label));
-  sheet.subtitle = sceneInWords(map.scene, {map.x.key(), map.y.key()});
+  sheet.subtitle = describeScene(map.scene, {map.x.key(), map.y.key()});
   Diagram diagram;
   diagram.x = axisOf(map.x);
   diagram.y = axisOf(map.y);
@@ -405,7 +403,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   // Between the two rows or columns beside the state.
   const auto [least, most] = std::ranges::minmax(across.values);
   const double at =
-      axisPlace(scaleOf(across), std::clamp(numberOf(map.scene, across), least, most));
+      axisPlace(scaleOf(across), std::clamp(axisNumber(map.scene, across), least, most));
   const auto above = std::ranges::lower_bound(others, at);
   const auto last = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - others.begin(), 1, std::ssize(others) - 1));
@@ -431,7 +429,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   }
   diagram.series = {std::move(series)};
   DiagramMarker marker;
-  marker.x = numberOf(map.scene, along);
+  marker.x = axisNumber(map.scene, along);
   if (marker.x >= diagram.x.from && marker.x <= diagram.x.to) diagram.marker = marker;
   return diagram;
 }

@@ -186,7 +186,7 @@ NamedSheet masterSheet(const Material& material) {
     const FrequencyRange range = fittedRange(material);
     sheet.subtitle =
         message("{}, G = {} in equilibrium, rms residual {} % of G' and {} % of G''",
-                armsInWords(material.series.arms.size()),
+                describeArms(material.series.arms.size()),
                 PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
                 PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},
                 PrintedNumber{printedNumber(100 * material.series.rmsLoss, 2)});
@@ -336,7 +336,7 @@ std::vector<NamedSheet> materialSheets(const Material& material) {
 }
 
 DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   const auto measured = measuredFrequencies(scene.elastomer);
   const auto band = excitation.band(scene.sliding.velocity);
   const FrequencyRange range = shownRange(measured, band, law);
@@ -371,7 +371,7 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   for (Diagram* diagram : {&tangent, &weights})
     for (DiagramSpan& shade : diagram->shades) shade.label = {};
   sheet.title = message("Where the rubber is used at {}", celsius(scene.elastomer.temperature));
-  sheet.subtitle = excitationInWords(scene, excitation);
+  sheet.subtitle = describeExcitation(scene, excitation);
   sheet.diagrams = {std::move(moduli), std::move(tangent), std::move(weights)};
   sheet.columns = 1;
   sheet.sharesAxis = true;
@@ -382,11 +382,11 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
 }
 
 DiagramSheet excitationSheet(const Scene& scene) {
-  return excitationSheet(scene, excitationOf(scene));
+  return excitationSheet(scene, computeExcitation(scene));
 }
 
 std::string excitationCsv(const Scene& scene, const Excitation& excitation) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   std::string text = joinedColumns({"frequency", "storage_modulus", "loss_modulus", "loss_tangent",
                                     "excitation_weight"}) +
                      "\n";
@@ -411,7 +411,7 @@ nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& exci
           {"share_not_measured", numberOrNull(outside)}};
 }
 
-Message excitationInWords(const Scene& scene, const Excitation& excitation) {
+Message describeExcitation(const Scene& scene, const Excitation& excitation) {
   const double velocity = scene.sliding.velocity;
   const auto band = excitation.band(velocity);
   if (!band) return "the line excites no loss at this velocity";

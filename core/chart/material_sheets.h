@@ -38,6 +38,6 @@ std::string excitationCsv(const Scene& scene, const Excitation& excitation);
 nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& excitation);
 
 /// "5 % of the loss lies below 3 Hz, ...": what the band says, for explain.
-Message excitationInWords(const Scene& scene, const Excitation& excitation);
+Message describeExcitation(const Scene& scene, const Excitation& excitation);
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ struct Exponent {
 
 /// Returns the exponents of a scene with the largest first. Of a parameter whose axis is linear it
 /// is p d ln mu / d p.
-std::vector<Exponent> exponentsOf(const Scene& scene, const std::vector<Sensitivity>& all);
+std::vector<Exponent> sensitivityExponents(const Scene& scene, const std::vector<Sensitivity>& all);
 
 /// Returns whether the value of a bar is larger than its error; true where the error is unknown.
 bool isSignificant(const DiagramBar& bar);

@@ -1,7 +1,7 @@
 // Derivatives of friction by the parameters of a scene, by central differences on common random
 // lines: the lines of both sides are the same, so that their scatter cancels. One function for
 // fits, sensitivities and whoever else needs them.
-// Failure: as slideStates; a stopped computation throws StudyStopped.
+// Failure: as slideStates; a stopped computation throws StopRequested.
 #pragma once
 
 #include <span>
@@ -28,17 +28,17 @@ class VariedParameter {
   const Parameter& row() const { return *row_; }
   bool isLogarithmic() const { return isLogarithmic_; }
 
-  /// The value from its place on the axis, and back.
-  double value(double place) const;
-  double place(double value) const;
-  double lowest() const { return place(low_); }
-  double highest() const { return place(high_); }
+  /// The value from its coordinate on the axis, and back.
+  double value(double coordinate) const;
+  double coordinate(double value) const;
+  double lowest() const { return coordinate(low_); }
+  double highest() const { return coordinate(high_); }
   /// How far a difference reaches to each side: a thousandth of the value, or of the range of a
   /// linear slider. Second-order differences are then good to some 1e-6.
   double step() const { return step_; }
 
-  double of(const Scene& scene) const;  // the value in a scene
-  void set(Scene& scene, double place) const;
+  double valueIn(const Scene& scene) const;  // the value in a scene
+  void set(Scene& scene, double coordinate) const;
 
  private:
   const Parameter* row_;
@@ -49,10 +49,11 @@ class VariedParameter {
 
 /// Reads "KEY" or "KEY=LOW:HIGH", whose limits may have units. Throws InputError with the key, or
 /// with --vary.
-VariedParameter variedFrom(const std::string& text, const Scene& scene);
+VariedParameter parseVariedParameter(const std::string& text, const Scene& scene);
 
 /// Reads several. Throws InputError (--vary) where there is none, or a key stands twice.
-std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, const Scene& scene);
+std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string>& texts,
+                                                   const Scene& scene);
 
 /// Returns the numbers that steady friction at one velocity may depend on, in the table's order.
 /// What is 0 is an effect that is switched off, and left out.

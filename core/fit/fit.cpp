@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/input_error.h"
+#include "core/base/statistics.h"
 #include "core/fit/fit_objective.h"
 
 namespace asperity {
@@ -26,9 +27,9 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   MatrixXd about(n, static_cast<Eigen::Index>(lines));
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
-    const double mean = meanOf(mu);
+    const double average = mean(mu);
     for (std::size_t line = 0; line < lines; ++line)
-      about(i, static_cast<Eigen::Index>(line)) = mu[line] - mean;
+      about(i, static_cast<Eigen::Index>(line)) = mu[line] - average;
   }
   return about / std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
 }
@@ -70,7 +71,7 @@ class Information {
   Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
 };
 
-/// How far a parameter's place may be wrong before it counts as open.
+/// How far a parameter's coordinate may be wrong before it counts as open.
 double openBeyond(const VariedParameter& parameter) {
   if (parameter.isLogarithmic()) return std::log(2.0);
   const auto& field = std::get<RealField>(parameter.row().field);
@@ -90,7 +91,7 @@ class Fitting {
     std::iota(all_.begin(), all_.end(), 0);
     start_.resize(static_cast<Eigen::Index>(parameters.size()));
     for (std::size_t k = 0; k < parameters.size(); ++k)
-      start_[static_cast<Eigen::Index>(k)] = parameters[k].place(parameters[k].of(scene));
+      start_[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].valueIn(scene));
     const auto points = static_cast<std::int64_t>(objective_.size());
     const auto count = static_cast<std::int64_t>(parameters.size());
     if (count == 0) throw InputError("", "--vary", "no parameter is named");
@@ -107,14 +108,14 @@ class Fitting {
     objective_.addVelocityErrors(start_);
     Minimum best = minimize(objective_, nearer(start_), all_, kIterations);
     if (objective_.hasVelocityErrors()) {
-      objective_.addVelocityErrors(best.places);
-      best = minimize(objective_, best.places, all_, kIterations);
+      objective_.addVelocityErrors(best.coordinates);
+      best = minimize(objective_, best.coordinates, all_, kIterations);
     }
     fit_.hasConverged = best.hasConverged;
     fit_.chiSquared = best.chiSquared;
-    fit_.scene = objective_.sceneAt(best.places);
-    setErrors(best.places);
-    setParameters(best.places);
+    fit_.scene = objective_.sceneAt(best.coordinates);
+    setErrors(best.coordinates);
+    setParameters(best.coordinates);
     setCombinations();
     if (options_.hasProfiles) setProfiles(best);
     fit_.evaluations = objective_.evaluations();
@@ -138,12 +139,12 @@ class Fitting {
                                Message::name(without->name), Message::name(with->name)));
   }
 
-  /// The place to begin from: where friction is far from what was measured, the one to which its
-  /// logarithms lead.
+  /// The coordinate to begin from: where friction is far from what was measured, the one to which
+  /// its logarithms lead.
   VectorXd nearer(const VectorXd& start) const {
     const double distance = objective_.logarithmicDistance(objective_.evaluate(start, {}));
     if (distance < kFar || !std::isfinite(distance)) return start;
-    return minimize(objective_, start, all_, kIterations, Distance::Logarithm).places;
+    return minimize(objective_, start, all_, kIterations, Distance::Logarithm).coordinates;
   }
 
   /// Errors hold unless chi squared is three of its standard deviations beyond its mean: a fit
@@ -160,8 +161,8 @@ class Fitting {
     if (!hasErrors_) fit_.errorScale = fit_.relativeScatter = std::sqrt(fit_.chiSquared / freedom);
   }
 
-  void setErrors(const VectorXd& places) {
-    const FrictionWithDerivatives found = objective_.evaluate(places, all_);
+  void setErrors(const VectorXd& coordinates) {
+    const FrictionWithDerivatives found = objective_.evaluate(coordinates, all_);
     fit_.hasFoundPoints = objective_.logarithmicDistance(found) < kFar;
     const auto n = static_cast<Eigen::Index>(objective_.size());
     const auto count = static_cast<Eigen::Index>(parameters_.size());
@@ -172,7 +173,7 @@ class Fitting {
       const double deviation = objective_.deviation(point);
       weights[i] = 1 / (deviation * deviation);
       for (Eigen::Index k = 0; k < count; ++k)
-        slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
+        slopes(i, k) = mean(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
     const MatrixXd lines = scatterOfLines(found);
     const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
@@ -190,7 +191,7 @@ class Fitting {
     }
   }
 
-  void setParameters(const VectorXd& places) {
+  void setParameters(const VectorXd& coordinates) {
     const auto count = static_cast<Eigen::Index>(parameters_.size());
     fit_.correlation = MatrixXd::Identity(count, count);
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -198,13 +199,13 @@ class Fitting {
       FittedParameter found;
       found.key = parameter.key();
       found.isLogarithmic = parameter.isLogarithmic();
-      found.value = parameter.value(places[k]);
+      found.value = parameter.value(coordinates[k]);
       found.standardError = std::sqrt(covariance_(k, k));
-      found.low = parameter.value(places[k] - found.standardError);
-      found.high = parameter.value(places[k] + found.standardError);
+      found.low = parameter.value(coordinates[k] - found.standardError);
+      found.high = parameter.value(coordinates[k] + found.standardError);
       const double near = 1e-6 * (parameter.highest() - parameter.lowest());
       found.isAtLimit =
-          places[k] - parameter.lowest() < near || parameter.highest() - places[k] < near;
+          coordinates[k] - parameter.lowest() < near || parameter.highest() - coordinates[k] < near;
       found.isDetermined = found.standardError <= openBeyond(parameter);
       fit_.parameters.push_back(found);
       for (Eigen::Index j = 0; j < count; ++j)
@@ -239,20 +240,20 @@ class Fitting {
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
       ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
       for (const double steps : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
-        const double there = best.places[index] + steps * reach;
+        const double there = best.coordinates[index] + steps * reach;
         if (there < parameter.lowest() || there > parameter.highest()) continue;
         Minimum held = best;
         if (steps != 0) {
-          VectorXd start =
-              best.places + covariance_.col(index) * (steps * reach) / covariance_(index, index);
+          VectorXd start = best.coordinates +
+                           covariance_.col(index) * (steps * reach) / covariance_(index, index);
           for (std::size_t j = 0; j < parameters_.size(); ++j) {
-            const auto place = static_cast<Eigen::Index>(j);
-            start[place] =
-                std::clamp(start[place], parameters_[j].lowest(), parameters_[j].highest());
+            const auto other = static_cast<Eigen::Index>(j);
+            start[other] =
+                std::clamp(start[other], parameters_[j].lowest(), parameters_[j].highest());
           }
           start[index] = there;
-          held =
-              others.empty() ? atPlace(start) : minimize(objective_, start, others, kFewIterations);
+          held = others.empty() ? atCoordinates(start)
+                                : minimize(objective_, start, others, kFewIterations);
         }
         profile.values.push_back(parameter.value(there));
         profile.chiSquared.push_back(held.chiSquared);
@@ -261,8 +262,8 @@ class Fitting {
     }
   }
 
-  Minimum atPlace(const VectorXd& places) const {
-    return {places, objective_.chiSquared(objective_.evaluate(places, {})), true};
+  Minimum atCoordinates(const VectorXd& coordinates) const {
+    return {coordinates, objective_.chiSquared(objective_.evaluate(coordinates, {})), true};
   }
 
   void addNotes() {
@@ -320,7 +321,7 @@ class Fitting {
   bool hasErrors_;
   std::vector<int> all_;
   VectorXd start_;
-  MatrixXd covariance_;  // of the places
+  MatrixXd covariance_;  // of the coordinates
   Fit fit_;
 };
 

@@ -2,14 +2,14 @@
 // so that the objective is smooth, by Levenberg and Marquardt's method within limits (Ceres
 // Solver), with derivatives by differences (derivatives.h).
 //
-// Errors. With J the derivatives of the computed friction by the parameters' places and W the
+// Errors. With J the derivatives of the computed friction by the parameters' coordinates and W the
 // weights, the estimate moves by (J'WJ)^-1 J'W times whatever the data and the computed means are
 // wrong by. Both have a covariance: that of the measurement, and that of the mean over the fit's
 // own lines, which all points share. So cov = (J'WJ)^-1 J'W (S_data + S_lines) WJ (J'WJ)^-1. Where
 // the tables have no errors, all points have the same relative one, read from what the fit leaves;
 // where their errors do not hold, they are scaled to it.
 // Threading: a function of its arguments, which uses several threads; same bytes for any number.
-// Failure: InputError for what cannot be varied or fitted; StudyStopped where it was stopped.
+// Failure: InputError for what cannot be varied or fitted; StopRequested where it was stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,7 +36,7 @@ struct FittedParameter {
   std::string key;
   bool isLogarithmic = true;
   double value = 0;          // in the unit of its key
-  double standardError = 0;  // of the value's place: of ln value where that is varied
+  double standardError = 0;  // of the value's coordinate: of ln value where that is varied
   double low = 0, high = 0;  // value at one standard error to each side
   bool isAtLimit = false;
   bool isDetermined = true;  // false: the data leave it open by more than a factor of two
@@ -51,14 +51,14 @@ struct ObjectiveProfile {
 
 /// A product of powers of the parameters (a sum for linear ones) and how well it is determined.
 struct Combination {
-  std::vector<double> exponents;  // of each parameter's place; the largest is 1
-  double standardError = 0;       // of the sum of exponent times place
+  std::vector<double> exponents;  // of each parameter's coordinate; the largest is 1
+  double standardError = 0;       // of the sum of exponent times coordinate
 };
 
 struct Fit {
   Scene scene;  // with the best values
   std::vector<FittedParameter> parameters;
-  Eigen::MatrixXd correlation;            // of the places
+  Eigen::MatrixXd correlation;            // of the coordinates
   std::vector<Combination> combinations;  // best determined first
   std::vector<ObjectiveProfile> profiles;
   std::vector<CurvePoint> computed;    // at the measured points

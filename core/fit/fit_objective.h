@@ -1,7 +1,7 @@
 // The scene at measured points for any values of its parameters, how far its friction is from what
 // was measured, and the least sum of squares of that (Levenberg and Marquardt's method, Ceres
 // Solver). A part of core/fit/fit.cpp.
-// Failure: InputError for states that cannot slide, StudyStopped where it was stopped.
+// Failure: InputError for states that cannot slide, StopRequested where it was stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,6 @@
 #include "core/fit/friction_data.h"
 
 namespace asperity {
-
-double meanOf(const std::vector<double>& values);
 
 class Objective {
  public:
@@ -29,11 +27,11 @@ class Objective {
   int evaluations() const { return evaluations_; }
   const std::stop_token& stop() const { return options_.stop; }
 
-  Scene sceneAt(const Eigen::VectorXd& places) const { return at(scene_, places); }
+  Scene sceneAt(const Eigen::VectorXd& coordinates) const { return at(scene_, coordinates); }
 
   /// Friction and, for the parameters named, its derivatives; 0 at points that state the parameter
   /// themselves.
-  FrictionWithDerivatives evaluate(const Eigen::VectorXd& places,
+  FrictionWithDerivatives evaluate(const Eigen::VectorXd& coordinates,
                                    std::span<const int> varied) const;
 
   /// Returns computed minus measured friction at a point, over the point's error.
@@ -53,14 +51,14 @@ class Objective {
 
   /// An error of the velocity is one of friction by the slope of the computed curve (effective
   /// variance).
-  void addVelocityErrors(const Eigen::VectorXd& places);
+  void addVelocityErrors(const Eigen::VectorXd& coordinates);
 
  private:
   StateOptions stateOptions() const;
-  std::vector<Scene> statesAt(const Eigen::VectorXd& places) const;
+  std::vector<Scene> statesAt(const Eigen::VectorXd& coordinates) const;
   void findStated();
   void weighWithErrors();
-  Scene at(Scene scene, const Eigen::VectorXd& places) const;
+  Scene at(Scene scene, const Eigen::VectorXd& coordinates) const;
 
   const Scene& scene_;
   Scene fixed_;  // with its resolution stated
@@ -73,7 +71,7 @@ class Objective {
 };
 
 struct Minimum {
-  Eigen::VectorXd places;
+  Eigen::VectorXd coordinates;
   double chiSquared = 0;
   bool hasConverged = false;
 };

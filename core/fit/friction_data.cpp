@@ -66,11 +66,11 @@ std::optional<std::string> withoutError(std::string word) {
        {"standarderror", "standarddeviation", "uncertainty", "error", "stdev", "stddev", "sigma",
         "unsicherheit", "abweichung", "fehler", "err", "std", "dev", "sd", "se", "\u00B1", "\u03C3",
         "delta", "\u0394"}) {
-    const std::size_t place = word.find(sign);
+    const std::size_t index = word.find(sign);
     // Two letters at the end of a word mean it only there: "sets" has no error.
-    if (place == std::string::npos) continue;
-    if (sign.size() == 2 && sign[0] < 'z' && place != 0 && place + 2 != word.size()) continue;
-    word.erase(place, sign.size());
+    if (index == std::string::npos) continue;
+    if (sign.size() == 2 && sign[0] < 'z' && index != 0 && index + 2 != word.size()) continue;
+    word.erase(index, sign.size());
     if (word.ends_with("of")) word.resize(word.size() - 2);
     if (word.starts_with("of")) word.erase(0, 2);
     if (word.starts_with("in")) word.erase(0, 2);
@@ -138,7 +138,7 @@ class Reader {
  private:
   struct Column {
     Quantity quantity;
-    std::size_t place;
+    std::size_t index;
     Conversion conversion;
     Message note;
   };
@@ -193,7 +193,7 @@ class Reader {
       notes.front() = message("{}; {}", notes.front(), columns_[i].note);
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (std::ranges::find(columns_, i, &Column::place) == columns_.end())
+      if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
@@ -217,19 +217,19 @@ class Reader {
     return found == columns_.end() ? nullptr : &*found;
   }
 
-  void add(Quantity quantity, std::size_t place) {
-    const TextColumn& column = block_.columns[place];
+  void add(Quantity quantity, std::size_t index) {
+    const TextColumn& column = block_.columns[index];
     if (const Column* other = find(quantity))
       refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
-                     shortened(block_.columns[other->place].name), shortened(column.name)));
+                     shortened(block_.columns[other->index].name), shortened(column.name)));
     if (column.isText && quantity != Quantity::Label)
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
     if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
     const Conversion conversion = conversionOf(quantity, column);
     const std::string unit = column.unit.empty() ? std::string(conversion.unit.si) : column.unit;
-    const int number = static_cast<int>(place) + 1;
+    const int number = static_cast<int>(index) + 1;
     const Message meaning(meaningOf(quantity));
-    columns_.push_back({quantity, place, conversion,
+    columns_.push_back({quantity, index, conversion,
                         unit.empty()
                             ? message("column {}: {}", number, meaning)
                             : message("column {}: {} ({})", number, meaning, Message::name(unit))});
@@ -246,7 +246,7 @@ class Reader {
                        shortened(column.unit), std::string_view(known)));
       return Conversion{*unit};
     };
-    const Conversion share{*unitNamed("%"), true};
+    const Conversion share{*findUnit("%"), true};
     switch (quantity) {
       case Quantity::Velocity:
         return unitOf("m/s", "m/s, mm/s, um/s, cm/s, km/h, m/min");
@@ -275,7 +275,7 @@ class Reader {
   double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
     const Column* column = find(quantity);
     if (!column) return kNotApplicable;
-    const double number = block_.at(row, column->place);
+    const double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     const Conversion& in = column->conversion;
     return in.unit.toSi(number) * (in.isShare ? whole : 1);
@@ -303,13 +303,13 @@ class Reader {
       refuseRow(point.row, "the error of the velocity is below 0");
     if (const Column* temperature = find(Quantity::Temperature)) {
       constexpr double kColdest = 120;  // K; no elastomer is one any more
-      if (block_.columns[temperature->place].unit.empty() && point.temperature < kColdest)
+      if (block_.columns[temperature->index].unit.empty() && point.temperature < kColdest)
         refuseRow(point.row,
                   message("a temperature of {} K is too cold for rubber; name the unit, as in "
                           "\"temperature (C)\"",
                           plain(point.temperature)));
     }
-    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->place][row];
+    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->index][row];
     return point;
   }
 
@@ -378,7 +378,7 @@ FrictionData readFrictionData(const std::filesystem::path& file, const std::stri
   return data;
 }
 
-Scene sceneOf(const MeasuredPoint& point, const Scene& scene) {
+Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene) {
   Scene at = scene;
   at.sliding.kind = SlidingKind::Steady;
   at.sliding.velocity = point.velocity;

@@ -49,6 +49,6 @@ bool isFrictionTable(const TextTable& table);
 
 /// The scene as it was when the point was measured: steady, at its velocity, and with the force,
 /// pressure and temperature that the table gives.
-Scene sceneOf(const MeasuredPoint& point, const Scene& scene);
+Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene);
 
 }  // namespace asperity

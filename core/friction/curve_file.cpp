@@ -74,7 +74,7 @@ constexpr ColumnName kNotesColumn = "notes";
 
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
-                             [](const CurvePoint& point) { return !notesOf(point).empty(); });
+                             [](const CurvePoint& point) { return !pointNotes(point).empty(); });
 }
 
 }  // namespace
@@ -109,15 +109,15 @@ bool isUnresolved(const CurvePoint& point) {
 
 }  // namespace
 
-NoteSet noteSetOf(const CurvePoint& point) {
+NoteSet pointNoteSet(const CurvePoint& point) {
   NoteSet notes = point.notes;
   notes.add(Note::UnresolvedFriction, isUnresolved(point));
   return notes;
 }
 
-std::string notesOf(const CurvePoint& point) {
+std::string pointNotes(const CurvePoint& point) {
   NoteSet said;
-  for (const Note note : noteSetOf(point).list())
+  for (const Note note : pointNoteSet(point).list())
     said.add(note, note != Note::FewContacts || point.listsContacts);
   return said.words();
 }
@@ -195,7 +195,7 @@ std::string CurveTable::row(const CurvePoint& point) const {
     if (!isLeftOut(column.name)) text += csvNumber(point.*column.member) + ",";
   text += point.realizations > 0 ? fmt::format("{}", point.realizations) : std::string();
   for (const std::size_t i : extra_) text += "," + csvNumber(extraValue(i, point));
-  return hasNotes_ ? text + "," + notesOf(point) : text;
+  return hasNotes_ ? text + "," + pointNotes(point) : text;
 }
 
 nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
@@ -207,7 +207,7 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   row[kRealizations.text()] = point.realizations;
   for (const std::size_t i : extra_)
     row[kExtraColumns[i].name.text()] = numberOrNull(extraValue(i, point));
-  if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);
+  if (hasNotes_) row[kNotesColumn.text()] = pointNotes(point);
   return row;
 }
 

@@ -26,8 +26,8 @@ std::string curveRow(const CurvePoint& point);
 /// the error of their sum, with either sign. `extrapolated_material`: it rests on frequencies at
 /// which the elastomer was not measured; `extrapolated_temperature`: on such a temperature.
 /// `few_contacts` stands in tables of scenes that list contacts; in the set it stands for all.
-std::string notesOf(const CurvePoint& point);
-NoteSet noteSetOf(const CurvePoint& point);
+std::string pointNotes(const CurvePoint& point);
+NoteSet pointNoteSet(const CurvePoint& point);
 
 /// The names of all columns of a curve that are numbers, in the order of the tables.
 std::vector<std::string_view> curveColumns();

@@ -16,7 +16,7 @@ namespace asperity {
 
 class Excitation;
 class LineSource;
-struct WaveStretch;
+struct WaveBand;
 struct SteadyResult;
 
 /// Not applicable: empty in CSV, null in JSON, not drawn.
@@ -128,25 +128,25 @@ struct CurveAverages {
 
 /// What the columns of a state need to know of its lines; found once for many states on the same
 /// lines.
-struct LawLines {
+struct LineProperties {
   double rmsHeight = 0, rmsSlope = 0;  // m, of the lines
   double length = 0;                   // m
   bool slopesDiffer = false;           // from line to line
   NoteSet notes{};                     // of the lines
   /// Empty where it is not known at which frequencies the elastomer was measured.
-  std::shared_ptr<const std::vector<WaveStretch>> waves{};
+  std::shared_ptr<const std::vector<WaveBand>> waves{};
 
   /// The same lines `factor` times as high.
-  LawLines scaled(double factor) const;
+  LineProperties scaled(double factor) const;
 };
-LawLines lawLines(const LineSource& source, const Elastomer& elastomer);
+LineProperties lineProperties(const LineSource& source, const Elastomer& elastomer);
 
 /// Eqs. (5) to (14) for the lines of a scene. Pure after construction.
 class LawColumns {
  public:
   LawColumns(const Scene& scene, const LineSource& source);
   /// Lines that several states share; waves may be empty where the elastomer needs none.
-  LawColumns(const Scene& scene, const LawLines& lines);
+  LawColumns(const Scene& scene, const LineProperties& lines);
 
   /// Adds muLaw, normalizedMu, the dimensionless numbers, the columns of a nominal pressure and the
   /// notes. Removes muInterface where the scene has no local friction, muRatioOfMeans where it

@@ -36,23 +36,24 @@ struct QuantityEntry {
 
 /// All of them, in the order of a menu; mu is the first.
 std::span<const QuantityEntry> quantityEntries();
-const QuantityEntry& entryOf(CurveQuantity quantity);
+const QuantityEntry& quantityEntry(CurveQuantity quantity);
 
 /// Returns the quantity with this word; empty where there is none.
-std::optional<CurveQuantity> quantityNamed(std::string_view word);
+std::optional<CurveQuantity> findQuantity(std::string_view word);
 std::vector<std::string_view> quantityWords();
 
 /// Returns the quantity of a point.
-inline double valueOf(CurveQuantity quantity, const CurvePoint& point) {
-  return point.*entryOf(quantity).value;
+inline double quantityValue(CurveQuantity quantity, const CurvePoint& point) {
+  return point.*quantityEntry(quantity).value;
 }
 
 /// Returns the factor from the friction of a point to the quantity; NaN where they are not
 /// proportional, or the point has no friction.
 inline double perFriction(CurveQuantity quantity, const CurvePoint& point) {
   if (quantity == CurveQuantity::Mu) return 1;
-  if (!entryOf(quantity).isFriction || std::isnan(point.mu) || point.mu == 0) return kNotApplicable;
-  return valueOf(quantity, point) / point.mu;
+  if (!quantityEntry(quantity).isFriction || std::isnan(point.mu) || point.mu == 0)
+    return kNotApplicable;
+  return quantityValue(quantity, point) / point.mu;
 }
 
 }  // namespace asperity

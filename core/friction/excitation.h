@@ -42,12 +42,13 @@ bool isExtrapolated(double shareNotMeasured);
 
 /// What to know of an elastomer on these lines: frequencies, temperature and strains at which it
 /// was not measured. Strains are about as large as the slopes.
-NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured);
+NoteSet elastomerNotes(const Elastomer& elastomer, const LineSource& source,
+                       double shareNotMeasured);
 /// The same for lines of this rms slope.
-NoteSet notesOf(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured);
+NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured);
 
 /// Modes of neighbouring wave numbers together.
-struct WaveStretch {
+struct WaveBand {
   double waveNumber = 0;  // 1/m
   double strength = 0;    // sum of q |c_q|^2
   double decades = 0;     // of wave number that it covers
@@ -55,7 +56,7 @@ struct WaveStretch {
 
 /// The waves of the first line of a source. Making them takes as long as making the line; any
 /// number of elastomers may share them, and lines that differ in height, which is a factor on all.
-using ExcitedWaves = std::shared_ptr<const std::vector<WaveStretch>>;
+using ExcitedWaves = std::shared_ptr<const std::vector<WaveBand>>;
 ExcitedWaves excitedWaves(const LineSource& source);
 
 class Excitation {
@@ -84,6 +85,6 @@ class Excitation {
 };
 
 /// Makes the first line of a scene and returns its excitation.
-Excitation excitationOf(const Scene& scene);
+Excitation computeExcitation(const Scene& scene);
 
 }  // namespace asperity

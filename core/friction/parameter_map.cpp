@@ -63,7 +63,7 @@ ParameterMap stageOf(const Scene& scene, const MapAxis& x, const MapAxis& y, std
       if (lines == 0) continue;
       // A preview has the resolution of the map that it goes before.
       if (state.accuracy.scheme != Scheme::Nodal)
-        state.accuracy.oversampling = pointsPerElementOfCurve(state);
+        state.accuracy.oversampling = curvePointsPerElement(state);
       state.ensemble.realizations = lines;
     }
   SteadyStates found = slideStates(states, options);
@@ -166,7 +166,7 @@ MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const Parameter
     throw InputError(
         "", key,
         message("a map has 2 to {} points along each side, not {}", kMostMapPoints, range.points));
-  MapAxis axis{range, valuesOf(range)};
+  MapAxis axis{range, rangeValues(range)};
   if (axis.values.size() < 2 || axis.values.front() == axis.values.back())
     throw InputError("", key,
                      message("{} to {} is only one value; a side of a map needs two",
@@ -177,7 +177,7 @@ MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const Parameter
 ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points) {
   constexpr double kFactor = 100;  // two decades to each side
   const AllowedRange allowed = *allowedRange(row);
-  const double now = numberOf(row, scene);
+  const double now = parameterNumber(row, scene);
   ParameterRange range{&row, 0, 0, points, hasLogarithmicSlider(row) && now > 0};
   std::visit(
       [&](const auto& field) {
@@ -238,7 +238,7 @@ Scene sceneAt(const ParameterMap& map, double x, double y) {
   return cellScene(map.scene, map.x, x, map.y, y);
 }
 
-Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j) {
+Scene cellScene(const ParameterMap& map, std::size_t i, std::size_t j) {
   return cellScene(map.scene, map.x, map.x.values[i], map.y, map.y.values[j]);
 }
 
@@ -268,7 +268,7 @@ std::vector<std::string_view> mapQuantities() {
   return names;
 }
 
-std::string_view unitOfMapQuantity(std::string_view name) {
+std::string_view mapQuantityUnit(std::string_view name) {
   for (const Column& column : kColumns)
     if (column.name == name && column.tables.starts_with("curve")) return column.unit;
   return {};
@@ -298,7 +298,7 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
   bool isFirst = true;
   for (std::size_t j = 0; j < map.y.values.size(); ++j)
     for (std::size_t i = 0; i < map.x.values.size(); ++i) {
-      const Json points = pointsPerElementOfCurve(sceneOfCell(map, i, j));
+      const Json points = curvePointsPerElement(cellScene(map, i, j));
       if (isFirst) used = points;
       isFirst = false;
       if (used != points) used = nullptr;
@@ -308,7 +308,7 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
   // What makes the map again stands first, in one order, whatever of it was given.
   Json options = Json::object();
   for (const auto& [word, axis] : {std::pair{"x", &map.x}, {"y", &map.y}})
-    options[word] = fmt::format("{}={}", axis->range.key(), textOf(axis->range));
+    options[word] = fmt::format("{}={}", axis->range.key(), formatRange(axis->range));
   options["show"] = quantity;
   if (Json& given = root["options"]; given.is_object())
     for (const auto& [word, value] : given.items())

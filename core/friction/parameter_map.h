@@ -93,7 +93,7 @@ ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, cons
 Scene sceneAt(const ParameterMap& map, double x, double y);
 
 /// The scene of a cell, as one would give it to a curve of one velocity.
-Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j);
+Scene cellScene(const ParameterMap& map, std::size_t i, std::size_t j);
 
 /// Whether friction is the same along a side everywhere: its key does nothing here.
 bool isWithoutEffect(const ParameterMap& map, bool alongX);
@@ -104,7 +104,7 @@ bool isWithoutEffect(const ParameterMap& map, bool alongX);
 bool isMapQuantity(std::string_view name);
 std::vector<std::string_view> mapQuantities();
 /// Returns the unit of a quantity; empty for a pure number.
-std::string_view unitOfMapQuantity(std::string_view name);
+std::string_view mapQuantityUnit(std::string_view name);
 
 /// Returns the quantity in each cell, x fastest; NaN where it does not apply. `exponent` is
 /// d ln mu / d ln x, by a parabola in ln x through a cell and its neighbours

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/stop.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -73,7 +74,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
   // The resolution that the program chooses must not change from cut to cut.
   Scene whole = scene;
   if (whole.accuracy.scheme != Scheme::Nodal)
-    whole.accuracy.oversampling = pointsPerElementOfCurve(scene);
+    whole.accuracy.oversampling = curvePointsPerElement(scene);
   std::size_t last = all + 1;
   for (int step = 0;; ++step) {
     const auto modes = static_cast<std::size_t>(
@@ -94,7 +95,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
   StateOptions keeping = options;
   keeping.keepsLines = true;
   const SteadyStates found = slideStates(states, keeping);
-  if (!found.isComplete) throw StudyStopped{};
+  if (!found.isComplete) throw StopRequested{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].state = found.points[i];
     const double full = found.points.back().mu;

@@ -23,7 +23,7 @@ struct CutoffPoint {
 };
 
 /// Returns the points from long to short wavelengths; the last one is the scene itself. A cancelled
-/// computation throws StudyStopped.
+/// computation throws StopRequested.
 std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptions& options = {});
 
 }  // namespace asperity

@@ -208,7 +208,7 @@ class States {
   /// Lines and groups to which a state is likely to belong come first: those of its neighbours.
   void add(std::size_t index) {
     const Scene& scene = states_[index];
-    const std::int64_t points = pointsPerElementOfCurve(scene);
+    const std::int64_t points = curvePointsPerElement(scene);
     const Surface shape = shapeOf(scene.surface);
     const auto isSame = [&](const Lines& lines) {
       const Scene& first = lines.groups.front().scene;
@@ -223,7 +223,7 @@ class States {
       lines_.push_back({shape, points, {}, 0});
       lines = lines_.rbegin();
     }
-    const ElementLaw law = lawOf(scene.elastomer);
+    const ElementLaw law = elementLaw(scene.elastomer);
     for (auto group = lines->groups.rbegin(); group != lines->groups.rend(); ++group) {
       // A pressure may be compared with a force as soon as the length of the line is known.
       const bool isDepth = scene.load.kind == LoadKind::Indentation;
@@ -320,14 +320,14 @@ class States {
   /// was stopped before and nobody wants a part.
   bool setPoints(const Lines& lines, const LineSource& source,
                  const std::vector<CurveAverages>& averages, SteadyStates& found) const {
-    LawLines shared;
+    LineProperties shared;
     const Scene* last = nullptr;
     for (const Group& group : lines.groups)
       for (const Member& member : group.members) {
         if (!options_.partial && options_.stop.stop_requested()) return false;
         const Scene& scene = states_[member.state];
         const bool needsWaves = !shared.waves && measuredFrequencies(scene.elastomer);
-        if (!last || needsWaves) shared = lawLines(source, scene.elastomer);
+        if (!last || needsWaves) shared = lineProperties(source, scene.elastomer);
         last = &scene;
         CurvePoint& point = found.points[member.state];
         point = averages[member.place].point(scene.sliding.velocity);

@@ -98,7 +98,7 @@ struct LessonControls {
   std::vector<std::string> free{}, locked{}, hidden{};
   ControlState others = ControlState::Hidden;
 
-  ControlState of(std::string_view key) const;
+  ControlState state(std::string_view key) const;
   bool operator==(const LessonControls&) const = default;
 };
 
@@ -153,10 +153,10 @@ struct Lesson {
 };
 
 /// Returns how many steps ask for a prediction.
-int predictionsOf(const Lesson& lesson);
+int predictionCount(const Lesson& lesson);
 
 /// Returns the name of the key of an assignment KEY=VALUE.
-std::string_view keyOf(std::string_view assignment);
+std::string_view assignmentKey(std::string_view assignment);
 
 /// Returns the scene with these keys, KEY=VALUE. Throws InputError with the key.
 Scene withKeys(const Scene& scene, const std::vector<std::string>& assignments);

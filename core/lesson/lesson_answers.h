@@ -3,7 +3,7 @@
 //
 // Threading: functions of their arguments; computing uses several threads and gives the same bytes
 // for any number of them. Failure: InputError for a scene that cannot run or an answer that none of
-// the choices covers; std::runtime_error where a force balance is not met; StudyStopped where it
+// the choices covers; std::runtime_error where a force balance is not met; StopRequested where it
 // was stopped.
 #pragma once
 
@@ -54,7 +54,7 @@ LessonNumber computeLessonValue(const Scene& scene, const LessonValue& value,
 LessonAnswer lessonAnswer(const LessonStep& step, const CurveOptions& options = {});
 
 /// The unit of a number that is asked for, without computing it.
-std::string unitOf(const LessonValue& value, const Scene& scene);
+std::string lessonValueUnit(const LessonValue& value, const Scene& scene);
 
 /// Returns whether an answer is right: the right choice; a number with |given - answer| <=
 /// tolerance |answer|; a point whose height, and place where it is asked, lie within a factor 1 +
@@ -62,11 +62,11 @@ std::string unitOf(const LessonValue& value, const Scene& scene);
 bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
              const GivenAnswer& given);
 
-/// Returns a text with its places "{name}", or "{name%}" in per cent, filled. textOf gives the text
-/// of a number.
+/// Returns a text with its places "{name}", or "{name%}" in per cent, filled. formatNumber gives
+/// the text of a number.
 std::string withValues(const std::string& text, const LessonPrediction& prediction,
                        const LessonAnswer& answer, const GivenAnswer& given,
                        std::string_view language,
-                       const std::function<std::string(const LessonNumber&)>& textOf);
+                       const std::function<std::string(const LessonNumber&)>& formatNumber);
 
 }  // namespace asperity

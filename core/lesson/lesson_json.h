@@ -32,10 +32,10 @@ inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
      {"exponent", LessonValue::Kind::Exponent}}};
 
 /// Reads and checks a lesson. Throws InputError with the place ("steps[2].prediction.answer").
-Lesson lessonFrom(const LessonJson& root, const std::filesystem::path& folder,
-                  const LessonSceneReader& readNamed);
+Lesson parseLesson(const LessonJson& root, const std::filesystem::path& folder,
+                   const LessonSceneReader& readNamed);
 
-/// Returns what lessonFrom() reads back as the same lesson.
-LessonJson jsonOf(const Lesson& lesson);
+/// Returns what parseLesson() reads back as the same lesson.
+LessonJson lessonJson(const Lesson& lesson);
 
 }  // namespace asperity

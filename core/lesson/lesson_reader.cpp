@@ -107,7 +107,7 @@ std::string columnFrom(const std::string& name, const std::string& place) {
     return column == "mu_low" || column == "mu_high" || column == "realizations";
   });
   if (std::ranges::find(known, name) != known.end()) return name;
-  const std::string_view nearest = nearestOf(name, known);
+  const std::string_view nearest = nearestWord(name, known);
   refuseMember(place, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
                                                 fmt::format("{}", fmt::join(known, ", ")))
                                       : message("'{}' is unknown; the nearest known one is {}",
@@ -139,9 +139,9 @@ LessonValue valueFrom(const Json& json, const std::string& place, const Scene& s
                                              ? "is missing; an exponent needs key, from and to"
                                              : "has no meaning here; it belongs to an exponent");
   if (isExponent) {
-    value.key = textIn(json, "key", "", place);
-    value.from = numberIn(json, place, "from");
-    value.to = numberIn(json, place, "to");
+    value.key = textMember(json, "key", "", place);
+    value.from = numberMember(json, place, "from");
+    value.to = numberMember(json, place, "to");
     at(place + ".key", [&] { numberRow(value.key); });
     if (!(value.from > 0 && value.to > 0) || value.from == value.to)
       refuseMember(place, "needs two different values above 0 in from and to");
@@ -238,23 +238,23 @@ class StepReader {
     const std::string place = place_ + ".show";
     checkMembers(*show, place, {"tab", "quantity", "scale", "curve", "hidden_range", "beside"});
     LessonView& view = step_.show;
-    view.tab = textIn(*show, "tab", view.tab, place);
+    view.tab = textMember(*show, "tab", view.tab, place);
     if (std::ranges::find(kLessonTabs, view.tab) == std::end(kLessonTabs))
       refuseMember(place + ".tab", notOneOf(view.tab, kLessonTabs));
-    view.quantity = textIn(*show, "quantity", view.quantity, place);
-    if (!quantityNamed(view.quantity))
+    view.quantity = textMember(*show, "quantity", view.quantity, place);
+    if (!findQuantity(view.quantity))
       refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
-    view.isLinearY = chosen(kAxisScales, textIn(*show, "scale", "log", place), place + ".scale") ==
-                     AxisScale::Linear;
+    view.isLinearY = chosen(kAxisScales, textMember(*show, "scale", "log", place),
+                            place + ".scale") == AxisScale::Linear;
     const CurveHiding hiding =
-        chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
+        chosen(kCurveStates, textMember(*show, "curve", "shown", place), place + ".curve");
     view.hidesCurve = hiding != CurveHiding::Never;
     view.hidesCurveAfter = hiding == CurveHiding::Throughout;
     if (const auto range = show->find("hidden_range"); range != show->end()) {
       const std::string where = place + ".hidden_range";
       checkMembers(*range, where, {"from", "to"});
-      view.hiddenFrom = numberIn(*range, where, "from");
-      view.hiddenTo = numberIn(*range, where, "to");
+      view.hiddenFrom = numberMember(*range, where, "from");
+      view.hiddenTo = numberMember(*range, where, "to");
       const bool canBegin = view.hiddenFrom > 0 || (view.isLinearY && view.hiddenFrom == 0);
       if (!(canBegin && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
         refuseMember(where,
@@ -303,7 +303,7 @@ class StepReader {
       if (!isApplicable(*findParameter(key), step_.revealedScene))
         refuseMember(place + ".free", message("{} has no meaning in this scene", key));
     read.others =
-        chosen(kControlStates, textIn(*controls, "others", "hidden", place), place + ".others");
+        chosen(kControlStates, textMember(*controls, "others", "hidden", place), place + ".others");
   }
 
   void readValues() {
@@ -325,7 +325,8 @@ class StepReader {
                  {"kind", "question", "choices", "answer", "tolerance", "x", "place_tolerance",
                   "right", "wrong"});
     LessonPrediction& prediction = step_.prediction.emplace();
-    prediction.kind = chosen(kPredictionKinds, textIn(json, "kind", "", place), place + ".kind");
+    prediction.kind =
+        chosen(kPredictionKinds, textMember(json, "kind", "", place), place + ".kind");
     prediction.question = textFrom(json, "question", place, true);
     prediction.right = textFrom(json, "right", place);
     prediction.wrong = textFrom(json, "wrong", place);
@@ -355,7 +356,7 @@ class StepReader {
   static double tolerance(const Json& json, const std::string& place, const char* member,
                           double otherwise) {
     if (!json.contains(member)) return otherwise;
-    const double value = numberIn(json, place, member);
+    const double value = numberMember(json, place, member);
     if (!(value > 0 && value <= kLargestTolerance))
       refuseMember(place + "." + member,
                    message("{} is outside {}", plain(value),
@@ -379,8 +380,8 @@ class StepReader {
         if (!one["right"].is_boolean()) refuseMember(where + ".right", "needs true or false");
         choice.isRight = one["right"].get<bool>();
       }
-      choice.above = optionalNumber(one, where, "above").value_or(choice.above);
-      choice.below = optionalNumber(one, where, "below").value_or(choice.below);
+      choice.above = optionalNumberMember(one, where, "above").value_or(choice.above);
+      choice.below = optionalNumberMember(one, where, "below").value_or(choice.below);
       if (choice.isRange() && !prediction.answer)
         refuseMember(where, "has above or below, which need a computed answer");
       if (one.contains("right") && prediction.answer)
@@ -403,7 +404,7 @@ class StepReader {
     if (step_.show.tab != "curve")
       refuseMember(place, "needs show.tab curve, on which the point stands");
     step_.show.hidesCurve = true;
-    prediction.x = optionalNumber(json, place, "x");
+    prediction.x = optionalNumberMember(json, place, "x");
     const ParameterRange axis = at(place, [&] { return sweepRange(step_.scene); });
     const auto [low, high] = std::minmax(axis.from, axis.to);
     if (prediction.x && !(*prediction.x >= low && *prediction.x <= high))
@@ -435,17 +436,18 @@ class StepReader {
 
 }  // namespace
 
-Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
-                  const LessonSceneReader& readNamed) {
+Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
+                   const LessonSceneReader& readNamed) {
   if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
-  if (textIn(root, "schema") != kLessonSchema)
+  if (textMember(root, "schema") != kLessonSchema)
     refuseMember("schema", message("is not {}", kLessonSchema));
   checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   Lesson lesson;
   lesson.title = textFrom(root, "title", "", true);
   lesson.goal = textFrom(root, "goal", "");
   lesson.notes = textFrom(root, "notes", "");
-  if (root.contains("minutes")) lesson.minutes = static_cast<int>(wholeIn(root, "minutes", 1, 600));
+  if (root.contains("minutes"))
+    lesson.minutes = static_cast<int>(integerMember(root, "minutes", 1, 600));
   const auto steps = root.find("steps");
   if (steps == root.end() || !steps->is_array() || steps->empty() ||
       steps->size() > kMostLessonSteps)

@@ -42,7 +42,7 @@ void readAnswer(const Json& json, const std::string& place, PredictionKind kind,
   if (json.is_null()) return;
   if (kind == PredictionKind::Choice) {
     const Json one = {{"choice", json}};
-    choice = static_cast<int>(wholeIn(one, "choice", 1, 9, place)) - 1;
+    choice = static_cast<int>(integerMember(one, "choice", 1, 9, place)) - 1;
   } else if (kind == PredictionKind::Number) {
     number = numberOrNone(json, place);
   } else {
@@ -58,14 +58,15 @@ LessonResult resultFrom(const Json& json, const std::string& place) {
     if (!json.contains(member)) refuseMember(place + "." + member, "is missing");
   LessonResult result;
   result.step =
-      static_cast<int>(wholeIn(json, "step", 1, static_cast<std::int64_t>(1) << 20, place)) - 1;
-  result.kind = chosen(kKinds, textIn(json, "kind", "", place), place + ".kind");
+      static_cast<int>(integerMember(json, "step", 1, static_cast<std::int64_t>(1) << 20, place)) -
+      1;
+  result.kind = chosen(kKinds, textMember(json, "kind", "", place), place + ".kind");
   GivenAnswer& given = result.given;
   LessonAnswer& expected = result.expected;
   readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number, given.place);
   readAnswer(json["expected"], place + ".expected", result.kind, expected.choice,
              expected.number.value, expected.place.value);
-  expected.number.unit = textIn(json, "unit", "", place);
+  expected.number.unit = textMember(json, "unit", "", place);
   if (!json["right"].is_boolean()) refuseMember(place + ".right", "needs true or false");
   result.isRight = json["right"].get<bool>();
   return result;
@@ -78,7 +79,7 @@ void LessonResults::set(const LessonResult& result) {
   results.insert(std::ranges::upper_bound(results, result.step, {}, &LessonResult::step), result);
 }
 
-const LessonResult* LessonResults::of(int step) const {
+const LessonResult* LessonResults::find(int step) const {
   const auto found = std::ranges::find(results, step, &LessonResult::step);
   return found == results.end() ? nullptr : &*found;
 }
@@ -97,7 +98,7 @@ std::string resultsJson(const LessonResults& results) {
   for (const LessonResult& one : results.results) {
     Json step = {
         {"step", one.step + 1},
-        {"kind", wordOf(kKinds, one.kind)},
+        {"kind", choiceWord(kKinds, one.kind)},
         {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.place)},
         {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
                                 one.expected.place.value)}};
@@ -108,13 +109,14 @@ std::string resultsJson(const LessonResults& results) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-LessonResults resultsFrom(std::string_view text, const std::string& file) {
+LessonResults parseResults(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
     checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
-    if (textIn(json, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
+    if (textMember(json, "schema") != kSchema)
+      refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{
-        textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"), {}};
+        textMember(json, "lesson"), textMember(json, "title"), textMember(json, "sha256"), {}};
     const auto steps = json.find("steps");
     if (steps == json.end() || !steps->is_array()) refuseMember("steps", "needs a list");
     for (std::size_t i = 0; i < steps->size(); ++i)
@@ -128,7 +130,7 @@ LessonResults resultsFrom(std::string_view text, const std::string& file) {
 LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return emptyResults(lesson);
-  LessonResults results = resultsFrom(readRegularFile(file, kLargestResults), file.string());
+  LessonResults results = parseResults(readRegularFile(file, kLargestResults), file.string());
   if (results.digest != lesson.digest)
     throw InputError(file.string(), "sha256",
                      message("belongs to another lesson, or to another version of it ({}); its "

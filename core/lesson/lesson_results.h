@@ -29,7 +29,7 @@ struct LessonResults {
 
   /// Sets the result of its step.
   void set(const LessonResult& result);
-  const LessonResult* of(int step) const;
+  const LessonResult* find(int step) const;
   int right() const;
 };
 
@@ -37,7 +37,7 @@ struct LessonResults {
 LessonResults emptyResults(const Lesson& lesson);
 
 std::string resultsJson(const LessonResults& results);
-LessonResults resultsFrom(std::string_view json, const std::string& file);
+LessonResults parseResults(std::string_view json, const std::string& file);
 
 /// Returns the results in a file, where it exists, which must be of this lesson; else empty ones.
 LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson);

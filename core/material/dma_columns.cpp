@@ -131,7 +131,8 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
 }
 
 /// The first temperature in the text, and where it stands.
-std::optional<std::pair<std::size_t, FoundTemperature>> findTemperature(std::string_view text) {
+std::optional<std::pair<std::size_t, FoundTemperature>> findFirstTemperature(
+    std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (i > 0 && (isDigit(text[i - 1]) || text[i - 1] == '.')) continue;
     if (const auto found = temperatureAt(text, i)) return std::pair(i, *found);
@@ -145,7 +146,7 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   DmaColumn column;
   std::string word(name);
   for (const std::string_view part : {name, unit})
-    if (const auto found = findTemperature(part)) {
+    if (const auto found = findFirstTemperature(part)) {
       column.temperature = found->second.kelvin;
       if (part.data() == name.data())
         word =
@@ -159,22 +160,22 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   return column;
 }
 
-std::optional<double> temperatureIn(std::string_view text) {
-  const auto found = findTemperature(text);
+std::optional<double> findTemperature(std::string_view text) {
+  const auto found = findFirstTemperature(text);
   return found ? std::optional(found->second.kelvin) : std::nullopt;
 }
 
-std::vector<double> temperaturesIn(std::string_view text) {
+std::vector<double> findTemperatures(std::string_view text) {
   std::vector<double> all;
-  while (const auto found = findTemperature(text)) {
+  while (const auto found = findFirstTemperature(text)) {
     all.push_back(found->second.kelvin);
     text.remove_prefix(found->second.end);
   }
   return all;
 }
 
-std::optional<double> temperatureFrom(std::string_view text) {
-  const auto quantity = quantityIn(text);
+std::optional<double> parseTemperature(std::string_view text) {
+  const auto quantity = parseQuantity(text);
   if (!quantity) return {};
   if (quantity->unit.empty()) return quantity->number;
   const auto unit = temperatureUnit(quantity->unit);
@@ -187,7 +188,7 @@ std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
   const std::string word = lowerCase(unit);
   if (word.starts_with("rad")) return kAngular;
   if (isAngular && isOneOf(word, {"1/s", "s-1", "s^-1", "s\u207B\u00B9"})) return kAngular;
-  return sizeOfUnit(unit, "Hz");
+  return unitSize(unit, "Hz");
 }
 
 std::optional<Unit> temperatureUnit(std::string_view unit) {
@@ -199,7 +200,7 @@ std::optional<Unit> temperatureUnit(std::string_view unit) {
 
 std::optional<double> angleUnit(std::string_view unit) {
   if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
-  return sizeOfUnit(unit, "rad");
+  return unitSize(unit, "rad");
 }
 
 void refuseSoftModulus(const std::string& name, const std::string& key, double largest) {

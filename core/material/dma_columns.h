@@ -39,14 +39,14 @@ struct DmaColumn {
 DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 
 /// A temperature amid a text, with its unit: "sweep at 20 \u00B0C", "T = 293 K"; in K.
-std::optional<double> temperatureIn(std::string_view text);
+std::optional<double> findTemperature(std::string_view text);
 
 /// All of them, in their order.
-std::vector<double> temperaturesIn(std::string_view text);
+std::vector<double> findTemperatures(std::string_view text);
 
 /// "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a number alone is in K. Nothing where it is
 /// none.
-std::optional<double> temperatureFrom(std::string_view text);
+std::optional<double> parseTemperature(std::string_view text);
 
 /// Hz, of one unit; nothing where it is no unit of frequency. Empty: Hz, or rad/s for omega.
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);

@@ -38,7 +38,7 @@ class Reader {
   [[noreturn]] void refuseColumns() const {
     std::vector<std::string> names;
     const TextBlock& block = table_.largest();
-    for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+    for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(columnLabel(block, i));
     for (std::size_t i = 0; i < block.columns.size(); ++i)
       if (block.columns[i].isText && !block.texts[i].empty() &&
           dmaColumn(block.columns[i].name, block.columns[i].unit).quantity != None)
@@ -59,7 +59,7 @@ class Reader {
   static bool isSaid(const std::string& choice) { return !choice.empty(); }
 
   bool readBlock(const TextBlock& block) {
-    const std::vector<SweepColumns> sweeps = sweepsOf(block, name_, choices_);
+    const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_);
     for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
     return !sweeps.empty();
   }
@@ -71,14 +71,14 @@ class Reader {
       for (auto entry = place->header.rbegin(); entry != place->header.rend(); ++entry) {
         const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
         if (isTemperature)
-          if (const auto quantity = quantityIn(entry->value)) {
+          if (const auto quantity = parseQuantity(entry->value)) {
             const std::string unit =
                 isSaid(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
             const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
             if (scale) return scale->toSi(quantity->number);
           }
-        if (const auto found = temperatureIn(entry->value)) return found;
-        if (const auto found = temperatureIn(entry->key)) return found;
+        if (const auto found = findTemperature(entry->value)) return found;
+        if (const auto found = findTemperature(entry->key)) return found;
       }
       if (place == &table_.blocks.front()) return {};
       --place;
@@ -92,10 +92,10 @@ class Reader {
   DmaColumnFact factOf(const TextBlock& block, std::size_t column,
                        const std::string& choice) const {
     DmaColumnFact fact;
-    fact.name = nameOf(block, column);
+    fact.name = columnLabel(block, column);
     fact.unit = isSaid(choice) ? choice : block.columns[column].unit;
     // "G' [20 °C]" has a temperature and no unit there.
-    if (!isSaid(choice) && temperatureIn(fact.unit)) fact.unit.clear();
+    if (!isSaid(choice) && findTemperature(fact.unit)) fact.unit.clear();
     if (fact.unit.empty()) fact.unit = unknownUnitIn(block.columns[column].name);
     fact.isUnitAssumed = fact.unit.empty();
     return fact;
@@ -132,8 +132,8 @@ class Reader {
   double modulusUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
     fact = factOf(block, column, choices_.modulusUnit);
     if (fact.unit.empty()) fact.unit = "Pa";
-    const auto unit = sizeOfUnit(fact.unit, "Pa");
-    if (!unit) refuseUnit(fact, unitsOf("Pa"), "--modulus-unit");
+    const auto unit = unitSize(fact.unit, "Pa");
+    if (!unit) refuseUnit(fact, unitNames("Pa"), "--modulus-unit");
     return *unit;
   }
 
@@ -145,7 +145,7 @@ class Reader {
           dmaColumn(block.columns[column].name, block.columns[column].unit).kind;
       if (next == ModulusKind::Unknown) continue;
       if (kind != ModulusKind::Unknown && kind != next)
-        throw InputError(name_, nameOf(block, column),
+        throw InputError(name_, columnLabel(block, column),
                          "is of another kind than the other modulus: one is of shear (G), one of "
                          "tension (E); say with --storage-column and --loss-column which belong "
                          "together");
@@ -153,7 +153,7 @@ class Reader {
     }
     if (choices_.modulus != ModulusKind::Unknown) kind = choices_.modulus;
     if (kind == ModulusKind::Unknown)
-      throw InputError(name_, nameOf(block, *columns.begin()),
+      throw InputError(name_, columnLabel(block, *columns.begin()),
                        "may be of shear (G) or of tension (E); say which with --modulus shear or "
                        "--modulus tension");
     file_.facts.modulus = kind;
@@ -166,7 +166,7 @@ class Reader {
     file_.facts.temperature = fact.name;
     if (!fact.unit.empty()) {
       const auto unit = temperatureUnit(fact.unit);
-      if (!unit) refuseUnit(fact, unitsOf("K"), "--temperature-unit");
+      if (!unit) refuseUnit(fact, unitNames("K"), "--temperature-unit");
       return *unit;
     }
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -193,7 +193,7 @@ class Reader {
     const bool isAngular =
         dmaColumn(block.columns[frequencyAt].name, block.columns[frequencyAt].unit).isAngular;
     const auto frequencySize = frequencyUnit(frequency.unit, isAngular);
-    if (!frequencySize) refuseUnit(frequency, "rad/s, " + unitsOf("Hz"), "--frequency-unit");
+    if (!frequencySize) refuseUnit(frequency, "rad/s, " + unitNames("Hz"), "--frequency-unit");
     if (frequency.unit.empty()) frequency.unit = isAngular ? "rad/s" : "Hz";
 
     // A master curve is at one temperature, whatever its points were measured at.
@@ -243,7 +243,7 @@ class Reader {
     facts.loss = {};
     if (columns.has(Storage)) {
       const double size = modulusUnit(block, at(Storage), facts.storage);
-      facts.loss.name = nameOf(block, at(LossTangent));
+      facts.loss.name = columnLabel(block, at(LossTangent));
       return {at(Storage), at(LossTangent), size * shearFactor(block, {at(Storage)}), 1,
               [](double storage, double tangent) {
                 return DynamicModulus{0, storage, storage * tangent};
@@ -251,7 +251,7 @@ class Reader {
     }
     if (columns.has(Loss)) {
       const double size = modulusUnit(block, at(Loss), facts.loss);
-      facts.storage.name = nameOf(block, at(LossTangent));
+      facts.storage.name = columnLabel(block, at(LossTangent));
       return {at(Loss), at(LossTangent), size * shearFactor(block, {at(Loss)}), 1,
               [](double loss, double tangent) {
                 return DynamicModulus{0, loss / tangent, loss};
@@ -260,7 +260,7 @@ class Reader {
     const double size = modulusUnit(block, at(Magnitude), facts.storage);
     const double factor = shearFactor(block, {at(Magnitude)});
     const bool hasPhase = columns.has(Phase);
-    facts.loss.name = nameOf(block, at(hasPhase ? Phase : LossTangent));
+    facts.loss.name = columnLabel(block, at(hasPhase ? Phase : LossTangent));
     if (!hasPhase)
       return {at(Magnitude), at(LossTangent), size * factor, 1, [](double magnitude, double tan) {
                 const double storage = magnitude / std::hypot(1, tan);
@@ -352,7 +352,7 @@ std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const
   if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
     return number - 1;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(columnLabel(block, i));
   const std::vector<std::string_view> known(names.begin(), names.end());
   throw InputError("", option, notOneOf(wanted, known));
 }

@@ -6,6 +6,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -13,12 +14,6 @@ namespace {
 
 constexpr double kSame = 1.2;  // the ratio up to which two amplitudes count as one
 constexpr double kLike = 1.5;  // the ratio up to which one is what a user means
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + std::ssize(values) / 2;
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 /// Amplitudes that follow each other closely, rising.
 std::vector<std::vector<double>> groupsOf(const std::vector<MeasuredModulus>& rows) {
@@ -64,14 +59,14 @@ bool areMixed(std::vector<MeasuredModulus> rows, const std::vector<std::vector<d
 std::string namesOf(const std::vector<std::vector<double>>& groups) {
   std::string list;
   for (const std::vector<double>& group : groups)
-    list += (list.empty() ? "" : ", ") + printedNumber(100 * medianOf(group), 3) + " %";
+    list += (list.empty() ? "" : ", ") + printedNumber(100 * upperMedian(group), 3) + " %";
   return list;
 }
 
 }  // namespace
 
-std::optional<double> strainFrom(std::string_view text) {
-  const auto quantity = quantityIn(text);
+std::optional<double> parseStrain(std::string_view text) {
+  const auto quantity = parseQuantity(text);
   if (!quantity || !(quantity->unit.empty() || quantity->unit == "%")) return {};
   const double strain = quantity->unit.empty() ? quantity->number : quantity->number / 100;
   return strain > 0 && std::isfinite(strain) ? std::optional(strain) : std::nullopt;
@@ -84,7 +79,7 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
     if (groups.empty())
       throw InputError("", "--strain", message("{} states no strain amplitude", name));
     const auto distance = [&](const std::vector<double>& group) {
-      return std::abs(std::log(medianOf(group) / *chosen));
+      return std::abs(std::log(upperMedian(group) / *chosen));
     };
     const auto nearest = std::ranges::min_element(groups, {}, distance);
     if (distance(*nearest) > std::log(kLike))
@@ -95,7 +90,7 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
     std::erase_if(rows, [&](const MeasuredModulus& row) {
       return !std::isfinite(row.strainAmplitude) || groupOf(groups, row.strainAmplitude) != wanted;
     });
-    return medianOf(*nearest);
+    return upperMedian(*nearest);
   }
   if (groups.empty()) return std::numeric_limits<double>::quiet_NaN();
   if (groups.size() > 1 && areMixed(rows, groups, tolerance))
@@ -106,7 +101,7 @@ double chooseStrain(std::vector<MeasuredModulus>& rows, std::optional<double> ch
   std::vector<double> strains;
   for (const std::vector<double>& group : groups)
     strains.insert(strains.end(), group.begin(), group.end());
-  return medianOf(std::move(strains));
+  return upperMedian(std::move(strains));
 }
 
 }  // namespace asperity

@@ -12,7 +12,7 @@
 namespace asperity {
 
 /// "1%", "0.01": a part of the length. Nothing where it is none above 0.
-std::optional<double> strainFrom(std::string_view text);
+std::optional<double> parseStrain(std::string_view text);
 
 /// Keeps the rows of the chosen amplitude, if one is chosen, and returns the median of what is
 /// left; NaN where no row states one. Amplitudes within a fifth of each other are one; those of

@@ -95,7 +95,7 @@ bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
       static_cast<std::size_t>(std::ranges::count_if(sweeps, &SweepColumns::hasModuli));
   std::size_t stated = 0;
   for (auto entry = block.header.rbegin(); entry != block.header.rend(); ++entry) {
-    const std::vector<double> all = temperaturesIn(entry->key + " " + entry->value);
+    const std::vector<double> all = findTemperatures(entry->key + " " + entry->value);
     stated += all.size();
     for (const auto* columns : {&measured, &known}) {
       if (all.size() != columns->size()) continue;
@@ -118,7 +118,7 @@ std::string listOf(const TextBlock& block, const std::vector<std::size_t>& colum
   constexpr std::size_t kMost = 8;
   std::string list;
   for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
-    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(nameOf(block, columns[i])),
+    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(columnLabel(block, columns[i])),
                         columns[i] + 1);
   return columns.size() > kMost ? list + ", \u2026" : list;
 }
@@ -167,13 +167,13 @@ bool SweepColumns::isComplete() const {
   return hasModuli() && (has(Frequency) || has(ReducedFrequency));
 }
 
-std::string nameOf(const TextBlock& block, std::size_t column) {
+std::string columnLabel(const TextBlock& block, std::size_t column) {
   const std::string& name = block.columns[column].name;
   return name.empty() ? fmt::format("column {}", column + 1) : name;
 }
 
-std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
-                                   const DmaChoices& choices) {
+std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
+                                     const DmaChoices& choices) {
   std::vector<DmaColumn> found;
   for (const TextColumn& column : block.columns)
     found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));

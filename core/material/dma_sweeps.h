@@ -30,10 +30,10 @@ struct SweepColumns {
 
 /// The sweeps of a block that can be read; none where it is no table of moduli. Throws InputError
 /// where columns of moduli would be left over, or sweeps side by side have no temperature.
-std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
-                                   const DmaChoices& choices);
+std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
+                                     const DmaChoices& choices);
 
 /// The column's name, or "column 3".
-std::string nameOf(const TextBlock& block, std::size_t column);
+std::string columnLabel(const TextBlock& block, std::size_t column);
 
 }  // namespace asperity

@@ -136,7 +136,7 @@ double temperatureShift(const Elastomer& elastomer) {
              : shiftFactor(elastomer.shift, elastomer.temperature);
 }
 
-ElementLaw lawOf(const Elastomer& elastomer) {
+ElementLaw elementLaw(const Elastomer& elastomer) {
   ElementLaw law;
   if (elastomer.rheology == Rheology::Elastic) {
     law.equilibriumModulus = elastomer.shearModulus;

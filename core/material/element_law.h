@@ -67,7 +67,7 @@ double temperatureShift(const Elastomer& elastomer);
 
 /// Throws InputError where the elastomer cannot be: nothing in it, a standard solid without its
 /// one arm, a temperature without a shift.
-ElementLaw lawOf(const Elastomer& elastomer);
+ElementLaw elementLaw(const Elastomer& elastomer);
 
 /// The complex modulus at an angular frequency (1/s): storage G' and loss G'' (Pa).
 struct ComplexModulus {

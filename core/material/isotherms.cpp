@@ -93,7 +93,7 @@ Message celsius(double kelvin) {
   return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - kZeroCelsius, 1)});
 }
 
-std::vector<Isotherm> isothermsOf(std::vector<MeasuredModulus> rows, double tolerance) {
+std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double tolerance) {
   if (rows.empty()) throw InputError("", "", "holds no row of frequency and moduli");
   for (const MeasuredModulus& row : rows) checkRow(row);
   std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);

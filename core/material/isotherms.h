@@ -10,9 +10,6 @@
 
 namespace asperity {
 
-/// Thrown by the fits of this folder where their stop token was set.
-struct MaterialStopped {};
-
 /// One value of a sweep.
 struct DynamicModulus {
   double frequency = 0;  // Hz
@@ -48,8 +45,8 @@ inline constexpr double kIsothermTolerance = 0.6;  // K
 /// several values at one frequency of a sweep become their geometric mean. Throws InputError where
 /// there is no row, a frequency or modulus is not above 0, the temperatures run on without a gap,
 /// or a sweep has one frequency alone.
-std::vector<Isotherm> isothermsOf(std::vector<MeasuredModulus> rows,
-                                  double tolerance = kIsothermTolerance);
+std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows,
+                                     double tolerance = kIsothermTolerance);
 
 /// "20 °C": how temperatures stand in messages about measurements.
 Message celsius(double kelvin);

@@ -105,7 +105,7 @@ MeasuredRange rangeOf(const Material& material) {
   MeasuredRange range;
   range.frequencyFrom = material.curve.lowestFrequency();
   range.frequencyTo = material.curve.highestFrequency();
-  range.temperatureFrom = material.isotherms.front().temperature;
+  range.parseTemperature = material.isotherms.front().temperature;
   range.temperatureTo = material.isotherms.back().temperature;
   if (std::isfinite(material.strainAmplitude)) range.strainAmplitude = material.strainAmplitude;
   return range;
@@ -236,7 +236,7 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   return material;
 }
 
-Message armsInWords(std::size_t count) {
+Message describeArms(std::size_t count) {
   return count == 1 ? Message("one arm") : message("{} arms", count);
 }
 
@@ -259,7 +259,7 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
         chooseStrain(file.rows, choices.strainAmplitude, choices.temperatureTolerance, fileName);
     try {
       material =
-          fitMaterial(isothermsOf(std::move(file.rows), choices.temperatureTolerance), choices);
+          fitMaterial(groupIsotherms(std::move(file.rows), choices.temperatureTolerance), choices);
     } catch (const InputError& error) {
       throw error.isOfOption() ? error : error.in(fileName);
     }
@@ -307,7 +307,7 @@ std::string materialJson(const Material& material) {
   root["shift"] = shiftJson(material.shift);
   root["measured"] = {{"frequency_from", range.frequencyFrom},
                       {"frequency_to", range.frequencyTo},
-                      {"temperature_from", range.temperatureFrom},
+                      {"temperature_from", range.parseTemperature},
                       {"temperature_to", range.temperatureTo},
                       {"strain_amplitude", range.strainAmplitude}};
   if (!material.isMeasured()) {
@@ -334,7 +334,7 @@ std::vector<Message> materialSummary(const Material& material) {
   std::vector<Message> lines;
   if (!material.isMeasured()) {
     lines.push_back(message(
-        "{}: {}, G = {} in equilibrium, at {}", material.format, armsInWords(series.arms.size()),
+        "{}: {}, G = {} in equilibrium, at {}", material.format, describeArms(series.arms.size()),
         quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
     lines.push_back(
         "which frequencies were measured is not known: friction on it is not marked as "
@@ -381,7 +381,7 @@ std::vector<Message> materialSummary(const Material& material) {
   lines.push_back(message(
       "Prony series: {} from {} relaxation times, G = {} in equilibrium; "
       "rms residual {} % of G', {} % of G''",
-      armsInWords(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
+      describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
       percent(series.rmsStorage), percent(series.rmsLoss)));
   if (material.wlf.isDefined)
     lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",

@@ -65,7 +65,7 @@ struct Material {
   bool isMeasured() const { return !isotherms.empty(); }
 };
 
-/// Throws InputError that names the file, a line, a column or an option, and MaterialStopped where
+/// Throws InputError that names the file, a line, a column or an option, and StopRequested where
 /// the fit was stopped.
 Material makeMaterial(std::string_view bytes, const std::string& fileName,
                       const MaterialChoices& choices);
@@ -80,7 +80,7 @@ nlohmann::ordered_json materialOrigin(const Material& material);
 std::string materialJson(const Material& material);
 
 /// "one arm", "12 arms".
-Message armsInWords(std::size_t count);
+Message describeArms(std::size_t count);
 
 /// What was measured and how good the fit is, one sentence each.
 std::vector<Message> materialSummary(const Material& material);

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 
 namespace asperity {
 namespace {
@@ -164,7 +165,7 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   // Among many terms one more makes little difference.
   constexpr int kMany = 24, kStep = 4;
   for (int terms = 1; terms <= most; terms += terms < kMany ? 1 : kStep) {
-    if (stop.stop_requested()) throw MaterialStopped{};
+    throwIfStopped(stop);
     fits.push_back(fitWith(points, terms, knownEquilibrium));
   }
   double floor = rmsOf(fits.front());

@@ -33,7 +33,7 @@ struct PronySeries {
 /// 1, all alike. The relaxation times are evenly spaced in their logarithm, from half a decade
 /// below 1 / w_max to half a decade above 1 / w_min. Terms that get nothing are left out. Throws
 /// InputError where there are too few points, and where nothing is left in equilibrium unless the
-/// options allow it: then G_inf is 0. Throws MaterialStopped where `stop` was requested.
+/// options allow it: then G_inf is 0. Throws StopRequested where `stop` was requested.
 PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOptions& options);
 
 /// G' and G'' of the series at a frequency (Hz).

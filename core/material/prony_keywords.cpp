@@ -162,7 +162,7 @@ std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std:
     };
     if (isKeyword(keyword, "*elastic")) {
       forEachData([&](const Line& data) {
-        setModulus(shearOf(numberIn(data, 0, name), numberIn(data, 1, name)));
+        setModulus(shearFromYoungs(numberIn(data, 0, name), numberIn(data, 1, name)));
       });
     } else if (isKeyword(keyword, "*hyperelastic")) {
       const bool isMooney = has(keyword, "mooney-rivlin");
@@ -245,7 +245,7 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
   for (std::size_t i = 0; i + 1 < shearData.size(); i += 2)
     series.terms.push_back({shearData[i], shearData[i + 1], lineOfData});
   if (std::isfinite(youngs))
-    series.instantaneous = shearOf(youngs, std::isfinite(poisson) ? poisson : 0.5);
+    series.instantaneous = shearFromYoungs(youngs, std::isfinite(poisson) ? poisson : 0.5);
   if (shiftData.size() >= 3) {
     TemperatureShift shift;
     shift.referenceTemperature = referenceOf(shiftData[0], choices, series);
@@ -269,7 +269,7 @@ void refuseDyna(const std::vector<Line>& lines, const std::string& name) {
 
 }  // namespace
 
-double shearOf(double youngs, double poisson) {
+double shearFromYoungs(double youngs, double poisson) {
   return youngs / (2 * (1 + poisson));
 }
 

@@ -33,7 +33,7 @@ struct RawSeries {
 };
 
 /// G of E.
-double shearOf(double youngs, double poisson);
+double shearFromYoungs(double youngs, double poisson);
 
 /// The keywords of Abaqus or the commands of Ansys; nothing where the text is neither. Throws
 /// InputError (`name`), also for the keywords of LS-DYNA, which are not read.

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/material/temperature_fit.h"
 
 namespace asperity {
@@ -440,7 +441,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   curve.referenceTemperature = referenceTemperature;
   std::vector<Estimate> both, vertical, storage, loss;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
-    if (stop.stop_requested()) throw MaterialStopped{};
+    throwIfStopped(stop);
     const NeighbourShifts step = neighbourShifts(isotherms[i], isotherms[i + 1], isVertical);
     checkOrder(isotherms[i], isotherms[i + 1], step.both);
     curve.overlaps.push_back(step.both);

@@ -72,7 +72,7 @@ struct MasterCurve {
 /// the formula through all shifts (lawBetween), or linear in T where no formula is good. One
 /// isotherm is its own master curve, and the reference is its temperature. Throws InputError
 /// (--reference-temperature; isotherms that do not overlap, or whose order contradicts their
-/// temperatures), and MaterialStopped within one pair of isotherms after `stop`.
+/// temperatures), and StopRequested within one pair of isotherms after `stop`.
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
                         bool isVertical = false, const std::stop_token& stop = {});
 

@@ -22,17 +22,17 @@ class ByteReader {
   ByteReader(const SurfaceSource& source, std::string_view bytes)
       : source_(source), bytes_(bytes) {}
 
-  std::size_t place() const { return place_; }
-  std::size_t left() const { return bytes_.size() - place_; }
+  std::size_t position() const { return position_; }
+  std::size_t left() const { return bytes_.size() - position_; }
   bool atEnd() const { return left() == 0; }
 
   /// The next bytes.
   std::string_view take(std::size_t count) {
     if (count > left())
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
-                           count, place_, left()));
-    place_ += count;
-    return bytes_.substr(place_ - count, count);
+                           count, position_, left()));
+    position_ += count;
+    return bytes_.substr(position_ - count, count);
   }
   void skip(std::size_t count) { take(count); }
 
@@ -46,7 +46,7 @@ class ByteReader {
  private:
   const SurfaceSource& source_;
   std::string_view bytes_;
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
 };
 
 /// Appends all numbers of the bytes to `heights`, times `scale`. isGap says of the number as it is

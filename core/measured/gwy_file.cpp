@@ -27,10 +27,10 @@ struct Component {
 
 /// The text up to the next zero byte.
 std::string_view takeText(const SurfaceSource& source, ByteReader& reader, std::string_view bytes) {
-  const std::size_t end = bytes.find('\0', reader.place());
+  const std::size_t end = bytes.find('\0', reader.position());
   if (end == std::string_view::npos)
-    source.fail(message("byte {}: the text has no end", reader.place()));
-  const std::string_view text = reader.take(end - reader.place());
+    source.fail(message("byte {}: the text has no end", reader.position()));
+  const std::string_view text = reader.take(end - reader.position());
   reader.skip(1);
   return text;
 }
@@ -78,12 +78,12 @@ std::size_t sizeOf(const SurfaceSource& source, char type) {
 /// Skips the texts or objects of which there are `count`; the bytes of all of them.
 std::string_view takeUnsized(const SurfaceSource& source, ByteReader& reader,
                              std::string_view bytes, char type, std::size_t count) {
-  const std::size_t begin = reader.place();
+  const std::size_t begin = reader.position();
   for (std::size_t i = 0; i < count; ++i) {
     takeText(source, reader, bytes);
     if (type == 'o' || type == 'O') reader.skip(reader.read<std::uint32_t>());
   }
-  return bytes.substr(begin, reader.place() - begin);
+  return bytes.substr(begin, reader.position() - begin);
 }
 
 std::vector<Component> componentsOf(const SurfaceSource& source, std::string_view bytes) {
@@ -111,7 +111,7 @@ const Component* find(const std::vector<Component>& components, std::string_view
 }
 
 template <class Number>
-Number numberOf(const Component& component) {
+Number readStored(const Component& component) {
   Number number{};
   std::memcpy(&number, component.value.data(), sizeof number);
   return number;
@@ -144,11 +144,12 @@ Field fieldOf(const SurfaceSource& source, const Component& channel) {
     return *found;
   };
   Field field;
-  field.columns = numberOf<std::int32_t>(need("xres", 'i'));
-  field.rows = numberOf<std::int32_t>(need("yres", 'i'));
-  if (const Component* size = find(components, "xreal", 'd')) field.width = numberOf<double>(*size);
+  field.columns = readStored<std::int32_t>(need("xres", 'i'));
+  field.rows = readStored<std::int32_t>(need("yres", 'i'));
+  if (const Component* size = find(components, "xreal", 'd'))
+    field.width = readStored<double>(*size);
   if (const Component* size = find(components, "yreal", 'd'))
-    field.height = numberOf<double>(*size);
+    field.height = readStored<double>(*size);
   field.positionUnit = unitOf(source, components, "si_unit_xy");
   field.heightUnit = unitOf(source, components, "si_unit_z");
   field.data = need("data", 'D').value;

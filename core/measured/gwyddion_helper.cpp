@@ -20,6 +20,7 @@
 #include "core/base/input_error.h"
 #include "core/base/program.h"
 #include "core/base/regular_file.h"
+#include "core/base/stop.h"
 #include "core/measured/surface_draft.h"
 
 extern char** environ;
@@ -126,7 +127,7 @@ std::string convertWithGwyddion(const fs::path& file, const std::stop_token& sto
     throw InputError(name, "", "cannot be converted: Gwyddion does not start");
   const auto latest = std::chrono::steady_clock::now() + kLongest;
   while (!process.hasEnded()) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     if (std::chrono::steady_clock::now() > latest)
       throw InputError(
           name, "",

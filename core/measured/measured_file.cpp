@@ -8,6 +8,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/stop.h"
 #include "core/base/text_units.h"
 #include "core/measured/surface_draft.h"
 
@@ -42,8 +43,8 @@ std::string_view kindOf(const SurfaceSource& source) {
   if (isSurfer(source)) return "surfer";
   if (isSdf(source)) return "sdf";
   if (isSmd(source)) return "smd";
-  if (!roadKindOf(bytes).empty()) return "text";  // whose reader refuses it
-  const std::string_view foreign = foreignKindOf(bytes);
+  if (!detectRoadFormat(bytes).empty()) return "text";  // whose reader refuses it
+  const std::string_view foreign = detectNonText(bytes);
   return foreign.empty() || foreign == "text in UTF-16" ? "text" : "";
 }
 
@@ -313,7 +314,7 @@ std::string bytesOf(const RegularFile& regular, const std::stop_token& stop) {
   std::string bytes;
   bytes.reserve(regular.size());
   while (bytes.size() < regular.size()) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     const std::string part =
         regular.read(bytes.size(), std::min<std::size_t>(kPart, regular.size() - bytes.size()));
     if (part.empty()) break;  // it has become shorter
@@ -323,7 +324,7 @@ std::string bytesOf(const RegularFile& regular, const std::stop_token& stop) {
 }
 
 [[noreturn]] void refuse(const SurfaceSource& source) {
-  const std::string_view kind = foreignKindOf(source.bytes);
+  const std::string_view kind = detectNonText(source.bytes);
   source.fail(message("is {}; {}", Message(kind), Message(kReadable)));
 }
 

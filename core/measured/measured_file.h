@@ -7,7 +7,7 @@
 // these guesses can be overridden by a choice.
 // Threading: pure functions; any thread.
 // Failure: InputError that names the file and the line, byte, column or key (`surface.*`) that is
-// wrong, what was expected, in one line; ReadingStopped where `stop` was requested.
+// wrong, what was expected, in one line; StopRequested where `stop` was requested.
 #pragma once
 
 #include <array>
@@ -84,9 +84,6 @@ struct MeasuredFile {
 
 /// Told the part of the work that is done, 0 to 1, now and then, from the calling thread.
 using ReadingProgress = std::function<void(double)>;
-
-/// Thrown where `stop` was requested.
-struct ReadingStopped {};
 
 /// Reads a file of any kind. At least 3 points along x, of which one at least has a height; heights
 /// are finite or NaN (a gap), spacings finite and above 0.

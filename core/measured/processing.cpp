@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
@@ -20,7 +22,7 @@ int termsOf(FormRemoval form) {
 }
 
 /// Place of point `i` of n, from -1 to 1, which keeps the normal equations well conditioned.
-double placeOf(std::size_t i, std::size_t n) {
+double scaledPosition(std::size_t i, std::size_t n) {
   return n > 1 ? 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1 : 0;
 }
 
@@ -53,14 +55,9 @@ Eigen::Vector3d powersOf(double x, int terms) {
 Eigen::Vector3d formOf(std::span<const double> heights, int terms) {
   LeastSquares<3> fit;
   for (std::size_t i = 0; i < heights.size(); ++i)
-    if (!std::isnan(heights[i])) fit.add(powersOf(placeOf(i, heights.size()), terms), heights[i]);
+    if (!std::isnan(heights[i]))
+      fit.add(powersOf(scaledPosition(i, heights.size()), terms), heights[i]);
   return fit.solve();
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -82,12 +79,12 @@ std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemov
     std::vector<double> deviation(heights.size(), kGap), known;
     for (std::size_t i = 0; i < heights.size(); ++i) {
       if (std::isnan(heights[i])) continue;
-      deviation[i] = heights[i] - powersOf(placeOf(i, heights.size()), terms).dot(form3);
+      deviation[i] = heights[i] - powersOf(scaledPosition(i, heights.size()), terms).dot(form3);
       if (!std::isnan(kept[i])) known.push_back(deviation[i]);
     }
-    const double middle = medianOf(known);
+    const double middle = upperMedian(known);
     for (double& value : known) value = std::abs(value - middle);
-    const double spread = medianOf(std::move(known));
+    const double spread = upperMedian(std::move(known));
     if (!(spread > 0)) break;
     bool hasChanged = false;
     for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -127,7 +124,7 @@ void removeForm(std::span<double> heights, FormRemoval form) {
   if (terms == 0) return;
   const Eigen::Vector3d fitted = formOf(heights, terms);
   for (std::size_t i = 0; i < heights.size(); ++i)
-    heights[i] -= powersOf(placeOf(i, heights.size()), terms).dot(fitted);
+    heights[i] -= powersOf(scaledPosition(i, heights.size()), terms).dot(fitted);
 }
 
 void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns,
@@ -135,7 +132,7 @@ void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns
   const int terms = termsOf(form);
   if (terms == 0) return;
   const auto functions = [&](std::size_t row, std::size_t column) {
-    const double x = placeOf(column, columns), y = placeOf(row, rows);
+    const double x = scaledPosition(column, columns), y = scaledPosition(row, rows);
     const double linear = terms > 1 ? 1 : 0, square = terms > 2 ? 1 : 0;
     return Eigen::Matrix<double, 6, 1>{
         1, linear * x, linear * y, square * x * x, square * x * y, square * y * y};

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "core/base/fourier.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
 #include "core/measured/measured_file.h"
 #include "core/measured/processing.h"
 
@@ -56,13 +58,8 @@ bool hasPeaks(std::span<const double> powers, std::size_t first, std::size_t end
   constexpr std::size_t kFew = 8;
   constexpr double kMuch = 10;
   if (end - first < kFew) return false;
-  std::vector<double> sorted(powers.begin() + static_cast<std::ptrdiff_t>(first),
-                             powers.begin() + static_cast<std::ptrdiff_t>(end));
-  const double mean =
-      std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return mean > kMuch * *middle;
+  const std::span<const double> waves = powers.subspan(first, end - first);
+  return mean(waves) > kMuch * upperMedian({waves.begin(), waves.end()});
 }
 
 /// Tells how many of the rows of long work are done, and ends it where it is no longer wanted.
@@ -72,7 +69,7 @@ class RowsDone {
       : rows_(rows), stop_(stop), tell_(tell) {}
 
   void next() {
-    if (stop_.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop_);
     constexpr std::size_t kTold = 64;  // times in all
     const std::size_t before = done_ * kTold / rows_, now = ++done_ * kTold / rows_;
     if (tell_ && now > before) tell_(static_cast<double>(now) / kTold);
@@ -207,9 +204,9 @@ double EquivalentSpectra::factor(double q) const {
   return profile.power[band] > 0 ? std::sqrt(line.power[band] / profile.power[band]) : 1;
 }
 
-EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
-                               const std::stop_token& stop,
-                               const std::function<void(double)>& progress) {
+EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
+                                    const std::stop_token& stop,
+                                    const std::function<void(double)>& progress) {
   const auto rows = static_cast<std::size_t>(topography.rows);
   const auto columns = static_cast<std::size_t>(topography.columns);
   // Rows are gone through three times.
@@ -301,7 +298,7 @@ void tilt(BandPowers& bands, double total, double rmsSlope) {
 
 }  // namespace
 
-EquivalentSpectra equivalentOf(const BandPowers& profile) {
+EquivalentSpectra equivalentSpectra(const BandPowers& profile) {
   constexpr int kRounds = 100;
   EquivalentSpectra spectra{profile, profile};
   const std::size_t bands = profile.bands();

@@ -68,11 +68,11 @@ struct EquivalentSpectra {
 
 /// From a topography without gaps: its two-dimensional spectrum under a Hann window, summed over
 /// rings. `form` is subtracted from the whole before (a plane, a paraboloid). `progress` is told
-/// the part done, 0 to 1. Throws ReadingStopped (core/measured/measured_file.h) where `stop` was
+/// the part done, 0 to 1. Throws StopRequested (core/measured/measured_file.h) where `stop` was
 /// requested, within a row or the one transform of all of them.
-EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
-                               const std::stop_token& stop = {},
-                               const std::function<void(double)>& progress = {});
+EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
+                                    const std::stop_token& stop = {},
+                                    const std::function<void(double)>& progress = {});
 
 /// From one profile by the Abel relation C_prof(q) = 2 integral from q of C2(q') q' dq' /
 /// sqrt(q'^2 - q^2): a wave q' of an isotropic surface appears in a cut at q' cos(phi) with phi
@@ -81,6 +81,6 @@ EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
 /// that cannot be below 0 lean to long waves, so they are tilted by a power law until the mean
 /// square slope is what the relation says for certain: twice that of the profile, as cos^2(phi) is
 /// 1/2 on average.
-EquivalentSpectra equivalentOf(const BandPowers& profile);
+EquivalentSpectra equivalentSpectra(const BandPowers& profile);
 
 }  // namespace asperity

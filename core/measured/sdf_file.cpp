@@ -138,7 +138,7 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   const Header header =
       readNumbers(reader, possibleCounts(source).value_or(namedCounts(source.bytes)));
   SurfaceDraft draft = draftOf(source, header);
-  const std::string_view data = source.bytes.substr(reader.place());
+  const std::string_view data = source.bytes.substr(reader.position());
   const DataType& type = kDataTypes[static_cast<std::size_t>(header.dataType)];
   requireSize(source, header.columns, header.rows, data.size(), type.size);
   type.takeHeights(source, data, header.zScale, draft);
@@ -197,7 +197,7 @@ class TextReader {
     return fallback;
   }
   double real(const std::string& key, std::string_view fallback = {}) const {
-    const auto number = numberIn(value(key, fallback));
+    const auto number = parseFiniteNumber(value(key, fallback));
     if (!number) source_.fail(message("{} in the header is not a number", key));
     return *number;
   }

@@ -30,11 +30,11 @@ struct Axis {
 /// The axis of a line "CX I 22401 mm 1.0e0 D 2.5e-4"; empty where the line is none.
 std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
   constexpr std::size_t kFewest = 5, kWithStep = 7;
-  const std::vector<std::string_view> words = wordsOf(line);
+  const std::vector<std::string_view> words = splitWords(line);
   if (words.size() < kFewest || words[0] != name || words[1].size() != 1) return {};
-  const auto points = numberIn(words[2]), scale = numberIn(words[4]);
+  const auto points = parseFiniteNumber(words[2]), scale = parseFiniteNumber(words[4]);
   if (!points || !scale) return {};
-  const auto step = words.size() >= kWithStep ? numberIn(words[6]) : std::nullopt;
+  const auto step = words.size() >= kWithStep ? parseFiniteNumber(words[6]) : std::nullopt;
   return Axis{words[1], *points, words[3], *scale, step.value_or(0)};
 }
 
@@ -43,9 +43,9 @@ bool endsRecord(std::string_view line) {
 }
 
 bool isOfNumbers(std::string_view line) {
-  const std::vector<std::string_view> words = wordsOf(line);
+  const std::vector<std::string_view> words = splitWords(line);
   return !words.empty() && std::ranges::all_of(words, [](std::string_view word) {
-    return numberIn(word).has_value();
+    return parseFiniteNumber(word).has_value();
   });
 }
 
@@ -108,9 +108,9 @@ class Reader {
 
   /// "SPACING CX 2.5e-4".
   void readSpacing(std::string_view line) {
-    const std::vector<std::string_view> words = wordsOf(line);
+    const std::vector<std::string_view> words = splitWords(line);
     if (words.size() >= 3 && words[0] == "SPACING" && words[1] == "CX")
-      spacing_ = numberIn(words[2]).value_or(spacing_);
+      spacing_ = parseFiniteNumber(words[2]).value_or(spacing_);
   }
 
   std::int64_t countOf(const Axis& axis) const {
@@ -128,7 +128,7 @@ class Reader {
     for (bool isFirst = true;; line = reader_.nextLine(), isFirst = false) {
       const std::string_view content = line.substr(0, line.find(kEndOfRecord));
       const std::vector<std::string_view> words =
-          wordsOf(line == "EOR" || line == "EOF" ? "" : content);
+          splitWords(line == "EOR" || line == "EOF" ? "" : content);
       if (isFirst) inRows_ = words.size() == 2;
       for (const std::string_view word : words) addNumber(word, 2 * points);
       if (endsRecord(line) || reader_.atEnd()) break;
@@ -142,7 +142,7 @@ class Reader {
 
   void addNumber(std::string_view word, std::size_t most) {
     source_.reportPoint(numbers_.size(), most);
-    const double number = heightIn(source_, reader_, word, numbers_.size());
+    const double number = parseHeight(source_, reader_, word, numbers_.size());
     if (numbers_.size() == most)
       source_.fail(message("line {}: has more than the {} heights that the header says",
                            reader_.line(), most / 2));
@@ -172,7 +172,7 @@ class Reader {
       places.push_back(place * x_.scale);
       heights.push_back(heightOf(numbers_[inTurn ? 2 * i + 1 : points + i]));
     }
-    placeUniformly(std::move(places), std::move(heights), {}, source_, draft);
+    resampleUniformly(std::move(places), std::move(heights), {}, source_, draft);
   }
 
   const SurfaceSource& source_;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
@@ -68,19 +70,17 @@ double SpectralDensity::integral() const {
   return integralTo(std::numeric_limits<double>::infinity());
 }
 
-std::vector<double> binEdgesOf(std::span<const double> waveNumbers) {
+std::vector<double> findBinEdges(std::span<const double> waveNumbers) {
   constexpr std::size_t kFewest = 4;
   constexpr double kOfStep = 0.25, kOfMultiple = 0.05;
   const std::size_t count = waveNumbers.size();
   if (count < kFewest) return {};
   std::vector<double> spacings;
   for (std::size_t i = 1; i < count; ++i) spacings.push_back(waveNumbers[i] - waveNumbers[i - 1]);
-  std::vector<double> sorted = spacings;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double middle = upperMedian(spacings);
   double step = 0, steps = 0;
   for (const double spacing : spacings)
-    if (std::abs(spacing - *middle) <= kOfStep * *middle) {
+    if (std::abs(spacing - middle) <= kOfStep * middle) {
       step += spacing;
       ++steps;
     }

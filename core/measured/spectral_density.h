@@ -26,7 +26,7 @@ struct SpectralDensity {
 /// the wave numbers are whole multiples of one step (at least 4 of them, 9 of 10 one step apart
 /// within the rounding of a table). Then <h^2> is 2 sum C1 dq, whatever the values scatter; power
 /// laws between them would lose a part of it. Empty for any other wave numbers, which ascend.
-std::vector<double> binEdgesOf(std::span<const double> waveNumbers);
+std::vector<double> findBinEdges(std::span<const double> waveNumbers);
 
 /// The part of a density between two wave numbers, with points or edges of bins at its ends.
 SpectralDensity within(const SpectralDensity& density, double lowest, double highest);

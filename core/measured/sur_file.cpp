@@ -77,7 +77,7 @@ Header readHeader(const SurfaceSource& source) {
   reader.skip(3 * 2 + 12 + 7 * 2 + 4 + 10);  // replica, inverted, levelled; date; duration
   header.comment = reader.read<std::uint16_t>();
   header.privateZone = reader.read<std::uint16_t>();
-  reader.skip(kHeaderSize - reader.place());
+  reader.skip(kHeaderSize - reader.position());
   return header;
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/base/input_error.h"
+#include "core/base/stop.h"
 #include "core/measured/measured_file.h"
 #include "core/measured/topography.h"
 
@@ -24,9 +25,9 @@ struct SurfaceSource {
   const ReadingProgress& progress;
 
   [[noreturn]] void fail(const Message& message) const { throw InputError(name, "", message); }
-  /// Throws ReadingStopped where that was requested.
+  /// Reports the part of the work that is done, 0 to 1. Throws StopRequested.
   void report(double part) const {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     if (progress) progress(part);
   }
   /// The same, now and then, where `done` counts all points one by one.
@@ -66,7 +67,7 @@ std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_vi
                                      std::string_view unit);
 
 /// "OpenCRG" or "ERD" where the bytes begin as files of roads do, which are not read; else empty.
-std::string_view roadKindOf(std::string_view bytes);
+std::string_view detectRoadFormat(std::string_view bytes);
 
 SurfaceDraft readTextSurface(const SurfaceSource& source);
 SurfaceDraft readX3p(const SurfaceSource& source);

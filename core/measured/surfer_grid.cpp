@@ -45,7 +45,7 @@ SurfaceDraft readText(const SurfaceSource& source) {
   WordReader reader(decoded.text);
   reader.nextWord();  // DSAA
   const auto number = [&](std::string_view key) {
-    const auto value = numberIn(reader.nextWord());
+    const auto value = parseFiniteNumber(reader.nextWord());
     if (!value)
       source.fail(message("line {}: {} in the header is not a number", reader.line(), key));
     return *value;

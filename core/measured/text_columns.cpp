@@ -284,7 +284,7 @@ bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          const std::vector<std::string>& keys) {
   for (const std::string& key : keys) {
-    const auto quantity = quantityIn(table.entry(key, block));
+    const auto quantity = parseQuantity(table.entry(key, block));
     if (!quantity || !(quantity->number > 0)) continue;
     HeaderLength length{quantity->number, {}};
     std::string unit = quantity->unit;
@@ -303,7 +303,7 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
       const ColumnName name = columnName(entry.key);
       if (name.unit.empty() || std::ranges::find(keys, lowerCase(name.name)) == keys.end())
         continue;
-      const auto quantity = quantityIn(entry.value);
+      const auto quantity = parseQuantity(entry.value);
       const auto metres = metresPer(name.unit);
       if (quantity && metres && quantity->number > 0)
         return HeaderLength{quantity->number, StatedUnit{name.unit, *metres}};
@@ -322,7 +322,7 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
     replaceAll(key, "{}", letter);
     const std::string text = table.entry(key, block);
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
-    const auto length = quantityIn(std::string_view(text).substr(end));
+    const auto length = parseQuantity(std::string_view(text).substr(end));
     double points = 0;
     if (!length || !readTextNumber(std::string_view(text).substr(0, end), '.', points)) continue;
     const auto metres = metresPer(length->unit);

@@ -47,7 +47,7 @@ struct SpipHeader {
 
 std::optional<SpipHeader> spipHeader(const TextTable& table, const TextBlock& block) {
   const auto number = [&](std::string_view key) {
-    const auto quantity = quantityIn(table.entry(key, block));
+    const auto quantity = parseQuantity(table.entry(key, block));
     return quantity ? wholeNumber(quantity->number).value_or(0) : 0;
   };
   const SpipHeader header{number("x-pixels"), number("y-pixels"), number("voidpixels") > 0};
@@ -55,7 +55,7 @@ std::optional<SpipHeader> spipHeader(const TextTable& table, const TextBlock& bl
 }
 
 std::optional<double> nanometresPerHeight(const TextTable& table, const TextBlock& block) {
-  const auto bit = quantityIn(table.entry("bit2nm", block));
+  const auto bit = parseQuantity(table.entry("bit2nm", block));
   return bit && bit->number > 0 ? std::optional(bit->number) : std::nullopt;
 }
 
@@ -92,7 +92,7 @@ Extent unnamedExtent(const TextBlock& block) {
   if (block.header.size() > kShortHeader) return extent;
   std::vector<HeaderLength> lengths;
   for (const TextEntry& entry : block.header)
-    if (const auto quantity = quantityIn(entry.value); quantity && quantity->number > 0)
+    if (const auto quantity = parseQuantity(entry.value); quantity && quantity->number > 0)
       if (const auto metres = metresPer(quantity->unit))
         lengths.push_back({quantity->number, StatedUnit{quantity->unit, *metres}});
   if (lengths.size() == 2) {
@@ -239,7 +239,7 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
   if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
   // Numbers that stand for a missing value in ESRI's grids.
-  const auto none = quantityIn(table.entry("nodata_value", block));
+  const auto none = parseQuantity(table.entry("nodata_value", block));
   if (none)
     for (double& height : grid.height)
       if (!std::isnan(height) && height == none->number) height = kNone;
@@ -279,7 +279,7 @@ bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
   const std::vector<double> xs = placesOf(block, columns.x), ys = placesOf(block, columns.y);
   if (xs.empty() || ys.empty()) return false;
   const auto most = static_cast<std::int64_t>(block.rows);
-  const auto x = gridAxis(xs, most), y = gridAxis(ys, most);
+  const auto x = findGridAxis(xs, most), y = findGridAxis(ys, most);
   if (!x || !y || x->places < 2 || y->places < 2) return false;
   const double all = static_cast<double>(x->places) * static_cast<double>(y->places);
   return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
@@ -306,8 +306,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
 
   const std::vector<double> xs = placesOf(block, columns.x), ys = placesOf(block, columns.y);
   const auto most = static_cast<std::int64_t>(block.rows);
-  const auto x = xs.empty() ? std::nullopt : gridAxis(xs, most);
-  const auto y = ys.empty() ? std::nullopt : gridAxis(ys, most);
+  const auto x = xs.empty() ? std::nullopt : findGridAxis(xs, most);
+  const auto y = ys.empty() ? std::nullopt : findGridAxis(ys, most);
   if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
   // A single row may run along y as well.
   Topography& grid = draft.grid;
@@ -321,7 +321,7 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   requireSize(source, grid.columns, grid.rows, 0, 0);
   grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kNone);
   std::vector<bool> isTaken(grid.height.size());
-  const auto placeOf = [](double value, const GridAxis& axis) {
+  const auto gridIndex = [](double value, const GridAxis& axis) {
     return axis.places > 1 ? std::llround((value - axis.first) / axis.spacing) : 0;
   };
   for (std::size_t i = 0; i < block.rows; ++i) {
@@ -330,8 +330,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     if (std::isnan(px) || std::isnan(py))
       source.fail(message("line {}: the position is missing", block.lines[i]));
     const auto at = static_cast<std::size_t>(
-        std::clamp<std::int64_t>(placeOf(py, *y), 0, grid.rows - 1) * grid.columns +
-        std::clamp<std::int64_t>(placeOf(px, *x), 0, grid.columns - 1));
+        std::clamp<std::int64_t>(gridIndex(py, *y), 0, grid.rows - 1) * grid.columns +
+        std::clamp<std::int64_t>(gridIndex(px, *x), 0, grid.columns - 1));
     if (isTaken[at])
       source.fail(message("line {}: there is a point at this position already", block.lines[i]));
     isTaken[at] = true;

@@ -99,8 +99,8 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                                      columnText(block, roles.z)));
     draft.positionUnit = columnUnit(source, table, block, roles.x, false);
     if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, roles.x, false);
-    placeUniformly(block.column(static_cast<std::size_t>(roles.x)), std::move(heights), block.lines,
-                   source, draft);
+    resampleUniformly(block.column(static_cast<std::size_t>(roles.x)), std::move(heights),
+                      block.lines, source, draft);
   } else {
     grid.height = std::move(heights);
     grid.columns = static_cast<std::int64_t>(grid.height.size());

@@ -72,7 +72,7 @@ void addAssumptions(const TextTable& table, ReadingFacts& facts) {
 
 }  // namespace
 
-std::string_view roadKindOf(std::string_view bytes) {
+std::string_view detectRoadFormat(std::string_view bytes) {
   constexpr std::size_t kHeader = 4096;  // bytes
   if (bytes.starts_with("ERDFILE")) return "ERD";
   const bool isOpen = bytes.substr(0, kHeader).find("$ROAD_CRG") != std::string_view::npos;
@@ -81,7 +81,7 @@ std::string_view roadKindOf(std::string_view bytes) {
 
 SurfaceDraft readTextSurface(const SurfaceSource& source) {
   const std::string& format = source.choices.format;
-  if (const std::string_view kind = roadKindOf(source.bytes);
+  if (const std::string_view kind = detectRoadFormat(source.bytes);
       !kind.empty() && (format == "auto" || format == "text"))
     source.fail(
         message("is a road file ({}), a kind that is not read; the heights of one track as "

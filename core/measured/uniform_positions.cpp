@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
@@ -145,8 +147,8 @@ void requireFineDigits(std::span<const double> positions, const GridAxis& axis,
 /// no such grid of at most twice their number.
 bool fillGaps(std::span<const double> positions, std::span<const double> heights,
               const SurfaceSource& source, SurfaceDraft& draft) {
-  const auto axis = gridAxis({positions.begin(), positions.end()},
-                             2 * static_cast<std::int64_t>(positions.size()));
+  const auto axis = findGridAxis({positions.begin(), positions.end()},
+                                 2 * static_cast<std::int64_t>(positions.size()));
   if (!axis || axis->places < 2) return false;
   requireFineDigits(positions, *axis, source);
   std::vector<double> placed(static_cast<std::size_t>(axis->places), kNone);
@@ -175,15 +177,13 @@ void requireNoLeap(std::span<const double> positions, const SurfaceSource& sourc
   const auto longest = std::ranges::max_element(steps);
   const double length = positions.back() - positions.front();
   const auto at = static_cast<std::size_t>(longest - steps.begin());
-  const double leap = *longest;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
+  const double leap = *longest, usual = upperMedian(steps);
   constexpr double kOrdinary = 2;
-  if (leap > length / 2 && length > kOrdinary * *middle * static_cast<double>(steps.size()))
+  if (leap > length / 2 && length > kOrdinary * usual * static_cast<double>(steps.size()))
     source.fail(
         message("the positions leap from {:.6g} to {:.6g}, {:.3g} times the usual step; "
                 "each stretch needs a file of its own",
-                positions[at], positions[at + 1], leap / *middle));
+                positions[at], positions[at + 1], leap / usual));
 }
 
 void interpolate(std::span<const double> positions, std::span<const double> heights,
@@ -287,7 +287,7 @@ std::optional<GridAxis> axisThrough(std::span<const double> numbers, const Round
 
 }  // namespace
 
-std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most) {
+std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t most) {
   std::ranges::sort(numbers);
   const Rounding rounding(numbers);
   if (const auto exact = axisThrough(numbers, rounding, 0, most)) return exact;
@@ -332,9 +332,9 @@ void placeRising(std::vector<double> positions, std::vector<double> heights,
 
 }  // namespace
 
-void placeUniformly(std::vector<double> positions, std::vector<double> heights,
-                    std::span<const std::uint32_t> lines, const SurfaceSource& source,
-                    SurfaceDraft& draft) {
+void resampleUniformly(std::vector<double> positions, std::vector<double> heights,
+                       std::span<const std::uint32_t> lines, const SurfaceSource& source,
+                       SurfaceDraft& draft) {
   const auto spacing = uniformSpacing(positions);
   bool falls = spacing && *spacing < 0;
   if (!spacing) {

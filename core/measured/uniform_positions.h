@@ -16,9 +16,9 @@ namespace asperity {
 /// gaps; other positions are interpolated linearly onto as many uniform places, with a note.
 /// `lines` are those of the file, for errors; may be empty. Throws InputError where positions go
 /// back or are missing.
-void placeUniformly(std::vector<double> positions, std::vector<double> heights,
-                    std::span<const std::uint32_t> lines, const SurfaceSource& source,
-                    SurfaceDraft& draft);
+void resampleUniformly(std::vector<double> positions, std::vector<double> heights,
+                       std::span<const std::uint32_t> lines, const SurfaceSource& source,
+                       SurfaceDraft& draft);
 
 /// The spacing, of either sign, of positions that are uniform but for rounding; none where they are
 /// not. NaN is passed over.
@@ -30,6 +30,6 @@ struct GridAxis {
   double first = 0, spacing = 0;
   std::int64_t places = 1;
 };
-std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most);
+std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t most);
 
 }  // namespace asperity

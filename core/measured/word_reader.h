@@ -37,16 +37,16 @@ class WordReader {
 };
 
 /// The words of a line.
-std::vector<std::string_view> wordsOf(std::string_view line);
+std::vector<std::string_view> splitWords(std::string_view line);
 
 /// The word as a number; nothing where it is none that is finite.
-std::optional<double> numberIn(std::string_view word);
+std::optional<double> parseFiniteNumber(std::string_view word);
 
 /// The word as the height with this number, counted from 0; NaN for a word that stands for a
 /// missing value. Throws InputError, with the line that the reader is at, where it is none of
 /// these.
-double heightIn(const SurfaceSource& source, const WordReader& reader, std::string_view word,
-                std::size_t number);
+double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+                   std::size_t number);
 
 /// How the heights of a file are written.
 struct HeightWords {

@@ -35,7 +35,8 @@ class Reader {
   Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
-    const std::vector<std::string_view> first = wordsOf(reader_.nextLine().substr(kMagic.size()));
+    const std::vector<std::string_view> first =
+        splitWords(reader_.nextLine().substr(kMagic.size()));
     const bool inNanometres = first.size() > 1 && first[1] == "1";
     readHeader();
     const std::int64_t columns = count("X Size"), rows = count("Y Size");
@@ -88,7 +89,7 @@ class Reader {
     const auto found = values_.find(key);
     if (found == values_.end() && fallback == 0) source_.fail(message("the header has no {}", key));
     if (found == values_.end()) return fallback;
-    const double value = numberIn(found->second).value_or(0);
+    const double value = parseFiniteNumber(found->second).value_or(0);
     if (value == 0) source_.fail(message("{} in the header is not a number above 0", key));
     return value;
   }

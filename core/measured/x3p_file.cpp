@@ -420,7 +420,7 @@ class Reader {
     if (rows_ == 1) {
       // A profile whose positions are stored: they may be anything.
       if (!axes_[0].isIncremental)
-        placeUniformly(points_.x, std::move(grid.height), {}, source_, made);
+        resampleUniformly(points_.x, std::move(grid.height), {}, source_, made);
       return made;
     }
     const auto width = static_cast<std::size_t>(columns_);

@@ -123,8 +123,8 @@ class Reader {
 
   /// Lines are counted from 1, their numbers from 0.
   double number(std::size_t line, std::size_t at) const {
-    const std::vector<std::string_view> words = wordsOf(lines_[line - 1]);
-    const auto value = at < words.size() ? numberIn(words[at]) : std::nullopt;
+    const std::vector<std::string_view> words = splitWords(lines_[line - 1]);
+    const auto value = at < words.size() ? parseFiniteNumber(words[at]) : std::nullopt;
     if (!value) source_.fail(message("line {}: number {} is missing", line, at + 1));
     return *value;
   }
@@ -148,7 +148,7 @@ class Reader {
       const std::string_view line = reader_.nextLine();
       hasEnd = line.starts_with('#');
       if (hasEnd || line.empty()) continue;
-      const std::vector<std::string_view> words = wordsOf(line);
+      const std::vector<std::string_view> words = splitWords(line);
       std::int64_t x = 0, y = 0;
       if (words.size() < 3 || !readNumber(words[0], x) || !readNumber(words[1], y))
         source_.fail(message("line {}: is not a point 'x y z'", reader_.line()));
@@ -160,7 +160,7 @@ class Reader {
         source_.fail(message("line {}: there is a point at this position already", reader_.line()));
       isTaken[at] = true;
       ++taken;
-      if (const auto height = numberIn(words[2]); words.size() == 3 && height)
+      if (const auto height = parseFiniteNumber(words[2]); words.size() == 3 && height)
         grid.height[at] = *height;
       else if (lowerCase(words[2]) != "no" && readField(words[2], '.').kind != FieldKind::Missing)
         source_.fail(message("line {}: the height is not a number", reader_.line()));

@@ -39,7 +39,7 @@ std::vector<DiagramPoint> profilePoints(std::span<const double> heights, double 
   return points;
 }
 
-double meanOf(std::span<const double> heights) {
+double meanWithoutGaps(std::span<const double> heights) {
   double sum = 0, count = 0;
   for (const double height : heights)
     if (!std::isnan(height)) {
@@ -61,8 +61,9 @@ DiagramSeries seriesNamed(const char* name, int colour, std::vector<DiagramPoint
 std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   constexpr double kDwarfs = 4;
   const ProcessedProfile& profile = summary.profile;
-  DiagramSeries raw = seriesNamed("raw, about its mean", 1,
-                                  profilePoints(profile.raw, profile.spacing, meanOf(profile.raw)));
+  DiagramSeries raw =
+      seriesNamed("raw, about its mean", 1,
+                  profilePoints(profile.raw, profile.spacing, meanWithoutGaps(profile.raw)));
   DiagramSeries used = seriesNamed("used", 0, profilePoints(profile.used, profile.spacing, 0));
   Diagram frame;
   frame.x = {"position", "m", AxisScale::Linear, 0, summary.used.length};
@@ -141,7 +142,7 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
                -kMost, kMost};
   diagram.y = {"share", "%", AxisScale::Linear};
   std::vector<double> heights;
-  const double mean = meanOf(summary.profile.used);
+  const double mean = meanWithoutGaps(summary.profile.used);
   if (!(summary.used.pq > 0)) {
     diagram.blank = "all heights are equal";
     return diagram;
@@ -150,7 +151,7 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
     heights.push_back((height - mean) / summary.used.pq);
   const auto bins = static_cast<std::size_t>(
       std::clamp(std::sqrt(static_cast<double>(heights.size())), 20.0, 100.0));
-  const Histogram histogram = histogramOf(heights, -kMost, kMost, bins);
+  const Histogram histogram = makeHistogram(heights, -kMost, kMost, bins);
   DiagramSeries steps = seriesNamed("used", 0, {});
   for (std::size_t i = 0; i < histogram.share.size(); ++i) {
     const double from = histogram.from + histogram.width() * static_cast<double>(i);

@@ -13,9 +13,9 @@
 #include "core/base/jobs.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
-#include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
@@ -339,7 +339,7 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   DiagramSheet sheet = transientSheet(scene, table.drawn, table.spacing, table.length);
   sheet.diagrams.push_back(contactStrip(scene, table.drawn));
   sheet.title = scene.title;
-  sheet.subtitle = parametersInWords(scene);
+  sheet.subtitle = describeParameters(scene);
   if (sheet.status.empty()) sheet.note = {};  // without a guide no explanation is needed
   std::vector<Message> notes{sheet.note};
   if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));

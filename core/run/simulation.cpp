@@ -127,7 +127,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   if (shape == Shape::Steady) return settle(march_->distance());
   TimeMarch march(ready_->rigid->line, ready_->rigid->prepared.lowestHeight,
                   ready_->sliding->law());
-  march.goOnFrom(*march_);
+  march.continueFrom(*march_);
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();
   isChanged_ = true;
@@ -138,7 +138,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   // shown.
   if (!isSameLine) {
     const double velocity = ready_->velocity();
-    march_->step(marchLoadOf(ready_->scene->load),
+    march_->step(marchLoad(ready_->scene->load),
                  velocity > 0 ? naturalStep() / velocity : restingStep(), 0);
   }
   clearReading();
@@ -180,7 +180,7 @@ void Simulation::begin() {
   clearReading();
 }
 
-void Simulation::want(const FrameFields& fields) {
+void Simulation::requestFields(const FrameFields& fields) {
   fields_ = fields;
   still_.reset();
   recordFields();
@@ -230,8 +230,7 @@ double Simulation::restingStep() const {
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ =
-      march_->step(marchLoadOf(loadOn(ready_->scene->load, ready_->line().length)), dt, distance);
+  last_ = march_->step(marchLoad(loadOn(ready_->scene->load, ready_->line().length)), dt, distance);
   lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
   const RetardationModes& modes = march_->modes();

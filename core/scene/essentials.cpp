@@ -75,7 +75,7 @@ std::vector<std::string_view> essentialKeys(const Scene& scene) {
   return keys;
 }
 
-std::string_view keyOfNote(Note note, const Scene& scene) {
+std::string_view noteKey(Note note, const Scene& scene) {
   switch (note) {
     case Note::SlopeAbove:
       return firstOf(kRoughness, scene);

@@ -28,9 +28,9 @@ inline constexpr std::size_t kNotes = static_cast<std::size_t>(Note::UnresolvedF
 inline constexpr double kSmallSlope = 0.3;
 
 /// The word of tables: "slope_above_0.3".
-std::string_view wordOf(Note note);
+std::string_view noteWord(Note note);
 /// One sentence for people, without a full stop.
-Message sentenceOf(Note note);
+Message noteSentence(Note note);
 
 /// Some of the notes: a plain value.
 class NoteSet {

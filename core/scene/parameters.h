@@ -127,10 +127,10 @@ bool isKind(const Parameter& parameter);
 bool isList(const Parameter& parameter);
 
 /// The value in the scene; choices as their word, lists as JSON text.
-ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
+ParameterValue parameterValue(const Parameter& parameter, const Scene& scene);
 
 /// Returns the value in a new scene.
-ParameterValue defaultOf(const Parameter& parameter);
+ParameterValue defaultValue(const Parameter& parameter);
 
 /// Sets one value. Throws InputError (core/base/input_error.h) with the key and what is allowed
 /// where the value is of the wrong type, outside its range or not finite.

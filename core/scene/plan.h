@@ -1,5 +1,5 @@
 // The plan: which effects a scene calls for, and so which stages run. Each question is answered in
-// one place, callsFor, which the code that runs asks as well: what the plan says is what is done.
+// one place, needsStage, which the code that runs asks as well: what the plan says is what is done.
 // Pure functions; any thread. stageCounts() is for tests: it counts what really ran.
 #pragma once
 
@@ -40,7 +40,7 @@ inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Shape) + 
 enum class Purpose { Curve, Picture, Surface, Window };
 
 /// Whether the scene calls for the stage. Effects of no strength are not called for.
-bool callsFor(const Scene& scene, Purpose purpose, Stage stage);
+bool needsStage(const Scene& scene, Purpose purpose, Stage stage);
 
 struct PlanStage {
   Stage stage;
@@ -50,9 +50,9 @@ struct PlanStage {
 };
 
 /// All stages in order. Throws InputError where effects exclude each other (checkEffects).
-std::vector<PlanStage> planOf(const Scene& scene, Purpose purpose);
+std::vector<PlanStage> planStages(const Scene& scene, Purpose purpose);
 
-std::string_view nameOf(Stage stage);
+std::string_view stageName(Stage stage);
 
 /// How often each stage has run in this process.
 using StageCounts = std::array<std::uint64_t, kStages>;

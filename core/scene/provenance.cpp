@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
@@ -52,11 +52,11 @@ std::string withoutMarkup(std::string_view json) {
 }
 
 /// Returns null where a curve with a target accuracy has another number at each velocity.
-Json oversamplingOf(std::string_view verb, const Scene& scene) {
+Json levelOversampling(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
   const bool isOfCurve = verb == "curve" || verb == "map" || verb == "sensitivity" ||
                          verb == "cutoff" || verb == "figure" || verb == "accuracy";
-  return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
+  return isOfCurve ? curvePointsPerElement(scene) : pointsPerElement(scene);
 }
 
 constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from
@@ -150,7 +150,7 @@ void checkInputs(const std::vector<InputFile>& files, const std::filesystem::pat
 FoundScene resultFrom(Json origin, const std::string& name,
                       const std::vector<std::filesystem::path>& folders) {
   FoundScene found;
-  found.isCarried = true;
+  found.isEmbedded = true;
   found.verb = textIn(origin, "verb");
   if (const auto scene = origin.find("scene"); scene != origin.end() && scene->is_object())
     found.scene = readScene(scene->dump(), name, folders.front());
@@ -182,7 +182,7 @@ void addOptions(Json& provenance) {
 }
 
 void addCurveOversampling(Json& provenance, const Scene& scene) {
-  const std::int64_t ofCurve = pointsPerElementOfCurve(scene);
+  const std::int64_t ofCurve = curvePointsPerElement(scene);
   if (provenance["oversampling_used"] != ofCurve) provenance["curve_oversampling_used"] = ofCurve;
 }
 
@@ -192,7 +192,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["verb"] = verb;
   root["version"] = ASPERITY_VERSION;
   root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
-  root["oversampling_used"] = oversamplingOf(verb, scene);
+  root["oversampling_used"] = levelOversampling(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
   if (Json inputs = inputsJson(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
   addOptions(root);
@@ -237,7 +237,7 @@ namespace {
 FoundScene found(std::string_view bytes, const std::string& name,
                  const std::vector<std::filesystem::path>& folders, bool toRemake) {
   const bool isText = beginsAsObject(bytes);
-  const std::string carried = isText ? std::string() : carriedText(bytes);
+  const std::string carried = isText ? std::string() : embeddedProvenance(bytes);
   const std::string_view json = isText ? bytes : carried;
   try {
     Json origin = beginsAsObject(json) ? membersUpTo(json, "scene", kDeepest) : Json();
@@ -322,7 +322,7 @@ double nodesOf(const Scene& scene, const fs::path& file) {
 
 }  // namespace
 
-SceneDemands demandsOf(const Scene& scene) {
+SceneDemands sceneDemands(const Scene& scene) {
   SceneDemands demands;
   const fs::path file =
       hasSurfaceFile(scene.surface) ? scene.folder / scene.surface.file : fs::path();

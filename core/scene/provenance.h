@@ -55,7 +55,7 @@ struct FoundScene {
   Scene scene;
   /// Whether the file is a result (picture, film, table, answer) that contains the scene, which may
   /// come from another user; otherwise the file is a scene file.
-  bool isCarried = false;
+  bool isEmbedded = false;
   // What a result says of its making, to make it again; empty and null where it does not say it.
   std::string verb{};
   nlohmann::ordered_json options{};
@@ -107,6 +107,6 @@ struct SceneDemands {
 };
 
 /// Returns the demands. scene.folder: the folder of the file that contains the scene.
-SceneDemands demandsOf(const Scene& scene);
+SceneDemands sceneDemands(const Scene& scene);
 
 }  // namespace asperity

@@ -212,6 +212,6 @@ std::int64_t pointsPerElement(const Scene& scene);
 /// The same of the lines that a friction curve is averaged over: chosen so that the error of the
 /// resolution stays below half of the standard error. A curve to a target accuracy does not use it,
 /// because it chooses at each velocity.
-std::int64_t pointsPerElementOfCurve(const Scene& scene);
+std::int64_t curvePointsPerElement(const Scene& scene);
 
 }  // namespace asperity

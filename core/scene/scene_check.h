@@ -23,10 +23,10 @@ inline bool hasLocalFriction(const Scene& scene) {
 /// has the mean 0, for what it yields must come back, and so has the rate of the depth: what is
 /// left is F_N = 4G integral of y, nothing at G = 0, at any velocity. Under a force it sinks for
 /// ever.
-void needEquilibrium(const Scene& scene);
+void requireEquilibrium(const Scene& scene);
 
 /// Throws InputError (sliding.kind) in one sentence where the motion is not steady or the
 /// elastomer would sink for ever; `what` needs steady sliding, e.g. "asperity curve".
-void needSteadySliding(const Scene& scene, const Message& what);
+void requireSteadySliding(const Scene& scene, const Message& what);
 
 }  // namespace asperity

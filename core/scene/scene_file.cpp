@@ -139,7 +139,7 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
   for (; !isApplicable(*decides, scene); decides = findParameter(decides->applies.choiceKey))
     of = decides;
   const Parameter& choice = *decides;
-  const std::string word = std::get<std::string>(valueOf(choice, scene));
+  const std::string word = std::get<std::string>(parameterValue(choice, scene));
   throw InputError(
       "", std::string(row.key),
       of->applies.isExcept
@@ -326,10 +326,10 @@ void dropRequired(std::vector<Assignment>& assignments) {
 void checkRequired(const std::vector<Assignment>& assignments, const Scene& scene) {
   for (const Parameter& row : parameters())
     if (row.rule.isRequired && isApplicable(row, scene) && !lastOf(assignments, row.key))
-      throw InputError(
-          "", std::string(row.key),
-          message("is missing; {} {} needs it", row.applies.choiceKey,
-                  std::get<std::string>(valueOf(*findParameter(row.applies.choiceKey), scene))));
+      throw InputError("", std::string(row.key),
+                       message("is missing; {} {} needs it", row.applies.choiceKey,
+                               std::get<std::string>(
+                                   parameterValue(*findParameter(row.applies.choiceKey), scene))));
 }
 
 /// Kinds come first, because they decide which other keys have a meaning.
@@ -360,7 +360,7 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
     if (applies || isHarmless(assignment)) continue;
     if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
     // A choice of the file's kind was taken before it was known that it has no meaning any more.
-    if (isKind(assignment)) setValue(row, scene, defaultOf(row));
+    if (isKind(assignment)) setValue(row, scene, defaultValue(row));
   }
   checkRequired(assignments, scene);
   return scene;
@@ -379,18 +379,19 @@ void checkSweepAndEnds(const Scene& scene) {
     }
 }
 
-Json jsonOf(const Parameter& row, const ParameterValue& value) {
+Json valueJson(const Parameter& row, const ParameterValue& value) {
   if (isList(row)) return Json::parse(std::get<std::string>(value));
   return std::visit([](const auto& held) { return Json(held); }, value);
 }
 
 bool isLeftOut(const Parameter& row, const Scene& scene) {
   const bool isGivenByMaterial = row.rule.isOfMaterial && !scene.elastomer.material.empty();
-  return row.rule.isLeftOutAtDefault && !isGivenByMaterial && valueOf(row, scene) == defaultOf(row);
+  return row.rule.isLeftOutAtDefault && !isGivenByMaterial &&
+         parameterValue(row, scene) == defaultValue(row);
 }
 
 /// The place of a dotted key.
-Json& placeOf(Json& root, std::string_view key) {
+Json& memberAt(Json& root, std::string_view key) {
   Json* place = &root;
   for (std::size_t dot; (dot = key.find('.')) != std::string_view::npos; key.remove_prefix(dot + 1))
     place = &(*place)[std::string(key.substr(0, dot))];
@@ -429,11 +430,11 @@ std::string writeScene(const Scene& scene) {
     if (isLeftOut(row, scene)) continue;
     if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
     if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
-    const ParameterValue value = valueOf(row, scene);
+    const ParameterValue value = parameterValue(row, scene);
     const bool hasFile = hasSurfaceFile(scene.surface);
     if (hasFile && row.key == "surface.length" && scene.surface.length == 0) continue;
     if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
-    placeOf(root, row.key) = jsonOf(row, value);
+    memberAt(root, row.key) = valueJson(row, value);
   }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -442,7 +443,7 @@ namespace {
 
 constexpr char kBetween = ';', kEscape = '\\';  // of several assignments in one word
 
-std::string textOf(const ParameterValue& value) {
+std::string assignedValue(const ParameterValue& value) {
   return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
 }
 
@@ -460,21 +461,23 @@ bool isSaid(const Parameter& row, const Scene& scene) {
 /// Whether the base's own text would leave another value here. What has no meaning in the base does
 /// not stand there, and then the default counts.
 bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
+  const ParameterValue value = parameterValue(row, scene);
   if (isResolution(row) && choosesAccuracy(base)) return true;
   if (row.rule.isOfMaterial && base.elastomer.material != scene.elastomer.material) return true;
   if (row.rule.isRequired && differs(*findParameter(row.applies.choiceKey), base, scene))
     return true;
-  return value != valueOf(row, base) || (!isApplicable(row, base) && value != defaultOf(row));
+  return value != parameterValue(row, base) ||
+         (!isApplicable(row, base) && value != defaultValue(row));
 }
 
 }  // namespace
 
-std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene) {
+std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene) {
   std::vector<std::string> assignments;
   for (const Parameter& row : parameters())
     if (isSaid(row, scene) && differs(row, base, scene))
-      assignments.push_back(fmt::format("{}={}", row.key, textOf(valueOf(row, scene))));
+      assignments.push_back(
+          fmt::format("{}={}", row.key, assignedValue(parameterValue(row, scene))));
   return assignments;
 }
 

@@ -30,7 +30,7 @@ std::string writeScene(const Scene& scene);
 
 /// "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base, ...,
 /// assignments) is `scene` up to the folder and to keys that have no meaning in it.
-std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene);
+std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene);
 
 /// "KEY=VALUE;KEY=VALUE" and back. A ';' inside a value is written "\;", and a '\' "\\".
 std::string joinedAssignments(const std::vector<std::string>& assignments);

@@ -77,7 +77,7 @@ void addMaximum(const KnownCurve& curve, CurveFitValues& fits) {
 }
 
 void addRegions(const Scene& scene, const KnownCurve& curve, CurveFitValues& fits) {
-  for (const CurveRegion& region : regionsOfCurve(scene, curve.points)) {
+  for (const CurveRegion& region : findRegions(scene, curve.points)) {
     const std::size_t number = region.name == "IV" ? 3 : region.name.size() - 1;  // from 0
     std::vector<double> x, mu;
     double sum = 0;
@@ -103,7 +103,7 @@ CurveFitValues curveFits(const Scene& scene, std::span<const double> values,
   CurveFitValues fits;
   fits.fill(kNotApplicable);
   const KnownCurve curve(values, points);
-  const bool isElastic = lawOf(scene.elastomer).kind() == ElementKind::Elastic;
+  const bool isElastic = elementLaw(scene.elastomer).kind() == ElementKind::Elastic;
   if (isElastic || curve.size() < kLeastFitted) return fits;
   addMaximum(curve, fits);
   const LineFit power = fitPower(curve.x, curve.mu);

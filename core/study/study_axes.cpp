@@ -70,13 +70,14 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   const Parameter& row = *axis.columns.front().row;
   if (!isNumber(row))
     refuseMember(where, "is not a number, so it has no range; a list names its values");
-  ParameterRange range{&row, numberIn(spec, where, "from"), numberIn(spec, where, "to"), 1, false};
+  ParameterRange range{&row, numberMember(spec, where, "from"), numberMember(spec, where, "to"), 1,
+                       false};
   checkValue(row, range.from, where + ".from");
   checkValue(row, range.to, where + ".to");
   const bool isPositive = range.from > 0 && range.to > 0;
   range.isLogarithmic = hasLogarithmicSlider(row) && isPositive;
   if (spec.contains("scale")) {
-    const std::string scale = textIn(spec, "scale", "", where);
+    const std::string scale = textMember(spec, "scale", "", where);
     if (scale != "log" && scale != "linear")
       refuseMember(where + ".scale", "is neither log nor linear");
     range.isLogarithmic = scale == "log";
@@ -93,8 +94,8 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   }
   if (!spec.contains("points"))
     refuseMember(where + ".points", "is missing; a grid needs the number of values");
-  range.points = wholeIn(spec, "points", 1, kMostRangePoints, where);
-  axis.columns.front().numbers = valuesOf(range);
+  range.points = integerMember(spec, "points", 1, kMostRangePoints, where);
+  axis.columns.front().numbers = rangeValues(range);
 }
 
 void readDistribution(StudyAxis& axis, const Json& spec, const std::string& where, bool isGrid) {
@@ -106,16 +107,17 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
                  "a distribution needs sampling latin_hypercube, sobol or saltelli, not a grid");
   Distribution made;
   made.kind =
-      chosen(kDistributions, textIn(spec, "distribution", "", where), where + ".distribution");
-  const auto from = optionalNumber(spec, where, "from"), to = optionalNumber(spec, where, "to");
+      chosen(kDistributions, textMember(spec, "distribution", "", where), where + ".distribution");
+  const auto from = optionalNumberMember(spec, where, "from"),
+             to = optionalNumberMember(spec, where, "to");
   const bool hasMoments = spec.contains("mean") || spec.contains("deviation");
   if (made.kind == DistributionKind::Uniform && hasMoments == (from || to))
     refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (made.kind == DistributionKind::Uniform && !hasMoments && !(from && to))
     refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (hasMoments || made.kind != DistributionKind::Uniform) {
-    made.mean = numberIn(spec, where, "mean");
-    made.deviation = numberIn(spec, where, "deviation");
+    made.mean = numberMember(spec, where, "mean");
+    made.deviation = numberMember(spec, where, "deviation");
     if (!(made.deviation > 0)) refuseMember(where + ".deviation", "is not above 0");
   }
   if (made.kind == DistributionKind::Lognormal && !(made.mean > 0))
@@ -249,7 +251,7 @@ Json axisJson(const StudyAxis& axis) {
             {"to", axis.range->to},
             {"scale", axis.range->isLogarithmic ? "log" : "linear"}};
   if (const auto& given = axis.distribution) {
-    Json json = {{"distribution", wordOf(kDistributions, given->kind)}};
+    Json json = {{"distribution", choiceWord(kDistributions, given->kind)}};
     const bool hasLimits = std::isfinite(given->from) && std::isfinite(given->to);
     if (given->kind != DistributionKind::Uniform || !hasLimits) {
       json["mean"] = given->mean;

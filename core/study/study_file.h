@@ -83,6 +83,6 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
 
 /// Returns the first differences between two canonical texts: "space.surface.hurst.to: 1 instead of
 /// 0.9".
-Message differenceOf(std::string_view expected, std::string_view found);
+Message describeDifference(std::string_view expected, std::string_view found);
 
 }  // namespace asperity

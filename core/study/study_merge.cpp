@@ -26,9 +26,10 @@ MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& ou
   const StudyStore& first = stores.front();
   for (const StudyStore& store : stores)
     if (store.study().digest != first.study().digest)
-      throw InputError(store.file().string(), "",
-                       message("is of another study than {}: {}", first.file().string(),
-                               differenceOf(first.study().canonical, store.study().canonical)));
+      throw InputError(
+          store.file().string(), "",
+          message("is of another study than {}: {}", first.file().string(),
+                  describeDifference(first.study().canonical, store.study().canonical)));
 
   fs::path part = output;
   part += fmt::format(".{}.part", ::getpid());

@@ -119,7 +119,7 @@ class ChunkWork {
   }
 
   void fail(std::int64_t simulation, const std::exception& error) {
-    chunk_.failures.push_back({chunk_.first + simulation, messageOf(error).english()});
+    chunk_.failures.push_back({chunk_.first + simulation, errorMessage(error).english()});
   }
 
   std::size_t statesOfOne() const { return curveValues_.size() + (study_.wantsPoint() ? 1 : 0); }
@@ -159,7 +159,7 @@ class StudyRun {
   std::int64_t runRound() {
     next_ = 0;
     addedInRound_ = 0;
-    const int threads = threadsOf(options_.threads);
+    const int threads = threadCount(options_.threads);
     const std::int64_t missing =
         static_cast<std::int64_t>(store_.missing(static_cast<std::size_t>(threads)).size());
     if (missing == 0) return 0;
@@ -236,7 +236,7 @@ StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int6
   budget.done = done;
   budget.chunks = study.chunks();
   budget.chunk = study.chunk;
-  budget.threads = threadsOf(threads);
+  budget.threads = threadCount(threads);
   const std::size_t each = study.curveValues().size() + (study.wantsPoint() ? 1 : 0);
   budget.states = all * static_cast<std::int64_t>(each);
   budget.lines = mayHaveManyLines(study.base.surface) ? study.base.ensemble.realizations : 1;

@@ -169,7 +169,7 @@ StudyStore::StudyStore(const fs::path& file, const ParameterStudy& study, const 
   if (study_->digest != study.digest)
     throw InputError(file_.string(), "",
                      message("is the store of another study: {}; another store is needed",
-                             differenceOf(study_->canonical, study.canonical)));
+                             describeDifference(study_->canonical, study.canonical)));
   if (!(shard_ == shard))
     throw InputError(
         file_.string(), "--shard",
@@ -238,7 +238,7 @@ void StudyStore::open(Access access) {
   if (fs::exists(file_, error) && fs::file_size(file_, error) > 0) {
     const RegularFile present(file_);
     if (const std::string start = present.read(0, 16); !start.starts_with("SQLite format 3")) {
-      const std::string_view kind = foreignKindOf(start);
+      const std::string_view kind = detectNonText(start);
       throw InputError(file_.string(), "",
                        kind.empty()
                            ? message("is not the store of a study")

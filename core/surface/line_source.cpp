@@ -25,7 +25,7 @@ auto readFile(const Scene& scene, const Read& read) {
   try {
     return read(scene.folder / scene.surface.file);
   } catch (const InputError& error) {
-    throw InputError("", "surface.file", messageOf(error));
+    throw InputError("", "surface.file", errorMessage(error));
   }
 }
 
@@ -51,7 +51,7 @@ auto readMeasured(const Read& read) {
   } catch (const InputError& error) {
     if (!error.key().empty() && error.file().empty()) throw;
     throw InputError("", error.key().empty() ? "surface.file" : error.key(),
-                     error.key().empty() ? messageOf(error) : error.message());
+                     error.key().empty() ? errorMessage(error) : error.message());
   }
 }
 
@@ -177,12 +177,12 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
 
 /// Half of each cosine's amplitude: the coefficient of exp(i q x).
 void LineSource::setAmplitudes(const Scene& scene) {
-  const bool rollsOff = callsFor(scene, Purpose::Surface, Stage::RollOff);
+  const bool rollsOff = needsStage(scene, Purpose::Surface, Stage::RollOff);
   if (rollsOff) countStage(Stage::RollOff);
   amplitudes_ =
       selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight,
                            rollsOff ? length_ / surface_.rollOffWavelength : 0);
-  if (callsFor(scene, Purpose::Surface, Stage::SummitCorrelation))
+  if (needsStage(scene, Purpose::Surface, Stage::SummitCorrelation))
     summits_.emplace(static_cast<std::size_t>(elements_ * kNodesOfProduct));
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
@@ -304,7 +304,7 @@ Line LineSource::make(std::int64_t number) const {
   return line;
 }
 
-NoteSet notesOf(const LineSource& source) {
+NoteSet lineNotes(const LineSource& source) {
   NoteSet notes;
   notes.add(Note::SlopeAbove, source.statistics().rmsSlope > kSmallSlope);
   const MeasuredLines* measured = source.measured();

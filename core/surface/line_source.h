@@ -101,6 +101,6 @@ class LineSource {
 FourierLine modesOf(const LineSource& source);
 
 /// What to know of the lines of a source: the rms slope, and steps at the seam of measured rows.
-NoteSet notesOf(const LineSource& source);
+NoteSet lineNotes(const LineSource& source);
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/surface/random_phases.h"
 
 namespace asperity {
@@ -146,8 +147,8 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
   transform_.emplace(periodPoints_);
   // The form alone is removed: filters act on a row and on its equivalent line alike.
   if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rows >= kFewestPoints)
-    equivalent_ = equivalentOf(stretches(stop), processing.form, stop, progress);
-  if (stop.stop_requested()) throw ReadingStopped{};
+    equivalent_ = equivalentSpectra(stretches(stop), processing.form, stop, progress);
+  throwIfStopped(stop);
   if (processing.seam == Seam::RandomPhases) setDensity(stop);
 }
 
@@ -312,7 +313,7 @@ Topography MeasuredLines::stretches(const std::stop_token& stop) const {
   const ProcessingChoices& processing = surface_.processing;
   std::vector<double> before;  // stands for a row without any measured point
   for (std::int64_t row = 0; row < all.rows; ++row) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     const auto heights = all.row(row).subspan(firstPoint_, usedPoints_);
     std::vector<double> filled(heights.begin(), heights.end());
     markOutliers(filled, processing.outliers, processing.form);
@@ -332,7 +333,7 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
   std::vector<double> powers;
   double height = 0;  // mean square, which the window leaves as it is on average only
   for (std::int64_t i = 0; i < count; ++i) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     const ProcessedProfile one = profile(rowOfRealization(i, count, rows()));
     const std::vector<double> its = hannPowers(one.used);
     powers.resize(its.size());
@@ -348,7 +349,7 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
   for (double& power : bands.power) power *= total > 0 ? height / total : 0;
   const double slope = bands.rmsSlope();
   if (surface_.line == LineKind::IsotropicEquivalent) {
-    const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentOf(bands);
+    const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentSpectra(bands);
     for (std::size_t j = 0; j < bands.bands(); ++j) {
       const double factor = spectra.factor(bands.centre(j));
       bands.power[j] *= factor * factor;
@@ -378,7 +379,7 @@ FourierLine MeasuredLines::modes(std::int64_t number) const {
   if (!equivalent_) {
     std::vector<double> powers{0};
     for (const std::complex<double>& c : line.coefficients) powers.push_back(2 * std::norm(c));
-    ofProfile = equivalentOf(inBands(powers, length_));
+    ofProfile = equivalentSpectra(inBands(powers, length_));
   }
   const EquivalentSpectra& spectra = equivalent_ ? *equivalent_ : ofProfile;
   for (std::size_t j = 0; j < line.coefficients.size(); ++j)

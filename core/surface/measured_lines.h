@@ -4,7 +4,7 @@
 // rubber.
 // Ownership: immutable once made, and shared: one is kept for the surface that was asked for last,
 // because a scene's lines are made in many places. Threading: any thread.
-// Failure: InputError for what the file or a choice says; ReadingStopped where `stop` was
+// Failure: InputError for what the file or a choice says; StopRequested where `stop` was
 // requested.
 #pragma once
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/measured/surface_values.h"
+#include "core/measured/profile_parameters.h"
 #include "core/scene/notes.h"
 #include "core/surface/line_source.h"
 
@@ -21,7 +21,7 @@ struct MeasuredSummary {
   std::int64_t rowInFile = 1, rowsUsed = 1;  // the row of realization 0; all that are lines
   std::int64_t rowsLeftOut = 0;
   ProcessedProfile profile{};  // that row
-  SurfaceValues raw{}, used{};
+  ProfileParameters raw{}, used{};
   bool isRoughness = false;  // a long-wave cut makes the values used R parameters
   double longWaveCut = 0;    // m; 0: none
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
@@ -45,7 +45,7 @@ struct NamedValue {
   double raw = 0, used = 0;
 };
 /// In the order of ISO 21920-2. The raw values are P parameters always.
-std::vector<NamedValue> valuesOf(const MeasuredSummary& summary);
+std::vector<NamedValue> namedValues(const MeasuredSummary& summary);
 
 /// "reading", "values", "spectrum_of_surface" and "notes".
 void addTo(nlohmann::ordered_json& root, const MeasuredSummary& summary);

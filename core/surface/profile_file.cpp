@@ -70,7 +70,7 @@ class Reader {
 
   /// The beginning of a file.
   void begin(std::string_view text) {
-    if (const std::string_view kind = foreignKindOf(text); !kind.empty())
+    if (const std::string_view kind = detectNonText(text); !kind.empty())
       fail(message("is {}; a profile is CSV in UTF-8", Message(kind)));
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     take(text);

@@ -47,7 +47,7 @@ std::optional<Abscissa> abscissaOf(std::string_view name) {
 /// So many SI units are one of the column's unit; the power of the length must be as it needs it.
 double factorOf(const TextColumn& column, int power, const std::string& file) {
   if (column.unit.empty()) return 1;
-  const auto unit = lengthPowerNamed(column.unit);
+  const auto unit = parseLengthPower(column.unit);
   if (!unit || unit->power != power)
     throw InputError(file, "",
                      message("{} is not a unit of {}; allowed is {}, with mm, um or nm as well",
@@ -166,7 +166,7 @@ class SpectrumReader {
       density.waveNumber.push_back(waves_[i]);
       density.density.push_back(densities_[i]);
     }
-    density.binEdge = binEdgesOf(density.waveNumber);
+    density.binEdge = findBinEdges(density.waveNumber);
     const double sum = density.integral();
     if (!std::isfinite(sum)) fail("is beyond what a number can hold");
     if (!(sum > 0)) fail("has no wave with a strength above 0");
@@ -185,7 +185,7 @@ class SpectrumReader {
 }  // namespace
 
 SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind) {
-  if (const std::string_view foreign = foreignKindOf(text); !foreign.empty())
+  if (const std::string_view foreign = detectNonText(text); !foreign.empty())
     throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kWanted)));
   const TextTable table = readTextTable(text, name);
   return SpectrumReader(table.largest(), name, kind).read();

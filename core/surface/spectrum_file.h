@@ -17,7 +17,7 @@
 namespace asperity {
 
 /// The spectrum of the line, C1 two-sided per wave number; of a `c2` that of the equivalent line,
-/// C_line = pi q C2. In bins where binEdgesOf finds some, else in power laws between its points.
+/// C_line = pi q C2. In bins where findBinEdges finds some, else in power laws between its points.
 SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind);
 
 SpectralDensity readSpectrum(const std::filesystem::path& file, SpectrumKind kind);

@@ -43,7 +43,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       TextTableOptions options;
       options.keepsTexts = true;
       const DmaFile file = readDmaFile(readTextTable(text, "moduli", options), "moduli", choices);
-      requireSound(isothermsOf(file.rows));
+      requireSound(groupIsotherms(file.rows));
     });
   return 0;
 }

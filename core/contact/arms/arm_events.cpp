@@ -28,7 +28,7 @@ double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
 
 }  // namespace
 
-Few<3> turnsUntil(double to, const Cubic& cubic, bool onwards) {
+Few<3> turningPoints(double to, const Cubic& cubic, bool onwards) {
   const Few<2> turns = stationaryPoints(cubic);
   Few<3> found;
   for (int i = 0; i < turns.count; ++i)
@@ -173,7 +173,7 @@ double ArmPass::findEntry(const Inside& inside, double from, double to, double l
   const auto clearance = [&](double t) { return clearanceAt(inside, from, t); };
   double a = from;
   ValueAndSlope atA = clearance(a);
-  for (const double b : turnsUntil(to, inside.height, inside.along > 0)) {
+  for (const double b : turningPoints(to, inside.height, inside.along > 0)) {
     if ((b - a) * inside.along <= 0) continue;
     const ValueAndSlope atB = clearance(b);
     const double found = firstEnd(a, atA, b, atB, clearance);

@@ -358,7 +358,7 @@ class ArmKernel {
     ValueAndSlope atA{heightA - (leftHeight_ + back_),
                       inside.height.derivative(from) - inside.along * element_.speedBack()};
     bool isKnownAtA = true;
-    for (const double b : turnsUntil(to, inside.height, inside.along > 0)) {
+    for (const double b : turningPoints(to, inside.height, inside.along > 0)) {
       if ((b - a) * inside.along <= 0) continue;
       const double heightB = inside.height(b);
       if (std::min(heightA, heightB) >= highest) {

@@ -26,7 +26,7 @@ struct ArmShape {
 
 /// Where a cubic turns inside (0, 1), in order of travel, and then `to`. In between it only rises
 /// or only falls.
-Few<3> turnsUntil(double to, const Cubic& cubic, bool onwards);
+Few<3> turningPoints(double to, const Cubic& cubic, bool onwards);
 
 /// Counts free stretches. Where pressure is 0 to rounding as contact begins, it ends and begins
 /// again within a few digits of the place: so short stretches, of either kind, count as none.

@@ -20,7 +20,7 @@ struct TheoryEntry {
   const char* range;  // one sentence: what it holds for, and its source
 };
 std::span<const TheoryEntry> theoryEntries();
-const TheoryEntry& entryOf(Theory theory);
+const TheoryEntry& theoryEntry(Theory theory);
 
 struct TheoryPoint {
   double velocity = 0;            // m/s

@@ -1,4 +1,4 @@
-#include "core/measured/surface_values.h"
+#include "core/measured/profile_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +53,9 @@ double rmsSlopeOf(std::span<const double> heights, double spacing) {
 
 }  // namespace
 
-SurfaceValues surfaceValues(std::span<const double> heights, double spacing, double sectionLength) {
-  SurfaceValues values;
+ProfileParameters profileParameters(std::span<const double> heights, double spacing,
+                                    double sectionLength) {
+  ProfileParameters values;
   values.length = static_cast<double>(heights.size()) * spacing;
   double sum = 0, count = 0;
   for (const double height : heights)

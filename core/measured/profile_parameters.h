@@ -9,7 +9,7 @@ namespace asperity {
 
 /// Named as P parameters; of a profile without its long waves they are R parameters. All heights
 /// count from the mean.
-struct SurfaceValues {
+struct ProfileParameters {
   double length = 0;  // m, evaluation length
   double pa = 0;      // m, arithmetic mean height, mean of |z|
   double pq = 0;      // m, root mean square height
@@ -23,7 +23,7 @@ struct SurfaceValues {
 
 /// sectionLength: m, over which each maximum height is taken (for R parameters the cut-off
 /// wavelength); 0: one section, as for P parameters.
-SurfaceValues surfaceValues(std::span<const double> heights, double spacing,
-                            double sectionLength = 0);
+ProfileParameters profileParameters(std::span<const double> heights, double spacing,
+                                    double sectionLength = 0);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 
 #include <array>
 #include <cstddef>
@@ -144,7 +144,7 @@ std::string textOfEps(std::string_view bytes) {
 
 }  // namespace
 
-std::string carriedText(std::string_view bytes) {
+std::string embeddedProvenance(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return std::string(textOfPng(bytes));
   if (bytes.substr(0, 8).ends_with("ftyp")) return std::string(textOfMp4(bytes));

@@ -11,6 +11,6 @@ namespace asperity {
 
 /// Returns the text that was given to the writer of the file, without XML entities; empty where
 /// there is none. `bytes`: the file, or its first and its last bytes where it is very large.
-std::string carriedText(std::string_view bytes);
+std::string embeddedProvenance(std::string_view bytes);
 
 }  // namespace asperity
