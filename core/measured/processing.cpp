@@ -13,25 +13,27 @@ namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
-/// Terms of the polynomial in x (and y) that stands for the form.
-int termsOf(FormRemoval form) {
+/// Returns the number of terms of the polynomial that describes the form along one direction.
+int termCount(FormRemoval form) {
   return form == FormRemoval::None   ? 0
          : form == FormRemoval::Mean ? 1
          : form == FormRemoval::Line ? 2
                                      : 3;
 }
 
-/// Place of point `i` of n, from -1 to 1, which keeps the normal equations well conditioned.
+/// Returns the position of point `i` of n on [-1, 1], which keeps the normal equations well
+/// conditioned.
 double scaledPosition(std::size_t i, std::size_t n) {
   return n > 1 ? 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1 : 0;
 }
 
-/// Solves normal equations. Functions that the points cannot tell apart get no part.
+/// Solves normal equations by the solution of least norm: functions that the points cannot
+/// distinguish get no more than they need.
 Eigen::VectorXd solveNormal(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   return matrix.completeOrthogonalDecomposition().solve(right);
 }
 
-/// Least squares of a sum of functions: points are added one by one.
+/// Fits a sum of functions by least squares; points are added one by one.
 template <int Terms>
 class LeastSquares {
  public:
@@ -47,16 +49,16 @@ class LeastSquares {
   Vector right_ = Vector::Zero();
 };
 
-Eigen::Vector3d powersOf(double x, int terms) {
+Eigen::Vector3d powers(double x, int terms) {
   return {terms > 0 ? 1.0 : 0.0, terms > 1 ? x : 0.0, terms > 2 ? x * x : 0.0};
 }
 
-/// The form of a row, from the heights that are not gaps.
-Eigen::Vector3d formOf(std::span<const double> heights, int terms) {
+/// Returns the coefficients of the form of a row, fitted to the heights that are not gaps.
+Eigen::Vector3d fitForm(std::span<const double> heights, int terms) {
   LeastSquares<3> fit;
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (!std::isnan(heights[i]))
-      fit.add(powersOf(scaledPosition(i, heights.size()), terms), heights[i]);
+      fit.add(powers(scaledPosition(i, heights.size()), terms), heights[i]);
   return fit.solve();
 }
 
@@ -69,17 +71,18 @@ std::int64_t gapCount(std::span<const double> heights) {
 std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemoval form) {
   constexpr int kRounds = 20;
   if (!(multiples > 0)) return 0;
-  const int terms = termsOf(form);
+  const int terms = termCount(form);
   std::vector<double> kept(heights.begin(), heights.end());
   const std::int64_t gaps = gapCount(heights);
   if (gaps == static_cast<std::int64_t>(heights.size())) return 0;
-  // Outliers spoil the fit that finds them, so the fit is repeated without them until none is left.
+  // Outliers distort the fit that detects them, so the fit is repeated without them until the set
+  // of outliers no longer changes.
   for (int round = 0; round < kRounds; ++round) {
-    const Eigen::Vector3d form3 = formOf(kept, terms);
+    const Eigen::Vector3d form3 = fitForm(kept, terms);
     std::vector<double> deviation(heights.size(), kGap), known;
     for (std::size_t i = 0; i < heights.size(); ++i) {
       if (std::isnan(heights[i])) continue;
-      deviation[i] = heights[i] - powersOf(scaledPosition(i, heights.size()), terms).dot(form3);
+      deviation[i] = heights[i] - powers(scaledPosition(i, heights.size()), terms).dot(form3);
       if (!std::isnan(kept[i])) known.push_back(deviation[i]);
     }
     const double middle = upperMedian(known);
@@ -95,7 +98,7 @@ std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemov
     }
     if (!hasChanged || gapCount(kept) == static_cast<std::int64_t>(kept.size())) break;
   }
-  // A row that would be all outliers says nothing of which of its heights are.
+  // If all heights were outliers, none of them could be told from the others.
   const std::int64_t marked = gapCount(kept) - gaps;
   if (marked + gaps == static_cast<std::int64_t>(heights.size())) return 0;
   std::ranges::copy(kept, heights.begin());
@@ -120,16 +123,16 @@ void interpolateGaps(std::span<double> heights) {
 }
 
 void removeForm(std::span<double> heights, FormRemoval form) {
-  const int terms = termsOf(form);
+  const int terms = termCount(form);
   if (terms == 0) return;
-  const Eigen::Vector3d fitted = formOf(heights, terms);
+  const Eigen::Vector3d fitted = fitForm(heights, terms);
   for (std::size_t i = 0; i < heights.size(); ++i)
-    heights[i] -= powersOf(scaledPosition(i, heights.size()), terms).dot(fitted);
+    heights[i] -= powers(scaledPosition(i, heights.size()), terms).dot(fitted);
 }
 
 void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns,
                 FormRemoval form) {
-  const int terms = termsOf(form);
+  const int terms = termCount(form);
   if (terms == 0) return;
   const auto functions = [&](std::size_t row, std::size_t column) {
     const double x = scaledPosition(column, columns), y = scaledPosition(row, rows);
@@ -149,17 +152,18 @@ void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns
 
 namespace {
 
-/// Where the weights have fallen to 1e-14 of their largest one.
+/// The weights have fallen to 1e-14 of their maximum at this distance.
 constexpr double kReach = 1.5;  // cut-off wavelengths
 
-std::size_t reachOf(std::size_t points, double spacing, double cutOff) {
+std::size_t kernelReach(std::size_t points, double spacing, double cutOff) {
   const double reach = std::ceil(kReach * cutOff / spacing);
   return reach < static_cast<double>(points)
              ? std::max<std::size_t>(static_cast<std::size_t>(reach), 1)
              : points;
 }
 
-/// values convolved with the kernel of this transform; both padded to the transform's points.
+/// Returns the convolution of values with the kernel of this transform; both are padded to the
+/// transform's number of points.
 std::vector<double> convolved(const RealTransform& transform, std::span<const double> values,
                               std::span<const std::complex<double>> kernel) {
   std::vector<double> padded(transform.points());
@@ -175,12 +179,13 @@ std::vector<double> convolved(const RealTransform& transform, std::span<const do
 }  // namespace
 
 GaussianFilter::GaussianFilter(std::size_t points, double spacing, double cutOff)
-    : points_(points), transform_(fastTransformSize(points + reachOf(points, spacing, cutOff))) {
-  const std::size_t reach = reachOf(points, spacing, cutOff), size = transform_.points();
+    : points_(points),
+      transform_(fastTransformSize(points + kernelReach(points, spacing, cutOff))) {
+  const std::size_t reach = kernelReach(points, spacing, cutOff), size = transform_.points();
   const double alpha = std::sqrt(std::numbers::ln2 / std::numbers::pi);
   std::vector<double> weight(size), moment(size), square(size);
   double sum = 0;
-  // T_m(i) = sum over j of s(j) j^m z(i + j); the kernel of a convolution is turned over.
+  // T_m(i) = sum over j of s(j) j^m z(i + j); a convolution reverses its kernel.
   for (std::size_t j = 0; j <= reach; ++j) {
     const double x = static_cast<double>(j), part = x * spacing / (alpha * cutOff);
     const double s = std::exp(-std::numbers::pi * part * part);

@@ -1,8 +1,8 @@
-// Profiles of ISO 5436-2 (SMD, the format of its softgauges) and of PRF, NPL's relative of it.
-// Record 1 has a line for each axis: name (CX, CZ), type (A absolute, I incremental, R relative, M
-// measured), number of points, unit, scale, type of number and, where incremental, the step. Record
-// 2 has lines of words, among them "SPACING CX step" in PRF. Record 3 has the numbers. A record
-// ends with ETX, in PRF with a line EOR; texts may end with a zero byte.
+// Profiles of ISO 5436-2 (SMD, the format of its softgauges) and of PRF, a related format of NPL.
+// Record 1 has one line for each axis: name (CX, CZ), type (A absolute, I incremental, R relative,
+// M measured), number of points, unit, scale, type of number and, where incremental, the step.
+// Record 2 has lines of words, in PRF with "SPACING CX step" among them. Record 3 has the numbers.
+// A record ends with ETX, in PRF with a line EOR; texts may end with a zero byte.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -27,7 +27,8 @@ struct Axis {
   double step = 0;  // 0: none stated
 };
 
-/// The axis of a line "CX I 22401 mm 1.0e0 D 2.5e-4"; empty where the line is none.
+/// Returns the axis that a line such as "CX I 22401 mm 1.0e0 D 2.5e-4" describes; empty where the
+/// line describes none.
 std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
   constexpr std::size_t kFewest = 5, kWithStep = 7;
   const std::vector<std::string_view> words = splitWords(line);
@@ -49,7 +50,7 @@ bool isOfNumbers(std::string_view line) {
   });
 }
 
-/// Text with blanks for the zero bytes that end its words.
+/// Returns the text with blanks in place of the zero bytes that end its words.
 std::string withoutZeros(std::string_view bytes) {
   std::string text(withoutByteOrderMark(bytes));
   std::ranges::replace(text, '\0', ' ');
@@ -77,12 +78,12 @@ class Reader {
     if (numbers_.size() == static_cast<std::size_t>(points))
       placeAtSteps(draft);
     else
-      placeAtPositions(draft);
+      separateAxes(draft);
     return draft;
   }
 
  private:
-  /// Records 1 and 2, and the first line of record 3.
+  /// Reads records 1 and 2, and the first line of record 3.
   void readHeader() {
     std::optional<Axis> x, z;
     int ends = 0;
@@ -96,7 +97,7 @@ class Reader {
       x_ = *x;
       z_ = *z;
       if (endsRecord(line) && ++ends == 2) return;
-      // Copies of such files may have lost the marks between the records.
+      // Some copies of such files have lost the marks between the records.
       if (isOfNumbers(line)) {
         firstLine_ = line;
         return;
@@ -106,7 +107,7 @@ class Reader {
     source_.fail(message("the header of the {} file has no end", "SMD"));
   }
 
-  /// "SPACING CX 2.5e-4".
+  /// Reads a line "SPACING CX 2.5e-4".
   void readSpacing(std::string_view line) {
     const std::vector<std::string_view> words = splitWords(line);
     if (words.size() >= 3 && words[0] == "SPACING" && words[1] == "CX")
@@ -122,7 +123,7 @@ class Reader {
     return *points;
   }
 
-  /// All numbers of record 3: as many as there are points, or twice as many.
+  /// Reads all numbers of record 3: one or two for each point.
   void readNumbers(std::size_t points) {
     std::string_view line = firstLine_.empty() ? reader_.nextLine() : firstLine_;
     for (bool isFirst = true;; line = reader_.nextLine(), isFirst = false) {
@@ -162,24 +163,24 @@ class Reader {
     if (!draft.hasPositions) draft.positionUnit.reset();
   }
 
-  /// The numbers are those of both axes: x and z of one point after the other, or first all x.
-  void placeAtPositions(SurfaceDraft& draft) {
+  /// Separates the numbers of both axes: x and z of one point after the other, or first all x.
+  void separateAxes(SurfaceDraft& draft) {
     const std::size_t points = numbers_.size() / 2;
     const bool inTurn = inRows_ || !std::ranges::is_sorted(std::span(numbers_).first(points));
-    std::vector<double> places, heights;
+    std::vector<double> positions, heights;
     for (std::size_t i = 0; i < points; ++i) {
-      const double place = numbers_[inTurn ? 2 * i : i];
-      places.push_back(place * x_.scale);
+      const double position = numbers_[inTurn ? 2 * i : i];
+      positions.push_back(position * x_.scale);
       heights.push_back(heightOf(numbers_[inTurn ? 2 * i + 1 : points + i]));
     }
-    resampleUniformly(std::move(places), std::move(heights), {}, source_, draft);
+    resampleUniformly(std::move(positions), std::move(heights), {}, source_, draft);
   }
 
   const SurfaceSource& source_;
   WordReader reader_;
   std::string_view firstLine_;  // of record 3, where the header was read up to it
   Axis x_, z_;
-  double spacing_ = 0;   // as SPACING says; 0: it says nothing
+  double spacing_ = 0;   // of the line SPACING; 0: there is none
   bool inRows_ = false;  // x and z stand in one line
   std::vector<double> numbers_;
 };
