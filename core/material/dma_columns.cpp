@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-/// In small letters, with plain primes, Greek letters as words, and without blanks, "_", "-" and
-/// ".".
+/// Returns the name in lower case, with plain primes, with Greek letters as words, and without
+/// blanks, "_", "-" and ".".
 std::string compact(std::string_view given) {
   std::string text = lowerCase(given);
   constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kReplacements{{
@@ -39,7 +39,7 @@ bool containsAny(std::string_view text, std::initializer_list<std::string_view> 
                              [&](std::string_view word) { return text.find(word) != text.npos; });
 }
 
-ModulusKind kindOf(std::string_view word) {
+ModulusKind modulusKind(std::string_view word) {
   if (containsAny(word, {"shear", "schub", "torsion"})) return ModulusKind::Shear;
   if (containsAny(word, {"young", "tensil", "tension", "zug", "bend", "biege", "compress"}))
     return ModulusKind::Tension;
@@ -53,7 +53,7 @@ ModulusKind kindOf(std::string_view word) {
   return ModulusKind::Unknown;
 }
 
-DmaQuantity quantityOf(std::string_view word) {
+DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
   const bool isLossTangent =
@@ -94,7 +94,7 @@ DmaQuantity quantityOf(std::string_view word) {
   return None;
 }
 
-/// A temperature with its unit that begins at this place.
+/// Returns the temperature with its unit that begins at this position.
 struct FoundTemperature {
   double kelvin = 0;
   std::size_t end = 0;
@@ -118,7 +118,7 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
   double value = 0;
   if (!readTextNumber(number, '.', value)) return {};
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
-  // The longest unit first; a letter behind it belongs to another word.
+  // The longest unit is tried first; a letter behind it belongs to another word.
   for (const std::string_view unit :
        {"\u00B0C", "\u00BAC", "\u2103", "degC", "deg C", "\u00B0 C", "\u00B0F", "degF", "Celsius",
         "celsius", "Kelvin", "C", "K", "F"}) {
@@ -130,7 +130,7 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
   return {};
 }
 
-/// The first temperature in the text, and where it stands.
+/// Returns the first temperature in the text and its position.
 std::optional<std::pair<std::size_t, FoundTemperature>> findFirstTemperature(
     std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -154,8 +154,8 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
       break;
     }
   const std::string plain = compact(word);
-  column.quantity = quantityOf(plain);
-  column.kind = kindOf(plain);
+  column.quantity = dmaQuantity(plain);
+  column.kind = modulusKind(plain);
   column.isAngular = containsAny(plain, {"omega", "angular", "kreisfreq"}) || plain == "w";
   return column;
 }

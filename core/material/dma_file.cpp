@@ -64,7 +64,8 @@ class Reader {
     return !sweeps.empty();
   }
 
-  /// Reads the lines in front of a block: "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
+  /// Reads the lines in front of a block, such as "Temperature: 20 °C", "T = 293 K", "sweep at 20
+  /// °C".
   std::optional<double> statedTemperature(const TextBlock& block) const {
     const TextBlock* place = &block;
     while (true) {
@@ -85,24 +86,25 @@ class Reader {
     }
   }
 
-  /// "Temperature [°C]: 20", "T/K = 293".
+  /// Reads an entry such as "Temperature [°C]: 20" or "T/K = 293".
   static std::string unitInKey(const std::string& key) { return columnName(key).unit; }
 
-  /// Which unit a column has; the user's word wins over the file's.
+  /// Returns the unit of a column; the user's choice overrides the file.
   DmaColumnFact factOf(const TextBlock& block, std::size_t column,
                        const std::string& choice) const {
     DmaColumnFact fact;
     fact.name = columnLabel(block, column);
     fact.unit = isSaid(choice) ? choice : block.columns[column].unit;
-    // "G' [20 °C]" has a temperature and no unit there.
+    // The brackets of "G' [20 °C]" contain a temperature and no unit.
     if (!isSaid(choice) && findTemperature(fact.unit)) fact.unit.clear();
     if (fact.unit.empty()) fact.unit = unknownUnitIn(block.columns[column].name);
     fact.isUnitAssumed = fact.unit.empty();
     return fact;
   }
 
-  /// "furlongs" of "G' (furlongs)": what stands in brackets, or behind a stroke, at the end of a
-  /// name and is neither a quantity nor a word for the kind of modulus. It is refused as a unit.
+  /// Returns the text in brackets, or behind a stroke, at the end of a name that is neither a
+  /// quantity nor a word for the kind of modulus: "furlongs" of "G' (furlongs)". It is refused as a
+  /// unit.
   static std::string unknownUnitIn(const std::string& name) {
     const std::size_t stroke = name.rfind('/');
     std::size_t begin = name.find_last_of("([");
@@ -137,7 +139,7 @@ class Reader {
     return *unit;
   }
 
-  /// What the moduli are multiplied by to be of shear.
+  /// Returns the factor that turns the moduli into shear moduli.
   double shearFactor(const TextBlock& block, std::initializer_list<std::size_t> columns) {
     ModulusKind kind = ModulusKind::Unknown;
     for (const std::size_t column : columns) {
@@ -160,7 +162,8 @@ class Reader {
     return kind == ModulusKind::Tension ? 1 / (2 * (1 + choices_.poissonRatio)) : 1;
   }
 
-  /// Temperatures without a unit: numbers above 200 are kelvins, no rubber is hotter in °C.
+  /// Decides about temperatures without a unit: numbers above 200 are kelvins, as no rubber is
+  /// hotter in °C.
   Unit temperatureScale(const TextBlock& block, std::size_t column) {
     const DmaColumnFact fact = factOf(block, column, choices_.temperatureUnit);
     file_.facts.temperature = fact.name;
@@ -183,7 +186,7 @@ class Reader {
     return *temperatureUnit(lowest >= 200 ? "K" : "C");
   }
 
-  /// Rows of one block, or of one temperature of a wide one.
+  /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const TextBlock& block, const SweepColumns& columns, bool isSideBySide) {
     const bool isReduced = columns.has(ReducedFrequency) && !isSaid(choices_.frequencyColumn);
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
@@ -196,7 +199,7 @@ class Reader {
     if (!frequencySize) refuseUnit(frequency, "rad/s, " + unitNames("Hz"), "--frequency-unit");
     if (frequency.unit.empty()) frequency.unit = isAngular ? "rad/s" : "Hz";
 
-    // A master curve is at one temperature, whatever its points were measured at.
+    // A master curve belongs to one temperature, whatever the temperatures of its points.
     std::optional<double> oneTemperature = columns.temperature;
     const bool hasColumn = columns.has(Temperature) && !isReduced;
     Unit scale;
@@ -214,7 +217,7 @@ class Reader {
     readRows(block, columns, isSideBySide, frequencyAt, *frequencySize, oneTemperature, scale);
   }
 
-  /// Storage and loss from whichever two columns there are.
+  /// Computes storage and loss modulus from the two columns that there are.
   struct ModulusPair {
     std::size_t first, second;
     double firstSize, secondSize;
@@ -227,7 +230,7 @@ class Reader {
     if (columns.has(Storage) && columns.has(Loss)) {
       double first = modulusUnit(block, at(Storage), facts.storage);
       double second = modulusUnit(block, at(Loss), facts.loss);
-      // A unit that stands once is that of both, where the other column has none.
+      // A unit that occurs once is that of both, where the other column has none.
       if (facts.storage.isUnitAssumed != facts.loss.isUnitAssumed)
         throw InputError(
             name_, facts.storage.isUnitAssumed ? facts.storage.name : facts.loss.name,
@@ -272,7 +275,8 @@ class Reader {
             }};
   }
 
-  /// Angles without a unit are degrees where they exceed a right angle in radians.
+  /// Decides about angles without a unit: they are degrees where they exceed a right angle in
+  /// radians.
   double phaseUnit(const TextBlock& block, std::size_t column) const {
     const std::string& unit = block.columns[column].unit;
     if (const auto size = angleUnit(unit)) return *size;
@@ -294,7 +298,7 @@ class Reader {
           oneTemperature ? *oneTemperature : scale.toSi(block.at(row, columns[Temperature]));
       if (!std::isfinite(frequency) || !std::isfinite(first) || !std::isfinite(second) ||
           !std::isfinite(temperature)) {
-        // Of sweeps side by side some end before the others.
+        // Some of the sweeps side by side may end before the others.
         const bool isBehindEnd = !std::isfinite(first) && !std::isfinite(second);
         file_.facts.leftOut += isSideBySide && isBehindEnd ? 0 : 1;
         continue;
@@ -321,7 +325,7 @@ class Reader {
     if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
   }
 
-  /// NaN where the row states none.
+  /// Returns the temperature of a row; NaN where it states none.
   static double strainOf(const TextBlock& block, std::size_t row, std::size_t column) {
     const double value = block.at(row, column);
     if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();

@@ -25,9 +25,10 @@ constexpr std::size_t kMostRows = 20000;  // of measurements; the fit takes a fe
 constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
 constexpr const char* kShiftNames[]{"wlf", "arrhenius", "table"};
 
-/// A file that is no table may still be one of a finite-element program.
-std::optional<TextTable> tableIn(std::string_view bytes, const std::string& name,
-                                 std::optional<InputError>& failure) {
+/// Reads a ready Prony series; a file that is no table may still be one of a finite-element
+/// program.
+std::optional<TextTable> readTable(std::string_view bytes, const std::string& name,
+                                   std::optional<InputError>& failure) {
   try {
     TextTableOptions options;
     options.keepsTexts = true;
@@ -38,8 +39,8 @@ std::optional<TextTable> tableIn(std::string_view bytes, const std::string& name
   }
 }
 
-std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table,
-                                  const std::string& name, const MaterialChoices& choices) {
+std::optional<PronyFile> readReadySeries(std::string_view bytes, const TextTable* table,
+                                         const std::string& name, const MaterialChoices& choices) {
   if (bytes.size() > kLargestSeries) return {};
   const DecodedText decoded(bytes, name);
   PronyChoices series;
@@ -53,7 +54,7 @@ std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table
   return readPronyFile(decoded.text, table, name, series);
 }
 
-/// Without a shift of its own a material has its one temperature alone.
+/// A material without a shift of its own is known at one temperature only.
 TemperatureShift shiftAt(double temperature) {
   TemperatureShift shift;
   shift.kind = ShiftKind::Table;
@@ -101,7 +102,7 @@ void leaveOut(std::vector<Isotherm>& isotherms, const MaterialChoices& choices) 
   if (isotherms.empty()) throw InputError("", "--leave-out", "leaves no isotherm");
 }
 
-MeasuredRange rangeOf(const Material& material) {
+MeasuredRange measuredRange(const Material& material) {
   MeasuredRange range;
   range.frequencyFrom = material.curve.lowestFrequency();
   range.frequencyTo = material.curve.highestFrequency();
@@ -184,7 +185,7 @@ Json measurementJson(const Material& material) {
           {"shifts", std::move(shifts)}};
 }
 
-/// A scene has to be at the one temperature that such a material has.
+/// Such a material fixes the temperature of the scene.
 void addOneTemperature(const Material& material, std::vector<Message>& lines) {
   if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
   const double kelvin = material.shift.table.front().temperature;
@@ -197,7 +198,7 @@ void addOneTemperature(const Material& material, std::vector<Message>& lines) {
                 plain(kelvin)));
 }
 
-/// Whether vertical shifts would let one horizontal shift serve both moduli.
+/// Returns whether vertical shifts would let one horizontal shift serve both moduli.
 bool isSimpleWithVertical(std::span<const Isotherm> isotherms, double reference,
                           const std::stop_token& stop) {
   try {
@@ -232,7 +233,7 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   material.wlf = fitWlf(table, material.referenceTemperature);
   material.arrhenius = fitArrhenius(table, material.referenceTemperature);
   material.shift = chosenShift(material, choices.shift);
-  material.measured = rangeOf(material);
+  material.measured = measuredRange(material);
   return material;
 }
 
@@ -243,8 +244,8 @@ Message describeArms(std::size_t count) {
 Material makeMaterial(std::string_view bytes, const std::string& fileName,
                       const MaterialChoices& choices) {
   std::optional<InputError> failure;
-  const std::optional<TextTable> table = tableIn(bytes, fileName, failure);
-  const auto series = seriesIn(bytes, table ? &*table : nullptr, fileName, choices);
+  const std::optional<TextTable> table = readTable(bytes, fileName, failure);
+  const auto series = readReadySeries(bytes, table ? &*table : nullptr, fileName, choices);
   Material material;
   if (series) {
     material = readySeries(*series, fileName, choices);
@@ -265,7 +266,7 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
     }
     material.facts = file.facts;
     material.strainAmplitude = strain;
-    material.measured = rangeOf(material);
+    material.measured = measuredRange(material);
   }
   material.fileName = std::filesystem::path(fileName).filename().string();
   material.fileDigest = sha256(bytes);
@@ -280,7 +281,7 @@ Json materialOrigin(const Material& material) {
   Json options = Json::object();
   for (const auto& [option, value] : material.options) {
     Json& place = options[option];
-    // An option that was repeated has a list.
+    // A repeated option has a list.
     if (place.is_string()) place = Json::array({place});
     if (place.is_array())
       place.push_back(value);

@@ -18,7 +18,8 @@ namespace {
 
 // ---- A table -----------------------------------------------------------------------------------
 
-/// "G_inf", "g∞", "Equilibrium modulus", "E0" and the like, without marks.
+/// Returns whether a name without marks is one of the equilibrium modulus: "G_inf", "g∞",
+/// "Equilibrium modulus", "E0" and the like.
 std::string plainWord(std::string_view text) {
   std::string word = lowerCase(text);
   for (const std::string_view infinity : {"\u221E", "infinity", "infty"})
@@ -62,7 +63,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
       weightAt = i;
   }
   if (timeAt == kNone && weightAt == kNone) return {};
-  // A relaxation time, and a modulus with an index, stand in no table of dynamic moduli.
+  // No table of dynamic moduli has a relaxation time or a modulus with an index.
   if (timeAt == kNone || weightAt == kNone) {
     const std::string& known = block.columns[timeAt == kNone ? weightAt : timeAt].name;
     const std::string word = plainWord(known);
