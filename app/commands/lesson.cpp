@@ -55,7 +55,7 @@ Json answersJson(const Lesson& lesson, int threads) {
         if (step.prediction->answer) one["answer"]["computed"] = numberJson(answer.number);
       } else {
         one["answer"] = numberJson(answer.number);
-        if (std::isfinite(answer.place.value)) one["answer"]["at"] = numberJson(answer.place);
+        if (std::isfinite(answer.x.value)) one["answer"]["at"] = numberJson(answer.x);
       }
     }
     steps.push_back(std::move(one));

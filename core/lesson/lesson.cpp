@@ -48,7 +48,7 @@ Scene withinControls(const LessonControls& controls, const Scene& step, const Sc
     try {
       setValue(row, scene, value);
     } catch (const InputError&) {
-      // A value that belongs to a kind which is locked stays as the step has it.
+      // Where the kind is locked, a value that belongs to another kind stays as in the step.
     }
   }
   return scene;

@@ -45,9 +45,9 @@ struct Place {
   double x = 0, y = 0;
 };
 
-/// The maximum of the curve: of the parabola through its highest points where the axis is
+/// Returns the maximum of the curve: of the parabola through its highest points where the axis is
 /// logarithmic and all values are positive, else the highest point.
-Place maximumOf(const Scene& scene, const std::string& column, const CurveOptions& options) {
+Place findMaximum(const Scene& scene, const std::string& column, const CurveOptions& options) {
   const Curve curve = computeCurve(scene, options);
   if (!curve.isComplete) throw StopRequested{};
   std::vector<double> x, y;
@@ -69,14 +69,14 @@ Place maximumOf(const Scene& scene, const std::string& column, const CurveOption
   return {x[static_cast<std::size_t>(highest)], y[static_cast<std::size_t>(highest)]};
 }
 
-/// The number itself, without what it is divided by.
+/// Returns the number itself, without the one by which it is divided.
 double plainValue(const Scene& scene, const LessonValue& value, const CurveOptions& options) {
   const Scene changed = withKeys(scene, value.set);
   switch (value.kind) {
     case LessonValue::Kind::State:
       return stateValue(changed, value.column, options);
     case LessonValue::Kind::Peak:
-      return maximumOf(changed, value.column, options).x;
+      return findMaximum(changed, value.column, options).x;
     case LessonValue::Kind::Exponent:
       break;
   }
@@ -91,12 +91,12 @@ double plainValue(const Scene& scene, const LessonValue& value, const CurveOptio
   return (logs[1] - logs[0]) / std::log(ends[1] / ends[0]);
 }
 
-/// The answer to a point: the height of the curve at a place, or at its largest value.
+/// Returns the answer to a point: the height of the curve at x, or its largest value.
 void computePoint(const LessonStep& step, const CurveOptions& options, LessonAnswer& answer) {
   const LessonPrediction& prediction = *step.prediction;
   const std::string column(quantityEntry(*findQuantity(step.show.quantity)).word.text());
   if (prediction.x) {
-    answer.place.value = *prediction.x;
+    answer.x.value = *prediction.x;
     const bool isOfVelocity = step.scene.sweep.isOfVelocity();
     Scene state = step.scene;
     if (isOfVelocity)
@@ -105,11 +105,11 @@ void computePoint(const LessonStep& step, const CurveOptions& options, LessonAns
       state = sceneAt(step.scene, *prediction.x);
     answer.number.value = stateValue(state, column, options);
   } else {
-    const Place maximum = maximumOf(step.scene, column, options);
-    answer.place.value = maximum.x;
+    const Place maximum = findMaximum(step.scene, column, options);
+    answer.x.value = maximum.x;
     answer.number.value = maximum.y;
   }
-  answer.place.unit = std::string(sweptParameter(step.scene).unit);
+  answer.x.unit = std::string(sweptParameter(step.scene).unit);
   answer.number.unit = unitOfColumn(column);
 }
 
@@ -182,8 +182,8 @@ bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
   if (!std::isfinite(given.number)) return false;
   const bool isHigh = isWithinFactor(given.number, answer.number.value, prediction.tolerance);
   if (prediction.x) return isHigh;
-  return isHigh && std::isfinite(given.place) &&
-         isWithinFactor(given.place, answer.place.value, prediction.placeTolerance);
+  return isHigh && std::isfinite(given.x) &&
+         isWithinFactor(given.x, answer.x.value, prediction.xTolerance);
 }
 
 std::string withValues(const std::string& text, const LessonPrediction& prediction,

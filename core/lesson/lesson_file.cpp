@@ -75,7 +75,7 @@ bool isLessonFile(const std::filesystem::path& file) {
 
 Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed) {
   std::error_code ignored;
-  // A folder may have the name of a shipped lesson.
+  // A folder may have the same name as a shipped lesson.
   if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored))
     return readLessonFile(name, readNamed);
   std::vector<std::string_view> names;

@@ -27,7 +27,7 @@ void addText(Json& object, const char* member, const LessonText& text) {
   if (!text.german.empty()) object[member]["de"] = toJson(text.german);
 }
 
-/// A value of an assignment in JSON: a number or a list where it reads as one, else a text.
+/// Returns a value of an assignment as JSON: a number or a list where it reads as one, else a text.
 Json jsonOfValue(const std::string& key, const std::string& text) {
   const Parameter* row = findParameter(key);
   if (row && (allowedRange(*row) || isList(*row))) {
@@ -41,7 +41,7 @@ Json toJson(const std::vector<std::string>& assignments) {
   Json object = Json::object();
   for (const std::string& assignment : assignments) {
     const std::string key(assignmentKey(assignment));
-    // What is still being written may have no value yet.
+    // An assignment that is still being edited may have no value yet.
     const bool hasValue = assignment.size() > key.size();
     object[key] = jsonOfValue(key, hasValue ? assignment.substr(key.size() + 1) : std::string());
   }
@@ -100,7 +100,7 @@ Json toJson(const LessonPrediction& prediction) {
   if (prediction.answer) json["answer"] = toJson(*prediction.answer);
   if (prediction.kind != PredictionKind::Choice) json["tolerance"] = prediction.tolerance;
   if (prediction.kind == PredictionKind::Point && !prediction.x)
-    json["place_tolerance"] = prediction.placeTolerance;
+    json["place_tolerance"] = prediction.xTolerance;
   addText(json, "right", prediction.right);
   addText(json, "wrong", prediction.wrong);
   return json;

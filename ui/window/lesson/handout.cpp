@@ -275,8 +275,7 @@ class HandoutMaker {
     else
       said = QString::fromStdString(numberInWords(answer.number));
     if (prediction.kind == PredictionKind::Point && !prediction.x)
-      said +=
-          " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.place)));
+      said += " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);

@@ -412,7 +412,7 @@ void Lessons::showChart() {
   else if (!result)
     point_->ask(step.prediction->x, plainText(step.prediction->question));
   else if (result->given.isGiven())
-    point_->showDecided(step.prediction->x.value_or(result->given.place), result->given.number);
+    point_->showDecided(step.prediction->x.value_or(result->given.x), result->given.number);
   else
     point_->dismiss();
 }
@@ -446,7 +446,7 @@ void Lessons::answer(const GivenAnswer& said, bool surrenders) {
   if (!isRunning() || isRevealed() || waiting_) return;
   GivenAnswer given = said;
   if (present().prediction->kind == PredictionKind::Point && !surrenders && point_->point()) {
-    given.place = point_->point()->x();
+    given.x = point_->point()->x();
     given.number = point_->point()->y();
   }
   if (answers_.contains(step_)) return settle(given);
