@@ -25,7 +25,8 @@ constexpr NamedChoices<DistributionKind, 3> kDistributions{
      {"lognormal", DistributionKind::Lognormal},
      {"uniform", DistributionKind::Uniform}}};
 
-/// Throws InputError where no value of the key would be a simulation of its own.
+/// Throws InputError where the key cannot be varied, because its values do not make different
+/// simulations.
 void checkKey(const Parameter& row, const std::string& where) {
   const std::string_view key = row.key;
   for (const std::string_view section : {"sweep.", "comparison."})
@@ -127,7 +128,7 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
   made.from = from.value_or(made.from);
   made.to = to.value_or(made.to);
   if (!(made.from < made.to)) refuseMember(where + ".to", "is not above from");
-  // Limits that leave nothing of the distribution would leave its last digits alone.
+  // Limits that cut off nearly all of the distribution would leave only its last digits.
   const double middle = made.quantile(0.5);
   if (!(middle > made.from && middle < made.to) || !(made.quantile(0.25) < made.quantile(0.75)))
     refuseMember(where, "almost nothing of the distribution is between from and to");

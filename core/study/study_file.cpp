@@ -75,7 +75,7 @@ StudyOutput readOutput(const Json& json) {
                                    : std::string(nearest)));
 }
 
-/// About how many simulations take a second: as many as are lost at most where a process is killed.
+/// Returns how many simulations take about a second: a killed process loses no more than these.
 std::int64_t usualChunk(const ParameterStudy& study) {
   constexpr double kNodesInSecond = 2e8;
   const Scene& scene = study.base;
@@ -215,8 +215,8 @@ class StudyReader {
       if (output.fit) checkFit(output);
   }
 
-  /// A fit that the base scene's curve cannot have would be an empty column. Where kinds are varied
-  /// some simulations may have it.
+  /// Throws InputError for a fit that the curve of the base scene cannot have, as its column would
+  /// be empty. Where kinds are varied, some simulations may have it.
   void checkFit(const StudyOutput& output) const {
     const std::size_t points = study_.curveValues().size();
     if (points < kLeastFitted)
@@ -270,7 +270,7 @@ class StudyReader {
     Json& outputs = text["outputs"] = Json::array();
     for (const StudyOutput& output : study_.outputs) outputs.push_back(output.name);
     text["chunk"] = study_.chunk;
-    // The content of files that the scene names; a text from a store has it already.
+    // This adds the content of the files that the scene names; a text from a store has it already.
     if (root_.contains("inputs")) {
       text["inputs"] = root_["inputs"];
     } else {

@@ -18,7 +18,7 @@ MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& ou
   std::vector<StudyStore> stores;
   std::error_code ignored;
   for (const fs::path& input : inputs) {
-    if (fs::equivalent(input, output, ignored)) continue;  // it counts anyway
+    if (fs::equivalent(input, output, ignored)) continue;  // the output is read in any case
     stores.emplace_back(input);
   }
   if (fs::exists(output, ignored)) stores.emplace_back(output);
