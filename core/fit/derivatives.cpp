@@ -48,7 +48,7 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
     throw InputError("", std::string(key),
                      "is 0, which means none; it needs a value to begin from");
   if (isLogarithmic_) {
-    // A logarithm reaches down to a value that is none for all that slides.
+    // On a logarithmic axis the lowest value is above 0.
     constexpr double kLeastPart = 1e-12;
     low_ = std::max(low_, kLeastPart * now);
   } else {
@@ -104,7 +104,7 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
     const std::string_view section = row.key.substr(0, row.key.find('.'));
     const bool isOfTheState = section == "surface" || section == "elastomer" || section == "load" ||
                               section == "interface" || &row == findParameter("sliding.velocity");
-    // What was measured of a rubber says where its moduli are known, not what they are.
+    // The measured range of a rubber tells where its moduli are known, and changes no friction.
     const bool isOfTheMeasurement = row.key.starts_with("elastomer.measured.");
     if (!isOfTheState || isOfTheMeasurement || !std::holds_alternative<RealField>(row.field) ||
         !whyNotSwept(row, scene).empty() || std::get<double>(parameterValue(row, scene)) == 0)
@@ -126,8 +126,9 @@ double totalMu(const CurvePoint& point) {
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options) {
-  // All states side by side: as given, then those below and those above for each parameter. A
-  // resolution that the program chooses may change with a parameter, which would be a jump.
+  // All states slide side by side: the given ones, then for each parameter those below and those
+  // above. A resolution that the program chooses may change with a parameter, which would be a
+  // jump.
   std::vector<Scene> all(states.begin(), states.end());
   for (Scene& state : all) fixResolution(state);
   std::vector<double> widths;  // [parameter][state]
@@ -174,7 +175,8 @@ std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& o
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const std::vector<double>& slopes = found.slopesOfLines[k].front();
     if (std::ranges::all_of(slopes, [](double slope) { return slope == 0; })) continue;
-    // The ratio of two means over the same lines, and its error by leaving out one line at a time.
+    // This is the ratio of two means over the same lines, with its error by leaving out one line at
+    // a time.
     const auto read = [&](int leftOut) {
       double slope = 0, friction = 0;
       for (std::size_t line = 0; line < mu.size(); ++line) {

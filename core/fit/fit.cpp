@@ -17,8 +17,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A root of the covariance of the mean over the lines, which all points share, [point][line]: the
-/// covariance is it times its transpose.
+/// Returns a square root of the covariance of the mean over the lines, which all points share,
+/// [point][line]: the covariance is the root times its transpose.
 MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
   std::size_t lines = found.muOfLines.front().size();
@@ -34,12 +34,13 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   return about / std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
 }
 
-/// What the points know of the parameters, a symmetric matrix, by its principal directions.
+/// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
+/// directions.
 class Information {
  public:
   explicit Information(const MatrixXd& matrix) : directions_(matrix) {}
 
-  /// The inverse; directions of which the points know nothing get a very large value in place of an
+  /// Returns the inverse; directions without information get a very large value instead of an
   /// infinite one.
   MatrixXd inverse() const {
     constexpr double kNothing = 1e-15;
@@ -48,9 +49,9 @@ class Information {
            directions_.eigenvectors().transpose();
   }
 
-  /// The covariance of the directions of which the points know nothing, such as that of force and
-  /// modulus together, whose ratio alone matters: along them the response to the points' errors is
-  /// 0, but their values may be any.
+  /// Returns the covariance of the directions without information, such as force and modulus
+  /// together, of which only the ratio matters. Along them the response to the points' errors is 0,
+  /// but the values may be anything.
   MatrixXd openCovariance() const {
     constexpr double kOpen = 1e-10;
     const MatrixXd& axes = directions_.eigenvectors();
@@ -62,7 +63,8 @@ class Information {
   }
 
  private:
-  /// This share of the best known direction, and never 0.
+  /// The information below which a direction counts as unknown: this share of the best known one,
+  /// and never 0.
   double least(double share) const {
     return std::max(share * directions_.eigenvalues().maxCoeff(),
                     std::numeric_limits<double>::min() * 1e10);
@@ -71,7 +73,7 @@ class Information {
   Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
 };
 
-/// How far a parameter's coordinate may be wrong before it counts as open.
+/// Returns the error of a coordinate beyond which a parameter counts as not determined.
 double openBeyond(const VariedParameter& parameter) {
   if (parameter.isLogarithmic()) return std::log(2.0);
   const auto& field = std::get<RealField>(parameter.row().field);
@@ -125,10 +127,11 @@ class Fitting {
 
  private:
   static constexpr int kIterations = 60;
-  /// Beyond this distance of logarithms, a factor of two, a fit has not found the points.
+  /// A fit that is further from the points in the logarithm than a factor of two has not found
+  /// them.
   static constexpr double kFar = std::numbers::ln2;
 
-  /// A table without errors has no weight beside one with them.
+  /// A table without errors has no weight beside a table with errors.
   void refuseMissingErrors() const {
     const auto with = std::ranges::find_if(data_, &FrictionData::hasErrors);
     const auto without = std::ranges::find_if_not(data_, &FrictionData::hasErrors);
@@ -139,19 +142,19 @@ class Fitting {
                                Message::name(without->name), Message::name(with->name)));
   }
 
-  /// The coordinate to begin from: where friction is far from what was measured, the one to which
-  /// its logarithms lead.
+  /// Returns the coordinates from which the fit begins. Where friction is far from the measured
+  /// values, a fit of logarithms comes first.
   VectorXd nearer(const VectorXd& start) const {
     const double distance = objective_.logarithmicDistance(objective_.evaluate(start, {}));
     if (distance < kFar || !std::isfinite(distance)) return start;
     return minimize(objective_, start, all_, kIterations, Distance::Logarithm).coordinates;
   }
 
-  /// Errors hold unless chi squared is three of its standard deviations beyond its mean: a fit
-  /// leaves the degrees of freedom of the points' errors, and of the lines' scatter what no
-  /// parameter follows. Errors that do not hold, and the 100 % in place of those that are not
-  /// given, are scaled to what the fit leaves. left: of the scatter of the lines, over the points'
-  /// errors.
+  /// Scales the errors of the points if they do not hold: if chi squared is more than three of its
+  /// standard deviations above its mean. A fit leaves the degrees of freedom of the points' errors,
+  /// and that part of the lines' scatter which no parameter follows. Errors that do not hold, and
+  /// the 100 % that replace missing ones, are scaled to the residuals. left: the remaining part of
+  /// the lines' scatter, over the points' errors.
   void compareWithErrors(const MatrixXd& left) {
     const auto freedom = static_cast<double>(fit_.freedom);
     const double ofLines = left.squaredNorm();
@@ -215,7 +218,7 @@ class Fitting {
     }
   }
 
-  /// The principal axes of the error ellipsoid.
+  /// Finds the principal axes of the error ellipsoid.
   void setCombinations() {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance_);
     for (Eigen::Index k = 0; k < covariance_.rows(); ++k) {
@@ -228,8 +231,8 @@ class Fitting {
     }
   }
 
-  /// With one parameter held at some places around the best one, the others follow as their
-  /// covariance says and are then minimized for.
+  /// Holds one parameter at some values around the best one. The others begin where their
+  /// covariance predicts, and are then minimized over.
   void setProfiles(const Minimum& best) {
     constexpr int kFewIterations = 4;
     for (std::size_t k = 0; k < parameters_.size(); ++k) {
@@ -278,7 +281,7 @@ class Fitting {
                   "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, fit_.freedom, fit_.errorScale));
-    // What the tables were taken for.
+    // These notes tell how the tables were understood.
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
@@ -300,7 +303,7 @@ class Fitting {
       fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
   }
 
-  /// Whether points are shifted in temperature by constants that nobody gave.
+  /// Returns whether points are shifted in temperature by constants that are only defaults.
   bool shiftsByGeneralConstants() const {
     const Elastomer& elastomer = fit_.scene.elastomer;
     const TemperatureShift &shift = elastomer.shift, general;

@@ -22,7 +22,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Residuals and their derivatives by the free parameters, as Ceres asks for them.
+/// The residuals and their derivatives with respect to the free parameters, as a cost function of
+/// Ceres.
 class Residuals : public ceres::CostFunction {
  public:
   Residuals(const Objective& objective, VectorXd coordinates, std::vector<int> free,
@@ -36,8 +37,8 @@ class Residuals : public ceres::CostFunction {
   }
 
   bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-    // Beyond a limit friction is that at the limit. Limits of Ceres's own would cost a search along
-    // a line, with derivatives, after every step.
+    // Beyond a limit, friction is that at the limit. Limits of Ceres itself would cost a line
+    // search with derivatives after every step.
     std::vector<bool> isBeyond;
     for (std::size_t j = 0; j < free_.size(); ++j) {
       const VariedParameter& parameter = objective_.parameter(free_[j]);
@@ -67,7 +68,7 @@ class Residuals : public ceres::CostFunction {
       objective_.report(objective_.chiSquared(found));
       return true;
     } catch (...) {
-      // Ceres knows no exceptions: a state that cannot be is a step that failed.
+      // Ceres does not allow exceptions: an impossible state is a failed step.
       failure_ = std::current_exception();
       return false;
     }
@@ -95,8 +96,8 @@ Objective::Objective(const Scene& scene, std::span<const FrictionData> data,
   weighWithErrors();
 }
 
-/// A point states a parameter where its state is the same for any value of it, or has another kind
-/// of load.
+/// Finds the points that state a parameter: their state is the same for any value of it, or has
+/// another kind of load.
 void Objective::findStated() {
   for (const VariedParameter& parameter : parameters_) {
     Scene least = scene_, most = scene_;
@@ -214,8 +215,7 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
   options.parameter_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  // Ceres warns on the standard error stream of a step that failed; the exception behind it says
-  // more.
+  // Ceres would warn about a failed step on the standard error stream; the exception tells more.
   FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);

@@ -1,7 +1,8 @@
-// The scene at measured points for any values of its parameters, how far its friction is from what
-// was measured, and the least sum of squares of that (Levenberg and Marquardt's method, Ceres
-// Solver). A part of core/fit/fit.cpp.
-// Failure: InputError for states that cannot slide, StopRequested where it was stopped.
+// The objective of a fit: the scene at the measured points for any values of its parameters, the
+// residuals of its friction, and the minimum of the sum of their squares (the method of Levenberg
+// and Marquardt, Ceres Solver). It is a part of core/fit/fit.cpp.
+// Failure: InputError for states that cannot slide, StopRequested where the computation was
+// stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +30,8 @@ class Objective {
 
   Scene sceneAt(const Eigen::VectorXd& coordinates) const { return at(scene_, coordinates); }
 
-  /// Friction and, for the parameters named, its derivatives; 0 at points that state the parameter
-  /// themselves.
+  /// Returns friction and its derivatives with respect to the parameters `varied`; 0 at points that
+  /// state the parameter themselves.
   FrictionWithDerivatives evaluate(const Eigen::VectorXd& coordinates,
                                    std::span<const int> varied) const;
 
@@ -39,8 +40,8 @@ class Objective {
 
   double chiSquared(const FrictionWithDerivatives& found) const;
 
-  /// Root mean square of ln(computed / measured friction); infinite where some friction is not
-  /// above 0.
+  /// Returns the root mean square of ln(computed / measured friction); infinite where some friction
+  /// is not above 0.
   double logarithmicDistance(const FrictionWithDerivatives& found) const;
 
   void report(double chiSquared) const {
@@ -49,8 +50,8 @@ class Objective {
 
   bool hasVelocityErrors() const;
 
-  /// An error of the velocity is one of friction by the slope of the computed curve (effective
-  /// variance).
+  /// Adds the errors of the velocity to those of friction, by the slope of the computed curve
+  /// (effective variance).
   void addVelocityErrors(const Eigen::VectorXd& coordinates);
 
  private:
@@ -76,13 +77,13 @@ struct Minimum {
   bool hasConverged = false;
 };
 
-/// What is squared and summed: the residuals, or for a start that is far away ln(computed /
-/// measured friction) over the point's relative error. Friction is close to a product of powers of
-/// the parameters, so that steps of logarithms lead there from decades away, where those of
-/// differences go beyond all limits.
+/// The residuals that are squared and summed: the differences or, for an initial guess that is far
+/// away, ln(computed / measured friction) over the point's relative error. Friction is close to a
+/// product of powers of the parameters, so steps of logarithms converge from decades away, where
+/// steps of differences exceed all limits.
 enum class Distance { Difference, Logarithm };
 
-/// The least sum of squares over the free parameters, the others held.
+/// Minimizes the sum of squares over the free parameters; the others are held fixed.
 Minimum minimize(const Objective& objective, const Eigen::VectorXd& start,
                  const std::vector<int>& free, int iterations,
                  Distance distance = Distance::Difference);
