@@ -53,7 +53,7 @@ class Side {
   std::int64_t total_, done_ = 0;
 };
 
-DifferencePoint pointOf(double velocity, const PairedMeans& means) {
+DifferencePoint differencePoint(double velocity, const PairedMeans& means) {
   const PairedMeans::Ratio ratio = means.ratio();
   return {velocity, means.meanB(), means.standardErrorB(), ratio.value - 1, ratio.standardError};
 }
@@ -130,7 +130,7 @@ CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
     difference.done = own.done() + other.done();
     difference.points.clear();
     for (std::size_t i = 0; i < means.size(); ++i)
-      difference.points.push_back(pointOf(velocities[i], means[i]));
+      difference.points.push_back(differencePoint(velocities[i], means[i]));
     if (options.progress) options.progress(difference);
   }
   return difference;

@@ -39,7 +39,7 @@ constexpr ColumnName kRealizations = "realizations";
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
-  /// Where forces are asked for, a column may apply to more rows.
+  /// Where forces are requested, a column may apply to more rows.
   double (*withForces)(const CurvePoint& point) = nullptr;
 };
 constexpr std::array<ExtraColumn, 14> kExtraColumns{{
@@ -93,17 +93,18 @@ std::string curveRow(const CurvePoint& point) {
 
 namespace {
 
-/// Whether more than half of the friction by Eq. (4) is what the elastic pressure does.
+/// Returns whether more than half of the friction by Eq. (4) is the work of the elastic pressure.
 bool isUnresolved(const CurvePoint& point) {
   if (point.mu == 0) return false;
-  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, and that
-  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
-  // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
+  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, plus that
+  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part never
+  // exceeds 0.45 of the first; where a contact has only a few elements it is the error of their
+  // sum.
   const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
   const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
                          point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
                          point.contactFraction;
-  // Of what does not apply nothing is said.
+  // A value that does not apply gives no note.
   return std::isgreater(std::abs(point.mu - damping), damping);
 }
 
@@ -149,7 +150,7 @@ CurveColumns columnsFor(const Scene& scene, bool hasForces) {
 CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves, CurveColumns columns)
     : columns_(std::move(columns)) {
   for (std::size_t i = 0; i < kExtraColumns.size(); ++i) {
-    // The axis may be what a further column says.
+    // The axis may be one of the further columns.
     if (!isOfVelocity() && columns_.sweptColumn() == std::string_view(kExtraColumns[i].name))
       continue;
     if (std::ranges::any_of(curves, [&](const std::vector<CurvePoint>* points) {

@@ -1,5 +1,5 @@
-// What the vertical axis of a friction curve may show: quantities of a point, each with the word of
-// its column in tables. Constant; any thread.
+// The quantities that the vertical axis of a friction curve may show, each with the word of its
+// column in tables. Constant; any thread.
 #pragma once
 
 #include <cmath>
@@ -34,7 +34,7 @@ struct QuantityEntry {
   bool isFriction;  // proportional to mu at one state: it has error bars, and Eq. (11) gives it
 };
 
-/// All of them, in the order of a menu; mu is the first.
+/// Returns all of them in the order of a menu; mu is the first.
 std::span<const QuantityEntry> quantityEntries();
 const QuantityEntry& quantityEntry(CurveQuantity quantity);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kStretchesPerDecade = 32;
 
-double frequencyOf(double waveNumber, double velocity) {
+double excitedFrequency(double waveNumber, double velocity) {
   return waveNumber * velocity / (2 * std::numbers::pi);
 }
 
@@ -103,7 +103,7 @@ std::optional<ExcitedBand> Excitation::band(double velocity) const {
   const auto at = [&](double share) {
     const auto found = std::ranges::lower_bound(sums, share * total);
     const auto i = std::min<std::ptrdiff_t>(found - sums.begin(), std::ssize(sums) - 1);
-    return frequencyOf((*waves_)[static_cast<std::size_t>(i)].waveNumber, velocity);
+    return excitedFrequency((*waves_)[static_cast<std::size_t>(i)].waveNumber, velocity);
   };
   return ExcitedBand{at(0.05), at(0.5), at(0.95)};
 }
@@ -115,7 +115,7 @@ double Excitation::shareNotMeasured(double velocity) const {
   for (const WaveBand& stretch : *waves_) {
     const double weight =
         stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
-    const double frequency = frequencyOf(stretch.waveNumber, velocity);
+    const double frequency = excitedFrequency(stretch.waveNumber, velocity);
     total += weight;
     if (frequency < measured_->from || frequency > measured_->to) outside += weight;
   }
@@ -127,8 +127,8 @@ std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
   double largest = 0;
   for (const WaveBand& stretch : *waves_) {
     const double loss = complexModulus(law_, stretch.waveNumber * velocity).loss;
-    weights.push_back(
-        {frequencyOf(stretch.waveNumber, velocity), stretch.strength * loss / stretch.decades});
+    weights.push_back({excitedFrequency(stretch.waveNumber, velocity),
+                       stretch.strength * loss / stretch.decades});
     largest = std::max(largest, weights.back().weight);
   }
   if (!(largest > 0)) return {};

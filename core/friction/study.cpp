@@ -9,8 +9,8 @@ namespace asperity {
 
 namespace {
 
-std::vector<LoadCase> casesOf(const std::vector<double>& normalForces,
-                              const std::vector<double>& velocities) {
+std::vector<LoadCase> makeCases(const std::vector<double>& normalForces,
+                                const std::vector<double>& velocities) {
   std::vector<LoadCase> cases;
   for (const double force : normalForces)
     cases.push_back({{LoadKind::Force, force, 0}, velocities});
@@ -21,7 +21,7 @@ std::vector<LoadCase> casesOf(const std::vector<double>& normalForces,
 
 Study::Study(const Scene& scene, const std::vector<double>& normalForces,
              const std::vector<double>& velocities, const StudyOptions& options)
-    : Study(scene, casesOf(normalForces, velocities), options) {}
+    : Study(scene, makeCases(normalForces, velocities), options) {}
 
 Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options)
     : scene_(scene), cases_(std::move(cases)) {
