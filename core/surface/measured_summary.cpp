@@ -16,7 +16,8 @@ PrintedNumber metres(double value) {
   return {printedQuantity(value, "m", 5)};
 }
 
-/// Measured heights about their mean, gaps interpolated: what a spectrum needs.
+/// Returns the measured heights relative to their mean, with gaps interpolated, as a spectrum needs
+/// them.
 std::vector<double> withoutGaps(std::vector<double> heights) {
   interpolateGaps(heights);
   removeForm(heights, FormRemoval::Mean);

@@ -1,7 +1,7 @@
-// A measured surface in numbers, as a person who opens its file wants to know it: what the reader
-// took the file for, the values of ISO 21920-2 before and after processing, its spectrum and how
-// far that can be trusted, and what became of it as a line. In the file's own orientation, summits
-// up. Pure; any thread. Failure: InputError as LineSource.
+// A summary of a measured surface for the person who opens its file: how the file was understood,
+// the parameters of ISO 21920-2 before and after processing, the spectrum and its reliable band,
+// and the resulting line. Heights have the orientation of the file, summits up. Pure; any thread.
+// Failure: InputError as LineSource.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -33,10 +33,10 @@ struct MeasuredSummary {
   NoteSet notes{};
 };
 
-/// `source` has the scene's lines, which are of a measured surface.
+/// Makes the summary. source: has the scene's lines, which are those of a measured surface.
 MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source);
 
-/// What the file was taken for and what was done to it, one sentence each.
+/// Returns how the file was understood and processed, one sentence each.
 std::vector<Message> factsOf(const MeasuredSummary& summary);
 
 struct NamedValue {
@@ -44,10 +44,10 @@ struct NamedValue {
   std::string unit;  // "m" or empty
   double raw = 0, used = 0;
 };
-/// In the order of ISO 21920-2. The raw values are P parameters always.
+/// Returns the parameters in the order of ISO 21920-2. The raw values are always P parameters.
 std::vector<NamedValue> namedValues(const MeasuredSummary& summary);
 
-/// "reading", "values", "spectrum_of_surface" and "notes".
+/// Adds "reading", "values", "spectrum_of_surface" and "notes".
 void addTo(nlohmann::ordered_json& root, const MeasuredSummary& summary);
 
 }  // namespace asperity
