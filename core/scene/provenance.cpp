@@ -61,7 +61,7 @@ Json levelOversampling(std::string_view verb, const Scene& scene) {
 
 constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from
 
-/// The files that a scene names, without their digests.
+/// Returns the files that a scene names, without their digests.
 std::vector<InputFile> filesOf(const Scene& scene) {
   std::vector<InputFile> files;
   const auto add = [&files](const char* key, const std::string& name) {
@@ -88,7 +88,7 @@ std::string digestOf(const InputFile& file, const std::filesystem::path& folder)
   }
 }
 
-/// The files that a scene names, each with the SHA-256 of its content.
+/// Returns the files that a scene names, each with the SHA-256 of its content.
 Json inputsJson(const Scene& scene) {
   Json inputs = Json::array();
   for (const InputFile& file : filesOf(scene)) {
@@ -105,7 +105,7 @@ std::string textIn(const Json& object, const char* member) {
   return object[member].get<std::string>();
 }
 
-/// Gives each file the digest that the result states for it.
+/// Sets the digest of each file that the result states for it.
 void addDigests(const Json& inputs, std::vector<InputFile>& files) {
   if (!inputs.is_array()) return;
   for (InputFile& file : files)
@@ -114,8 +114,8 @@ void addDigests(const Json& inputs, std::vector<InputFile>& files) {
         file.sha256 = textIn(input, "sha256");
 }
 
-/// The first of the folders in which all files are what they were; else the first that has them
-/// all, of which it can be said what is wrong; else the first.
+/// Returns the first folder in which all files have their recorded content; else the first one that
+/// has all of them, whose difference an error can name; else the first one.
 std::filesystem::path folderOf(const std::vector<InputFile>& files,
                                const std::vector<std::filesystem::path>& folders) {
   std::error_code ignored;
@@ -133,8 +133,8 @@ std::filesystem::path folderOf(const std::vector<InputFile>& files,
   return folders.front();
 }
 
-/// Refuses a result whose file has another content than the one that the result was made from. A
-/// missing file is reported by the command that needs it.
+/// Throws InputError for a file that has another content than the one from which the result was
+/// made. A missing file is reported by the command that needs it.
 void checkInputs(const std::vector<InputFile>& files, const std::filesystem::path& folder) {
   for (const InputFile& file : files) {
     const std::string present = file.sha256.empty() ? std::string() : digestOf(file, folder);
@@ -146,7 +146,7 @@ void checkInputs(const std::vector<InputFile>& files, const std::filesystem::pat
   }
 }
 
-/// The scene of a result, or of one of its parts, with the folder of its files.
+/// Returns the scene of a result, or of one of its parts, with the folder of its files.
 FoundScene resultFrom(Json origin, const std::string& name,
                       const std::vector<std::filesystem::path>& folders) {
   FoundScene found;

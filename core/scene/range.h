@@ -1,6 +1,6 @@
 // A range of values of one parameter, as an axis of a chart or a map: "FROM:TO:N", logarithmic
-// where the parameter's slider is; "FROM:TO:N:linear" or ":log" says otherwise. FROM and TO may
-// have units ("1mN:10N:41"). The one grammar of such options. Pure; any thread.
+// where the parameter's slider is; "FROM:TO:N:linear" or ":log" overrides that. FROM and TO may
+// have units ("1mN:10N:41"). All such options share this syntax. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ inline constexpr std::int64_t kMostRangePoints = 100000;
 /// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
 const Parameter& numberRow(std::string_view key);
 
-/// Whether the row's numbers are whole.
+/// Returns whether the row's numbers are whole.
 bool isWholeNumber(const Parameter& row);
 
 /// Returns the number that a real or whole parameter has in a scene.
@@ -41,7 +41,7 @@ void setNumber(const Parameter& row, Scene& scene, double number);
 /// the key where it is none or outside what the parameter allows.
 double parseNumber(const Parameter& row, std::string_view text);
 
-/// Whether the row's slider is logarithmic.
+/// Returns whether the row's slider is logarithmic.
 bool hasLogarithmicSlider(const Parameter& row);
 
 /// Reads "FROM:TO:N" with ":log" or ":linear" behind it where wanted. Throws InputError with the
@@ -59,7 +59,7 @@ void checkRange(const ParameterRange& range, const Scene& scene);
 /// Whole numbers are rounded and repeats left out; one point is `from`.
 std::vector<double> rangeValues(const ParameterRange& range);
 
-/// The range as text that reads back to the same.
+/// Returns the range as text that reads back to the same range.
 std::string formatRange(const ParameterRange& range);
 
 }  // namespace asperity

@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-/// What local friction amounts to, without what has no influence on it.
+/// Returns the local friction without the members that do not influence it.
 Interface effective(Interface interface) {
   const Interface none;
   if (interface.shearStress == 0) interface.shearVelocity = 0;
@@ -189,7 +189,7 @@ Scene withSweptValue(Scene scene, double value) {
 
 namespace {
 
-/// Whether the scene can be at this value of the parameter.
+/// Returns whether this value of the parameter is possible in the scene.
 bool canBe(const Parameter& parameter, const Scene& scene, double value) {
   try {
     Scene state = scene;
@@ -217,7 +217,7 @@ ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
   const bool isAround = range.isLogarithmic && own > 0;
   range.from = std::clamp(isAround ? own / kAround : from, allowed.minimum, allowed.maximum);
   range.to = std::clamp(isAround ? own * kAround : to, allowed.minimum, allowed.maximum);
-  // A logarithmic slider may begin at none, which has no logarithm.
+  // A logarithmic slider may begin at "none", which has no logarithm.
   if (range.isLogarithmic && !(range.from > 0)) range.from = from;
   for (double* end : {&range.from, &range.to})
     for (int i = 0; i < kAttempts && !canBe(parameter, scene, *end); ++i)
