@@ -42,7 +42,7 @@ std::optional<double> unitSize(std::string_view name, std::string_view si);
 /// with their usual prefixes and without other spellings, for messages.
 std::string unitNames(std::string_view si);
 
-/// What a number has to be.
+/// The kind of number that is expected.
 struct QuantityRule {
   std::string_view unit{};     // SI; empty for a pure number
   bool isTemperature = false;  // on the absolute scale: degrees Celsius are accepted, too
