@@ -3,7 +3,7 @@
 // (multilevel Monte Carlo: Giles, Operations Research 56, 607, 2008). The same realization has the
 // same phases at every resolution, so the differences vary little. If s is the finest level, it is
 // the plain average.
-// A sample that is stopped by its own spread has a biased mean: friction is skewed, so samples with
+//
 // A sample whose size depends on its own spread has a biased mean: friction is skewed, so samples
 // with a low mean also have a low spread and stop early. Lines are therefore drawn in two halves,
 // and the spread of each half determines the number of lines of the other half. The mean of the two
@@ -78,7 +78,7 @@ double lineError(std::span<const double> friction);
 /// sampled.
 std::optional<LevelPlan> planLevels(const Halves& halves, int known, double relative);
 
-/// The mean over a plan, and its standard error.
+/// The mean of a plan, and its standard error.
 struct LevelEstimate {
   double mean = 0, standardError = 0;
   double freedom = 0;  // degrees of freedom (Welch and Satterthwaite)

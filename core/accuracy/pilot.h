@@ -24,7 +24,7 @@ struct PilotScene {
   Scene scene;            // with length and elements, which a scene may leave to a profile's file
   std::int64_t rows = 0;  // rows to read from the beginning of a profile's file; 0: no profile
   std::int64_t rowsOfFile = 0;
-  std::int64_t lines = 1;  // that the scene's means are over
+  std::int64_t lines = 1;  // number of lines of the scene's means
 
   /// Makes the run's own line, with the size in `extent`.
   PilotScene(const Scene& its, const LineExtent& extent);

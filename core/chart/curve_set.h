@@ -47,7 +47,7 @@ struct TheoryCurve {
   std::vector<TheoryPoint> points;
 };
 
-/// Measured friction, and what the present scene says at each of its points: at the point's own
+/// Measured friction, and that of the present scene at each of its points: at the point's own
 /// force, pressure and temperature.
 struct MeasuredCurve {
   FrictionData data;
@@ -66,11 +66,11 @@ struct CurveSet {
   std::vector<TheoryCurve> theories;
   std::vector<MeasuredCurve> measured;  // the tables that the scene names
   bool isReduced = false;               // whether measured velocities are shifted
-  std::vector<Message> notes;           // what a reader has to know of the measured friction
+  std::vector<Message> notes;           // on the measured friction
   CurveAxes axes = CurveAxes::Physical;
-  CurveQuantity y = CurveQuantity::Mu;      // of physical axes
-  std::optional<AxisScale> xScale, yScale;  // none: as the sweep's values are spaced; logarithmic
-  std::string familyKey;                    // the key that tells the pinned curves apart; or empty
+  CurveQuantity y = CurveQuantity::Mu;        // of physical axes
+  std::optional<AxisScale> xScale, yScale;    // none: as the sweep's values are spaced; logarithmic
+  std::string familyKey;                      // the key in which the pinned curves differ; or empty
   std::optional<CurveDifference> difference;  // of the present curve
   // Ranges of the present axes, in their units; equal ends: automatic.
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;
@@ -86,7 +86,7 @@ struct CurveSet {
 double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
                       const AxesFactors& factors);
 
-/// Returns the place of a point on the horizontal axis, and the value on the vertical one.
+/// Return the position of a point on the horizontal axis, and its value on the vertical axis.
 double abscissa(const CurvePoint& point, const CurveSet& set);
 double ordinate(const CurvePoint& point, const CurveSet& set);
 

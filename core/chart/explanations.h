@@ -1,7 +1,7 @@
-// One table of what the window explains under the pointer: symbols, quantities, regions, legend
-// entries and numbered equations, each with its formula, a sentence and its place in the guide.
-// Parameters, regions and theories have their sentences in their own tables, which are used here.
-// Constant; any thread.
+// The table of explanations that the window shows under the pointer: symbols, quantities, regions,
+// legend entries and numbered equations, each with its formula, a sentence and its anchor in the
+// guide. Parameters, regions and theories have their sentences in their own tables, which are used
+// here. Constant; any thread.
 #pragma once
 
 #include <optional>

@@ -17,10 +17,8 @@ struct ProfileParameters {
   double pku = 0;     // kurtosis, mean of z^4 over Pq^4; likewise
   double pz = 0;      // m, maximum height: highest peak to deepest valley, mean over the sections
   double pt = 0;      // m, the same of the whole length
-                      // where no so many neighbours were measured
   double pdq = 0;     // rms slope, by seven points, or by two in a profile with fewer points; NaN
                       // where too few neighbouring points were measured
-                      // where no so many neighbours were measured
 };
 
 /// sectionLength: m, the length over which each maximum height is determined (the cut-off
