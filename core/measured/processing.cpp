@@ -153,10 +153,10 @@ void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns
 namespace {
 
 /// The weights have fallen to 1e-14 of their maximum at this distance.
-constexpr double kReach = 1.5;  // cut-off wavelengths
+constexpr double kKernelWidth = 1.5;  // cut-off wavelengths
 
 std::size_t kernelReach(std::size_t points, double spacing, double cutOff) {
-  const double reach = std::ceil(kReach * cutOff / spacing);
+  const double reach = std::ceil(kKernelWidth * cutOff / spacing);
   return reach < static_cast<double>(points)
              ? std::max<std::size_t>(static_cast<std::size_t>(reach), 1)
              : points;
