@@ -42,7 +42,8 @@ Json budgetJson(const ErrorBudget& error) {
           {"model_difference", numberOrNull(error.modelDifference)}};
 }
 
-/// What the line and the load on it are. A long profile is not read for it, nor a long line made.
+/// Adds the properties of the line and of its load. It reads no long profile and makes no long
+/// line.
 void addLine(Explanation& explanation) {
   constexpr std::int64_t kLongProfile = std::int64_t{1} << 16;  // rows
   constexpr std::int64_t kLongLine = std::int64_t{1} << 22;     // elements
@@ -61,8 +62,9 @@ void addLine(Explanation& explanation) {
       elastomerNotes(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
 }
 
-/// A curve over velocity that costs what the scene's curve over another key costs: all points on
-/// the same lines where only their scaling differs, else one point that is computed `times` often.
+/// Returns a curve over velocity that costs as much as the scene's curve over another key: all
+/// points on the same lines where only their scaling differs, else one point that is computed
+/// `times` times.
 struct EqualCost {
   Scene scene;
   double times = 1;

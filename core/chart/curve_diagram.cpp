@@ -107,13 +107,13 @@ std::size_t sizeOfFamily(const CurveSet& set) {
       set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.ofFamily); }));
 }
 
-/// Whether a curve is one of a large family, whose colours are those of a ramp.
+/// Returns whether a curve belongs to a large family, whose colours are those of a ramp.
 bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
   constexpr std::size_t kFewCurves = 5;
   return std::isfinite(curve.ofFamily) && sizeOfFamily(set) > kFewCurves;
 }
 
-/// Says what the colours of a large family mean.
+/// Adds the meaning of the colours of a large family.
 std::optional<DiagramRamp> rampOf(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
@@ -140,8 +140,8 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
     return series;
   }
   series.colour = pinColour(curve.place);
-  // The present curve is the first of them all: twelve pairs of marks and strokes, so that curves
-  // are told apart without their colours.
+  // Twelve pairs of marks and strokes, of which the present curve has the first, distinguish curves
+  // without colours.
   const auto number = static_cast<std::size_t>(curve.place) + 1;
   series.mark = marks[number % marks.size()];
   series.stroke = strokes[number / marks.size() % strokes.size()];
@@ -170,7 +170,7 @@ void addExtrapolated(Diagram& diagram, const CurveSet& set) {
     if (points[i].extrapolated != 1) continue;
     std::size_t last = i;
     while (last + 1 < points.size() && points[last + 1].extrapolated == 1) ++last;
-    // Up to the middle between the points at which it begins and ends.
+    // The tint extends to the middle between the points at which it begins and ends.
     const auto border = [&](std::size_t inside, std::size_t outside) {
       const double a = abscissa(points[inside], set), b = abscissa(points[outside], set);
       return set.scaleOfX() == AxisScale::Linear ? (a + b) / 2 : std::sqrt(a * b);
@@ -185,7 +185,7 @@ void addExtrapolated(Diagram& diagram, const CurveSet& set) {
   }
 }
 
-/// Whether a value has a place on an axis of this scale.
+/// Returns whether a value can be shown on an axis of this scale.
 bool hasPlace(double value, AxisScale scale) {
   return std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
 }
@@ -214,12 +214,12 @@ Message blankOf(const CurveSet& set) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
-/// What a theory says of the shown quantity; NaN where it says nothing.
+/// Returns the shown quantity by a theory; NaN where the theory does not apply.
 double ordinate(const TheoryPoint& point, const CurveSet& set) {
   return set.axes == CurveAxes::Dimensionless ? point.mu : point.value(set.y);
 }
 
-/// Why a theory has no line; empty where it has one.
+/// Returns why a theory has no line; empty where it has one.
 Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
   const auto isKnown = [&](const TheoryPoint& point) {
     return std::isfinite(ordinate(point, set));
@@ -234,8 +234,8 @@ Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
              : message("{} has no line: it says nothing about this quantity in this scene.", name);
 }
 
-/// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
-/// of a half-space, which is another model, has a colour.
+/// Adds lines where the theories are valid. Theories of this model are thin, each with a stroke of
+/// its own; that of a half-space, which is another model, has a colour.
 void addTheories(Diagram& diagram, const CurveSet& set) {
   constexpr int kColourOfHalfSpace = kPinColours - 3;  // on white the next one is nearly black
   const auto [velocity, friction] = axesFactors(set.present.points, set.axes);
@@ -259,7 +259,7 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
 
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
 
-/// Marks and colours that no curve of the set has.
+/// Returns a series for measured points, with a mark and a colour that no curve of the set has.
 DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
   DiagramSeries series;
   series.name = set.measured[k].data.name;
@@ -269,7 +269,7 @@ DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
   return series;
 }
 
-/// Points with error bars.
+/// Adds the measured points with error bars.
 void addMeasured(Diagram& diagram, const CurveSet& set) {
   const AxesFactors factors = axesFactors(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
@@ -287,7 +287,8 @@ void addMeasured(Diagram& diagram, const CurveSet& set) {
   }
 }
 
-/// Measured over computed friction at each measured point, over the axis of the curves.
+/// Makes the diagram of measured over computed friction at each measured point, over the axis of
+/// the curves.
 Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   Diagram diagram;
   diagram.height = kDifferenceHeight;
@@ -342,8 +343,8 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
                               set.present.scene.elastomer.temperature);
 }
 
-/// Whether Eq. (11) is drawn from the points of the curve; else it is one of the theories, finely
-/// sampled.
+/// Returns whether Eq. (11) is drawn from the points of the curve; otherwise it is one of the
+/// theories, with many points.
 bool drawsLawOfPoints(const CurveSet& set) {
   const bool isAmongTheories = std::ranges::any_of(
       set.theories, [](const TheoryCurve& theory) { return theory.theory == Theory::Eq11; });
@@ -360,7 +361,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
-  // A family stands for itself: the scene's own curve would be one more, often one of them again.
+  // A family needs no present curve: it would be one more, and often one of them again.
   const bool showsOwn = set.familyKey.empty();
   if (showsOwn) {
     DiagramSeries mean = meanSeries(set.present, set);
@@ -371,7 +372,7 @@ Diagram curvesDiagram(const CurveSet& set) {
     diagram.series.push_back(std::move(mean));
   }
   addMeasured(diagram, set);
-  // The regions are those of the own curve, of friction over velocity.
+  // The regions belong to the present curve of friction over velocity.
   if (showsOwn && set.isOfVelocity()) addRegions(diagram, set.present, set.axes);
   addExtrapolated(diagram, set);
   diagram.blank = blankOf(set);
@@ -471,7 +472,7 @@ DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) 
 DiagramSheet curveSheet(const CurveSet& set) {
   const Scene& scene = set.present.scene;
   DiagramSheet sheet;
-  // The name of a scene often speaks of its friction over velocity.
+  // The name of a scene often mentions its friction over velocity.
   const bool isNamed = set.isOfVelocity() && !scene.title.empty();
   sheet.title = isNamed ? Message(scene.title) : titleOf(set);
   sheet.subtitle = isNamed ? describeParameters(scene) : describeScene(scene);

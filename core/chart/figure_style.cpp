@@ -24,7 +24,7 @@ constexpr std::size_t kLargestStyle = std::size_t{1} << 20;  // bytes
 template <class Value, std::size_t N>
 using Words = std::array<std::pair<std::string_view, Value>, N>;
 
-/// Sets one of several named values; returns what is wrong with the word.
+/// Sets one of several named values; returns why the word is refused.
 template <class Value, class Target, std::size_t N>
 Message choose(const Words<Value, N>& words, const std::string& word, Target& target) {
   std::array<std::string_view, N> known;
@@ -235,7 +235,7 @@ void setFrom(FigureStyle& style, const FigureOption& option, const Json& value,
   if (!refusal.empty()) throw InputError(file, optionKey(option), refusal);
 }
 
-/// The parts of a text that `sentences` joined.
+/// Returns the parts of a text that `sentences` joined.
 void addParts(const Message& text, std::vector<Message>& parts) {
   if (text.text == "%1 %2" && text.values.size() == 2) {
     addParts(text.values[0], parts);
@@ -255,7 +255,8 @@ void leaveOutRegions(DiagramSheet& sheet) {
   sheet.note = sentences(parts);
 }
 
-/// Names of curves in the order of the legends: data, then theory, of each diagram; each name once.
+/// Returns the names of curves in the order of the legends: data, then theory, of each diagram;
+/// each name once.
 std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   std::vector<std::string> names;
   for (const Diagram& diagram : sheet.diagrams)
@@ -269,7 +270,8 @@ std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   return names;
 }
 
-/// Uses every series with this name, and its nameless companions of the same id.
+/// Calls the function with every series of this name, and with its nameless companions of the same
+/// id.
 template <class Use>
 void forEachNamed(DiagramSheet& sheet, const std::string& name, const Use& use) {
   for (Diagram& diagram : sheet.diagrams)
@@ -317,7 +319,7 @@ void setLetters(DiagramSheet& sheet, PanelLetters form) {
   }
 }
 
-/// Solid lines get different strokes, because greys alone cannot be told apart.
+/// Gives solid lines different strokes, because greys alone cannot be distinguished.
 void cycleStrokes(DiagramSheet& sheet) {
   constexpr std::array kStroke{SeriesStroke::Solid, SeriesStroke::Dashed, SeriesStroke::Dotted};
   for (Diagram& diagram : sheet.diagrams) {
@@ -330,8 +332,8 @@ void cycleStrokes(DiagramSheet& sheet) {
   }
 }
 
-/// The scene's own curve comes first, then the others in the order given; with the window's pointer
-/// it is the last one, over the others.
+/// Orders the curves: that of the scene first, then the others as given. In the window it is the
+/// last one, over the others.
 void putPresentFirst(DiagramSheet& sheet) {
   for (Diagram& diagram : sheet.diagrams) {
     std::vector<DiagramSeries>& series = diagram.series;

@@ -78,7 +78,7 @@ double noiseOf(const ParameterMap& map) {
   return upperMedian(std::move(errors));
 }
 
-/// A map with both sides rising.
+/// A map with both sides in ascending order.
 class RisingMap {
  public:
   RisingMap(const ParameterMap& map, std::string_view quantity) : map_(map) {
@@ -91,7 +91,7 @@ class RisingMap {
     for (const std::size_t j : rows_) y.push_back(map.y.values[j]);
   }
 
-  /// The cell in this column and row.
+  /// Returns the cell in this column and row.
   const CurvePoint& cell(std::size_t i, std::size_t j) const {
     return map_.at(columns_[i], rows_[j]);
   }
@@ -119,8 +119,8 @@ std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale)
   return places;
 }
 
-/// Scale and range of the colours.
-DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quantity) {
+/// Returns scale and range of the colours.
+DiagramAxis colourAxis(const std::vector<double>& values, std::string_view quantity) {
   DiagramAxis axis{mapQuantityTitle(quantity), std::string(mapQuantityUnit(quantity)),
                    AxisScale::Linear};
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -149,8 +149,8 @@ std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisSca
 }
 
 /// Adds levels where much of the map lies between two neighbouring ones, as on a plateau: its shape
-/// is then seen although its colours differ little. Steps are as large as the noise asks for, and
-/// no smaller than a hundredth of the value.
+/// then shows although its colours differ little. The steps are as large as the noise requires, and
+/// at least a hundredth of the value.
 std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<double>& values,
                                  double from, double to, double noise) {
   constexpr double kMuch = 0.35;  // part of the map between two levels
@@ -182,10 +182,11 @@ std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<d
   return levels;
 }
 
-/// Contour lines lie where the quantity changes as the colours do: of logarithms where these are.
-DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
+/// Returns the map as colours with contour lines. These are interpolated as the colours are: in the
+/// logarithm of the quantity on a logarithmic scale.
+DiagramField makeField(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
   DiagramField field;
-  field.colours = coloursOf(map.values, quantity);
+  field.colours = colourAxis(map.values, quantity);
   field.x = map.x;
   field.y = map.y;
   field.values = map.values;
@@ -196,7 +197,7 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
       height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
   const std::vector<double> x = placesOf(map.x, diagram.x.scale);
   const std::vector<double> y = placesOf(map.y, diagram.y.scale);
-  // Over many decades numbers are written as on the axes.
+  // Numbers over many decades are written as on the axes.
   constexpr double kManyDecades = 1e3;
   const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
   const double from = field.colours.from, to = field.colours.to;
@@ -212,7 +213,7 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
   return field;
 }
 
-/// A region at one value of the other parameter: the velocities between which it is.
+/// A region at one value of the other parameter: its range of velocities.
 struct RegionCut {
   double other = 0, from = 0, to = 0;
 };
@@ -271,8 +272,9 @@ DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
   return series;
 }
 
-/// Returns where the name of a region has most room: away from its borders, from the edges of the
-/// map and from the lines of the cross; among places with enough room the one nearest the middle.
+/// Returns the position at which the name of a region has the most space: away from the borders of
+/// the region, the edges of the map and the lines of the cross; of several positions with enough
+/// space the one nearest to the middle.
 DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
                          const Diagram& diagram, bool velocityIsX) {
   constexpr std::array kParts{0.5, 0.4, 0.6, 0.3, 0.7};  // of the region's width
@@ -332,7 +334,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "
            "of the other parameter.";
   }
-  // Where single summits carry the load: v / v_few = 1, from the cells' own rms heights.
+  // This is where single summits bear the load: v / v_few = 1, from the rms heights of the cells.
   std::vector<double> heights;
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
@@ -351,8 +353,8 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
   return "Dashed: F\u2099/(4\u03B7v) = 0.1 h; beyond it few summits carry the load (region IV).";
 }
 
-/// The scene's own state, where it is on the map.
-std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& diagram) {
+/// Returns a cross at the scene's own state if that is on the map.
+std::optional<DiagramMarker> makeCross(const ParameterMap& map, const Diagram& diagram) {
   const double x = axisNumber(map.scene, map.x), y = axisNumber(map.scene, map.y);
   if (x < diagram.x.from || x > diagram.x.to || y < diagram.y.from || y > diagram.y.to) return {};
   DiagramMarker cross;
@@ -379,8 +381,8 @@ DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
   diagram.x = axisOf(map.x);
   diagram.y = axisOf(map.y);
   const RisingMap rising(map, quantity);
-  diagram.field = fieldOf(rising, diagram, quantity);
-  diagram.marker = crossOf(map, diagram);
+  diagram.field = makeField(rising, diagram, quantity);
+  diagram.marker = makeCross(map, diagram);
   std::vector<Message> notes{addRegionBorders(diagram, map, rising)};
   if (diagram.marker) notes.emplace_back("Cross: the scene's own state.");
   for (const bool alongX : {true, false})
@@ -400,7 +402,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const MapAxis& across = alongX ? map.y : map.x;
   const std::vector<double>& places = alongX ? rising.x : rising.y;
   const std::vector<double> others = placesOf(alongX ? rising.y : rising.x, scaleOf(across));
-  // Between the two rows or columns beside the state.
+  // The cut is interpolated between the two rows or columns beside the state.
   const auto [least, most] = std::ranges::minmax(across.values);
   const double at =
       axisPlace(scaleOf(across), std::clamp(axisNumber(map.scene, across), least, most));
@@ -410,7 +412,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const double part = (at - others[last - 1]) / (others[last] - others[last - 1]);
   Diagram diagram;
   diagram.x = axisOf(along);
-  diagram.y = coloursOf(rising.values, quantity);
+  diagram.y = colourAxis(rising.values, quantity);
   diagram.y.from = diagram.y.to = 0;
   DiagramSeries series;
   series.colour = 0;

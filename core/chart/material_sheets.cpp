@@ -36,7 +36,7 @@ Message at(double temperature) {
   return message("at {}", celsius(temperature));
 }
 
-/// 0 for the coldest isotherm, 1 for the warmest.
+/// Returns the position of an isotherm on the ramp: 0 for the coldest, 1 for the warmest.
 double rampOf(const Material& material, std::size_t isotherm) {
   const double from = material.isotherms.front().temperature;
   const double to = material.isotherms.back().temperature;
@@ -78,7 +78,7 @@ Diagram isothermDiagram(const Material& material, Message title, const char* uni
   return diagram;
 }
 
-/// The master curve's points in the colours of their temperatures.
+/// Returns the points of the master curve in the colours of their temperatures.
 void addMasterPoints(const Material& material, Diagram& diagram, Reading reading, SeriesMark mark) {
   std::vector<DiagramSeries> series(material.isotherms.size());
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -102,7 +102,7 @@ DiagramSeries fittedSeries(const Material& material, double from, double to, Rea
   return series;
 }
 
-/// What the fit covers: the measured range, or that of the relaxation times.
+/// Returns the range of the fit: the measured range, or that of the relaxation times.
 FrequencyRange fittedRange(const Material& material) {
   if (material.isMeasured())
     return {material.curve.lowestFrequency(), material.curve.highestFrequency()};
@@ -203,7 +203,7 @@ NamedSheet masterSheet(const Material& material) {
   return {"master_curve", std::move(sheet)};
 }
 
-/// A logarithmic axis of less than a decade has hardly a number on it.
+/// A logarithmic axis of less than a decade has hardly any numbers.
 AxisScale scaleOfPoints(const Diagram& diagram) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const DiagramSeries& series : diagram.series)
@@ -230,7 +230,7 @@ NamedSheet tangentSheet(const Material& material) {
   return {"loss_tangent", std::move(sheet)};
 }
 
-/// A formula over the temperatures of the table.
+/// Returns a formula over the temperatures of the table.
 DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit, Message name,
                             SeriesStroke stroke) {
   constexpr int kPoints = 100;
@@ -292,7 +292,7 @@ NamedSheet shiftsSheet(const Material& material) {
 
 // ---- In a scene --------------------------------------------------------------------------------
 
-/// What a diagram over frequency shows: the band, what was measured, and a bit more.
+/// Returns the range of a diagram over frequency: the band and the measured range, with a margin.
 FrequencyRange shownRange(const std::optional<FrequencyRange>& measured,
                           const std::optional<ExcitedBand>& band, const ElementLaw& law) {
   FrequencyRange range{1, 1};

@@ -90,7 +90,7 @@ Message frictionInWords(const Frame& frame, const ContactState& state) {
       coefficient(state.mu), printed(std::abs(state.tangentialForce), "N"));
 }
 
-/// Returns what the friction curve says; empty where it says nothing.
+/// Returns the friction of other lines by the friction curve; empty where it is not known.
 Message curveInWords(const CurveAtVelocity& curve) {
   Message mean, region;
   // All lines agree where they are the same line, except for rounding.

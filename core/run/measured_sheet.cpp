@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kStretches = 1500;  // along the profile
 
-/// Points of a profile about `mean`. Of a long one the lowest and the highest of each stretch, so
-/// that no summit is lost.
+/// Returns the points of a profile relative to `mean`; of a long one the lowest and the highest of
+/// each part, so that no summit is lost.
 std::vector<DiagramPoint> profilePoints(std::span<const double> heights, double spacing,
                                         double mean) {
   std::vector<DiagramPoint> points;
@@ -57,7 +57,8 @@ DiagramSeries seriesNamed(const char* name, int colour, std::vector<DiagramPoint
   return series;
 }
 
-/// Both profiles in one frame, or in two where the form that was removed dwarfs the roughness.
+/// Makes the diagrams of both profiles: in one frame, or in two where the removed form is much
+/// larger than the roughness.
 std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   constexpr double kDwarfs = 4;
   const ProcessedProfile& profile = summary.profile;
@@ -79,7 +80,7 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   return {frame, below};
 }
 
-/// Means over stretches of log q, which the eye would take anyway.
+/// Returns means over intervals of log q, as the eye would average them.
 std::vector<DiagramPoint> spectrumPoints(const SpectralDensity& spectrum) {
   constexpr double kToDecade = 24;
   std::vector<DiagramPoint> points;
@@ -106,7 +107,7 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
   diagram.y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic};
   std::vector<DiagramPoint> raw = spectrumPoints(summary.rawSpectrum);
   std::vector<DiagramPoint> used = spectrumPoints(summary.usedSpectrum);
-  // What a filter has taken away whole would stretch the axis over rounding errors.
+  // A part that a filter has removed completely would extend the axis to rounding errors.
   constexpr double kDeepest = 1e-12;
   double greatest = 0, least = HUGE_VAL;
   for (const auto* points : {&raw, &used})
@@ -134,7 +135,7 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
   return diagram;
 }
 
-/// Shares of heights, in rms heights of the used profile.
+/// Makes the diagram of the distribution of heights, in rms heights of the used profile.
 Diagram heightDistribution(const MeasuredSummary& summary) {
   constexpr double kMost = 5;
   Diagram diagram;

@@ -74,7 +74,7 @@ struct Runner::Body {
     const auto hasCommands = [this] { return pending.any(); };
     const auto moves = [&] { return running && playing && isVisible; };
     if (wantedMoment) {
-      // The way to a moment waits for nothing.
+      // Going to a moment does not wait.
     } else if (moves()) {
       changed.wait_until(guard, stop, next, hasCommands);
     } else {

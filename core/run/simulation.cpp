@@ -38,7 +38,7 @@ constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
 // States of a motion that are kept to go back to: how many, and their size in bytes together.
 constexpr double kMostKept = 32, kKeptBytes = 64e6;
 
-/// Normal force (N) and contact fraction of the elements as they are drawn.
+/// The normal force (N) and contact fraction of the elements as they are drawn.
 struct Pressed {
   double force = 0, fraction = 0;
 };
@@ -62,8 +62,8 @@ std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
   return same ? known : std::make_shared<RigidLine>(scene);
 }
 
-/// Whether two scenes of the same line slide alike: texts, sweep, realizations and comparisons may
-/// differ.
+/// Returns whether two scenes of the same line slide alike: texts, sweep, realizations and
+/// comparisons may differ.
 bool slideAlike(const Scene& a, const Scene& b) {
   return a.elastomer == b.elastomer && a.load == b.load && a.sliding == b.sliding &&
          a.interface == b.interface;
@@ -134,8 +134,8 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   settlesFrom_ = 0;
   framesNoNearer_ = 0;
   recordFields();
-  // Another line may be in the present shape, or above it: the load presses it in before it is
-  // shown.
+  // Another line may penetrate the present shape, or be above it: the load presses it in before it
+  // is shown.
   if (!isSameLine) {
     const double velocity = ready_->velocity();
     march_->step(marchLoad(ready_->scene->load),
