@@ -24,7 +24,7 @@ constexpr std::array<RegionText, 4> kTexts{
       "Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % "
       "of the maximum."},
      {"IV", "decrease",
-      "StaticVector summits of the finite period carry the load, and the slope in contact falls, "
+      "Few summits of the finite period carry the load, and the slope in contact falls, "
       "Eq. (15). "
       "Begins below 95 % of the maximum."}}};
 

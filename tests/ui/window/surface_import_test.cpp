@@ -93,7 +93,7 @@ TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
   // A whole number of waves: Pq is the amplitude over sqrt 2, up to the line that is removed and
   // the six decimals of the file.
   EXPECT_NEAR(page_->summary()->used.pq, kAmplitude / std::sqrt(2), 0.02 * kAmplitude);
-  EXPECT_TRUE(inPage<QLabel>("profileParameters").text().contains("Pq"));
+  EXPECT_TRUE(inPage<QLabel>("surfaceValues").text().contains("Pq"));
   EXPECT_FALSE(inPage<QLabel>("surfaceFacts").text().isEmpty());
   EXPECT_EQ(scene(), before);
   click("importAccept");

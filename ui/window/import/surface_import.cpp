@@ -117,7 +117,7 @@ void SurfaceImport::buildViews(const Theme& theme) {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   values_ = new QLabel;
-  values_->setObjectName("profileParameters");
+  values_->setObjectName("surfaceValues");
   values_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   values_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* head = new QHBoxLayout;

@@ -1,7 +1,7 @@
 // The page on which a measured surface becomes the line of the scene: what the file was taken for,
 // which can be changed; each step from its heights to the line; the profile, its spectrum and its
 // values before and after; and what a user must know about it. It is shown anew after each change.
-// Object names: those of ImportPage; "surfaceFacts", "profileParameters", "surfaceNotes",
+// Object names: those of ImportPage; "surfaceFacts", "surfaceValues", "surfaceNotes",
 // "surfaceProfile", "surfaceSpectrum", "topographyPicture". GUI thread; deletes itself. Failure:
 // one line on the page.
 #pragma once
