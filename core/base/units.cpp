@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// What an SI unit measures, and an example from daily life of those that scenes have.
+/// The quantity of an SI unit, and an example of its use in scenes.
 struct Dimension {
   std::string_view si;
   const char* words;
@@ -138,8 +138,8 @@ constexpr std::array kOthers{
     OtherUnit{"radians"sv, {"rad"}},
 };
 
-/// One spelling of products and powers: "Pa\u00B7s" and "Pa*s" as "Pa s", "m s-1" as "m/s",
-/// "N/mm\u00B2" and "N/mm^2" as "N/mm2".
+/// Returns the usual spelling of products and powers: "Pa s" for "Pa\u00B7s" and "Pa*s", "m/s" for
+/// "m s-1", "N/mm2" for "N/mm\u00B2" and "N/mm^2".
 std::string usualSpelling(std::string_view name) {
   std::string text(trimmedBlanks(name));
   for (const std::string_view times : {"\u00B7"sv, "\u22C5"sv, "*"sv}) replaceAll(text, times, " ");
@@ -172,7 +172,7 @@ const Dimension* dimensionOf(std::string_view si) {
   return found == kDimensions.end() ? nullptr : &*found;
 }
 
-/// A number at the beginning of a text, and what follows it.
+/// A number at the beginning of a text, and the rest of the text.
 struct Parts {
   std::string mantissa;
   int exponent = 0;
@@ -238,7 +238,7 @@ Message refusalOf(std::string_view text, const std::string& unit, const Quantity
                  example);
 }
 
-/// Digits of a converted number: the last ones of the product are rounding errors.
+/// Rounds a converted number: the last digits of the product are rounding errors.
 double roundedProduct(double value) {
   double rounded = value;
   readNumber(fmt::format("{:.14e}", value), rounded);
@@ -273,7 +273,7 @@ std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
     if (one.unit.si == si && lowerCase(one.name) == text) return one.unit;
   const Dimension* dimension = dimensionOf(si);
   if (!dimension) return {};
-  // Small letters stand for two prefixes, as m does for milli and mega.
+  // Lower-case letters stand for two prefixes, as m does for milli and mega.
   std::optional<Unit> smaller, larger;
   for (const Prefix& prefix : kPrefixes) {
     if (lowerCase(prefix.letter) + lowerCase(si) != text) continue;
@@ -316,7 +316,7 @@ TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {
   if (parts->isTooLarge) return {{}, {}, true};
   if (parts->unit.empty()) return {parts->number, {}};
   const std::optional<Unit> unit = findUnit(parts->unit, rule.unit);
-  // Words behind a pure number that are no unit are no number, either.
+  // A pure number with a word behind it that is no unit is no number.
   if (!unit && rule.unit.empty() && !findUnit(parts->unit)) return {};
   if (!unit || (unit->offset != 0 && !rule.isTemperature) || (rule.unit.empty() && rule.isWhole))
     return {{}, refusalOf(trimmedBlanks(text), parts->unit, rule)};

@@ -19,28 +19,31 @@ bool hasElastomer(Purpose purpose) {
   return purpose != Purpose::Surface;
 }
 
-/// A curve is steady at every velocity, whatever the motion of the scene.
+/// Returns whether sliding is steady; a curve is so at every velocity, whatever the motion of the
+/// scene.
 bool isSteady(const Scene& scene, Purpose purpose) {
   return purpose == Purpose::Curve || scene.sliding.kind == SlidingKind::Steady;
 }
 
-/// Whether the scene states the spectrum that its waves have.
+/// Returns whether the scene states the spectrum of its waves.
 bool isSelfAffine(const Scene& scene) {
   return scene.surface.kind == SurfaceKind::SelfAffine;
 }
 
-/// One number of lines is known from the scene; that of rows stands in their file.
+/// Returns whether results are averaged. The scene states the number of lines, except for rows,
+/// whose number is in their file.
 bool isAveraged(const Scene& scene) {
   return mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
 }
 
-/// Steady sliding needs the answer as it begins, other motions but from rest start from it.
+/// Returns whether the steady state is needed: for steady sliding, and as the beginning of other
+/// motions except those from rest.
 bool hasSteadyState(const Scene& scene, Purpose purpose) {
   return isSteady(scene, purpose) ||
          (scene.sliding.kind != SlidingKind::Start && scene.sliding.velocity > 0);
 }
 
-/// How a measured surface becomes a line.
+/// Returns how a measured surface becomes a line.
 Message whyMeasured(const Surface& surface) {
   const bool isEquivalent = surface.line == LineKind::IsotropicEquivalent;
   const Message line = isEquivalent
@@ -151,7 +154,7 @@ Message whyPeriodicity(const Scene& scene, bool runs) {
              : "there is no steady state";
 }
 
-/// A value as it was given, with a unit that is easy to read.
+/// Returns a value as it was given, with a readable unit.
 PrintedNumber printedValue(double value, std::string_view unit) {
   constexpr int kDigits = 6;
   return {printedQuantity(value, unit, kDigits)};
