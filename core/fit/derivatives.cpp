@@ -37,7 +37,7 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
     throw InputError(
         "", std::string(key),
         message("{}:{} is no range within {}", plain(low), plain(high), allowedText(*row_)));
-  const double now = of(scene);
+  const double now = valueIn(scene);
   if (now < low || now > high)
     throw InputError(
         "", std::string(key),
