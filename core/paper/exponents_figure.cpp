@@ -102,7 +102,7 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
   one.points = {{0, 1}, {1, 1}};
   DiagramSeries table{"table used by Eq. (11) here"};
   table.isTheory = true;
-  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, fitBeta(k / 50.0)});
+  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, lawPrefactor(k / 50.0)});
   DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Circle,
                          SeriesStroke::None};
   for (const Coefficients& here : all) measured.points.push_back(pointOf(here.hurst, here.beta));

@@ -63,7 +63,7 @@ double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSl
 
 double meetingVelocity(double dimensionlessForce, double hurst) {
   return std::hypot(dimensionlessForce / 4,
-                    std::pow(dimensionlessForce, forceExponent(hurst)) / fitBeta(hurst));
+                    std::pow(dimensionlessForce, forceExponent(hurst)) / lawPrefactor(hurst));
 }
 
 bool isInZone1(double dimensionlessForce, double to) {
