@@ -31,7 +31,7 @@ std::string text(const std::string& key, const std::string& value) {
   return chunk("iTXt", key + "\0\0\0\0\0"s + value);
 }
 
-TEST(CarriedText, OfAPngIsThatOfItsKey) {
+TEST(EmbeddedProvenance, OfAPngIsThatOfItsKey) {
   const std::string end = chunk("IDAT", "pixels") + chunk("IEND", "");
   EXPECT_EQ(embeddedProvenance(png(text("asperity", kTrue) + end)), kTrue);
   for (const std::string& title : {kFalse, text("asperity", kFalse), "asperity" + kFalse})
@@ -46,7 +46,7 @@ TEST(CarriedText, OfAPngIsThatOfItsKey) {
   EXPECT_EQ(embeddedProvenance("\x89PNG\r\n\x1A\n" + std::string(12, '\xFF') + kFalse), "");
 }
 
-TEST(CarriedText, OfAnSvgIsItsMetadata) {
+TEST(EmbeddedProvenance, OfAnSvgIsItsMetadata) {
   EXPECT_EQ(embeddedProvenance(
                 "<svg><title>{&quot;schema&quot;:&quot;asperity-x</title><metadata>{&quot;a&quot;:"
                 "&#34;1 &lt; 2 &amp;amp; &gt;&#x22;}</metadata>"),
@@ -57,7 +57,7 @@ TEST(CarriedText, OfAnSvgIsItsMetadata) {
   EXPECT_EQ(embeddedProvenance("<svg><metadata>" + kFalse), "");  // cut off
 }
 
-TEST(CarriedText, OfAPacketIsItsDescription) {
+TEST(EmbeddedProvenance, OfAPacketIsItsDescription) {
   const std::string packet =
       "<dc:title><rdf:Alt><rdf:li "
       "xml:lang=\"x-default\">{&quot;false&quot;}</rdf:li></rdf:Alt></dc:title>"
@@ -66,7 +66,7 @@ TEST(CarriedText, OfAPacketIsItsDescription) {
     EXPECT_EQ(embeddedProvenance(beginning + kFalse + packet), "{\"true\"}") << beginning;
 }
 
-TEST(CarriedText, OfAnMp4IsItsComment) {
+TEST(EmbeddedProvenance, OfAnMp4IsItsComment) {
   const auto box = [](const std::string& value) {
     const std::string data = bigEndian(value.size() + 16) + "data\0\0\0\1\0\0\0\0"s + value;
     return bigEndian(data.size() + 8) +
@@ -90,7 +90,7 @@ TEST(CarriedText, OfAnMp4IsItsComment) {
             "");
 }
 
-TEST(CarriedText, OfAWebmIsItsComment) {
+TEST(EmbeddedProvenance, OfAWebmIsItsComment) {
   const std::string tag = "\x1A\x45\xDF\xA3" + kFalse +
                           "\x45\xA3\x87"
                           "COMMENT"
@@ -104,7 +104,7 @@ TEST(CarriedText, OfAWebmIsItsComment) {
   EXPECT_EQ(embeddedProvenance(tag), "");
 }
 
-TEST(CarriedText, OfATableIsItsFirstLine) {
+TEST(EmbeddedProvenance, OfATableIsItsFirstLine) {
   EXPECT_EQ(embeddedProvenance("# asperity: " + kTrue + "\r\nvelocity,mu\n"), kTrue);
   EXPECT_EQ(embeddedProvenance("velocity,mu\n# asperity: " + kFalse + "\n"), "");
   EXPECT_EQ(embeddedProvenance(kFalse), "");
