@@ -77,7 +77,7 @@ py::list parameterTable() {
 }
 
 /// Returns the values of a range such as "1mN:1N:20:log" in the key's unit.
-std::vector<double> rangeValues(const Scene& scene, const std::string& key,
+std::vector<double> sweptValues(const Scene& scene, const std::string& key,
                                 const std::string& text) {
   const ParameterRange range = parseRange(key, text);
   checkRange(range, scene);
@@ -112,7 +112,7 @@ void addScene(py::module_& module) {
   module.def("is_key", [](const std::string& key) { return findParameter(key) != nullptr; });
   module.def("number", &numberFromWord);
   module.def("parameters", &parameterTable);
-  module.def("range_values", &rangeValues);
+  module.def("range_values", &sweptValues);
 }
 
 }  // namespace asperity
