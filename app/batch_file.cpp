@@ -46,17 +46,18 @@ std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
     refuseMember(where, "scale and spacing mean the same; one of them is enough");
   const std::string member = spec.contains("spacing") ? "spacing" : "scale";
   const std::string log = member == "spacing" ? "logarithmic" : "log";
-  const std::string scale = textIn(spec, member.c_str(), log, where);
+  const std::string scale = textMember(spec, member.c_str(), log, where);
   if (scale != log && scale != "linear")
     refuseMember(where + "." + member,
                  notOneOf(scale, std::array<std::string_view, 2>{log, "linear"}));
   if (!spec.contains("points")) refuseMember(where + ".points", "is missing; it needs a number");
-  const ParameterRange range{&row, numberIn(spec, where, "from"), numberIn(spec, where, "to"),
-                             wholeIn(spec, "points", 2, kMostItems, where), scale != "linear"};
+  const ParameterRange range{
+      &row, numberMember(spec, where, "from"), numberMember(spec, where, "to"),
+      integerMember(spec, "points", 2, kMostItems, where), scale != "linear"};
   if (range.isLogarithmic && !(range.from > 0 && range.to > 0))
     refuseMember(where, "a logarithmic range needs ends above 0");
   std::vector<std::string> texts;
-  for (const double value : valuesOf(range)) texts.push_back(fmt::format("{}", value));
+  for (const double value : rangeValues(range)) texts.push_back(fmt::format("{}", value));
   return texts;
 }
 
@@ -89,7 +90,7 @@ std::vector<Sweep> sweepsOf(const Json& entry) {
 Message variedInWords(const BatchItem& item) {
   std::vector<Message> parts;
   for (const auto& [key, value] : item.varied) {
-    Message words = parameterInWords(key, item.scene);
+    Message words = describeParameter(key, item.scene);
     parts.push_back(words.empty() ? message("{} = {}", key, shortened(value)) : std::move(words));
   }
   return listed(parts);
@@ -111,7 +112,7 @@ class Entry {
 
   std::vector<BatchItem> items() {
     checkMembers(json_, "entry", {"name", "scene", "set", "sweep", "show"});
-    show_ = textIn(json_, "show", "");
+    show_ = textMember(json_, "show", "");
     if (!show_.empty()) layoutFrom(show_, "show");
     readSet();
     sweeps_ = sweepsOf(json_);
@@ -159,7 +160,7 @@ class Entry {
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;
       item.show = !show_.empty() ? show_ : isSteady ? "both" : "transient";
     } catch (const InputError& error) {
-      item.error = messageOf(error);
+      item.error = errorMessage(error);
     }
     return item;
   }
@@ -216,7 +217,7 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
               const std::filesystem::path& folder, std::set<std::string>& names) {
   std::string name = fmt::format("entry_{}", number);
   try {
-    if (json.is_object()) name = fileNameOf(textIn(json, "name", name));
+    if (json.is_object()) name = makeFileName(textMember(json, "name", name));
     const std::string where = fmt::format("entries[{}].name", number - 1);
     if (name.empty()) refuseMember(where, "is empty");
     if (!names.insert(name).second) refuseMember(where, "stands twice");
@@ -229,7 +230,7 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
       refuseMember(fmt::format("entries[{}].{}", number - 1, error.key()), error.message());
     BatchItem item;
     item.name = name;
-    item.error = messageOf(error);
+    item.error = errorMessage(error);
     batch.items.push_back(std::move(item));
   }
 }
@@ -264,11 +265,11 @@ Batch readBatch(std::string_view json, const std::filesystem::path& file) {
   try {
     const Json root = parseJson(json, kDeepest);
     checkMembers(root, "", {"schema", "title", "size", "entries"});
-    if (textIn(root, "schema", "") != "asperity-batch/1")
+    if (textMember(root, "schema", "") != "asperity-batch/1")
       refuseMember("schema", "is not asperity-batch/1");
     Batch batch;
-    batch.title = textIn(root, "title", "Batch");
-    batch.size = textIn(root, "size", batch.size);
+    batch.title = textMember(root, "title", "Batch");
+    batch.size = textMember(root, "size", batch.size);
     const auto entries = root.find("entries");
     if (entries == root.end() || !entries->is_array() || entries->empty())
       refuseMember("entries", "needs a list of entries");
@@ -302,13 +303,13 @@ namespace {
 BatchItem itemFrom(const Json& said, const Scene& scene) {
   checkMembers(said, "entry", {"name", "show", "title", "varied", "error", "inputs", "scene"});
   BatchItem item;
-  item.name = textIn(said, "name");
+  item.name = textMember(said, "name");
   // A name out of somebody's file must not lead out of the folder.
   if (item.name.empty() || item.name.find_first_of("./") != std::string::npos)
     refuseMember("name", message("'{}' is no name of a scene", shortened(item.name)));
-  item.show = textIn(said, "show");
-  item.ownTitle = textIn(said, "title");
-  item.error = Message::name(textIn(said, "error"));
+  item.show = textMember(said, "show");
+  item.ownTitle = textMember(said, "title");
+  item.error = Message::name(textMember(said, "error"));
   if (const auto varied = said.find("varied"); varied != said.end() && varied->is_object())
     for (const auto& [key, value] : varied->items()) {
       knownParameter(key);
@@ -331,7 +332,7 @@ Batch batchOf(const FoundScene& found) {
     batch.items.push_back(itemFrom(options["entry"], found.scene));
     return batch;
   }
-  batch.title = textIn(options, "title", "Batch");
+  batch.title = textMember(options, "title", "Batch");
   for (const FoundScene& part : found.parts)
     batch.items.push_back(itemFrom(part.origin, part.scene));
   return batch;

@@ -109,7 +109,7 @@ std::string article(const BatchResult& result) {
       xmlText(translated(item.title)), result.files.front());
   for (const auto& [key, value] : item.varied) html += variedRow(key, value);
   html += readings(result);
-  html += "</table><p class=\"quiet\">" + xmlText(translated(parametersInWords(item.scene))) +
+  html += "</table><p class=\"quiet\">" + xmlText(translated(describeParameters(item.scene))) +
           "</p><p>";
   for (const std::string& file : result.files)
     html += fmt::format("<a href=\"{0}\">{0}</a> ", file);

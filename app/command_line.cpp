@@ -111,7 +111,7 @@ class CommandLine {
     for (const CLI::App* command : app_.get_subcommands({})) names.push_back(command->get_name());
     if (std::ranges::find(names, word) != names.end()) return;
     const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view nearest = nearestOf(word, known);
+    const std::string_view nearest = nearestWord(word, known);
     throw InputError(
         "", "",
         nearest.empty()

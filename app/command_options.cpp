@@ -88,7 +88,7 @@ InputError unexpected(const CLI::App& app) {
     for (const CLI::Option* option : command.get_options())
       if (!option->get_positional()) names.push_back(nameOf(*option));
     const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view nearest = nearestOf(word, known);
+    const std::string_view nearest = nearestWord(word, known);
     return {"", shortened(word.substr(0, word.find('='))),
             nearest.empty() ? message("unknown option of '{}'; '{} --help' lists all", call, call)
                             : message("unknown option of '{}'; did you mean {}?", call, nearest)};

@@ -98,7 +98,7 @@ NumberRange axisRange(const char* option, const std::string& text, AxisScale sca
 }
 
 CurveQuantity quantityFrom(const std::string& word) {
-  if (const auto quantity = quantityNamed(word)) return *quantity;
+  if (const auto quantity = findQuantity(word)) return *quantity;
   throw InputError("", kY, notOneOf(word, quantityWords()));
 }
 
@@ -137,7 +137,7 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
                                shortened(assignment)));
   try {
     Scene other = readScene(writeScene(scene), kWith, scene.folder, each);
-    if (other.sliding.kind != scene.sliding.kind) needSteadySliding(other, "a curve");
+    if (other.sliding.kind != scene.sliding.kind) requireSteadySliding(other, "a curve");
     if (other.sweep.key != scene.sweep.key)
       throw InputError("", "sweep.key", "all curves of a chart go over the same key");
     return other;
@@ -148,7 +148,7 @@ Scene sceneWith(const Scene& scene, const std::string& assignments) {
 
 /// Returns the range of a family. Throws InputError naming the option or the key.
 ParameterRange familyRange(const CurveArguments& arguments, const Scene& scene) {
-  const ParameterRange range = rangeFromOption(kFamily, arguments.family);
+  const ParameterRange range = parseRangeOption(kFamily, arguments.family);
   if (range.key() == scene.sweep.key)
     throw InputError("", kFamily, message("{} is the axis of the curves already", range.key()));
   const Sweep& sweep = scene.sweep;
@@ -174,7 +174,7 @@ std::vector<FamilyMember> familyOf(const CurveArguments& arguments, const Scene&
   std::vector<FamilyMember> members;
   if (arguments.family.empty()) return members;
   const ParameterRange range = familyRange(arguments, scene);
-  for (const double value : valuesOf(range)) try {
+  for (const double value : rangeValues(range)) try {
       members.push_back(
           {value, sceneWith(scene, std::string(range.key()) + "=" + fmt::format("{}", value))});
     } catch (const InputError& error) {
@@ -285,7 +285,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
 
 ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
   if (!arguments.over.empty()) try {
-      const Scene over = sceneOver(rangeFromOption(kOver, arguments.over), scene);
+      const Scene over = sceneOver(parseRangeOption(kOver, arguments.over), scene);
       scene = readScene(writeScene(over), "", scene.folder);
     } catch (const InputError& error) {
       throw error.key() == kOver ? error : InputError(kOver, error.key(), error.message());
@@ -296,7 +296,7 @@ ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments) {
   std::istringstream list(arguments.theory);
   for (std::string word; std::getline(list, word, ',');)
     if (word != "none") words.push_back(word);
-  scene.comparison.theory = theoriesFrom(words.dump(), kTheory);
+  scene.comparison.theory = parseTheories(words.dump(), kTheory);
   return {std::move(scene), std::move(given)};
 }
 
@@ -306,7 +306,7 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
   setAxes(set, arguments);
   if (!arguments.compare.empty()) {
     settingFrom(arguments.compare, scene);
-    needVelocityAxis(scene, kCompare);
+    requireVelocityAxis(scene, kCompare);
   }
   if (!arguments.compare.empty() && choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
@@ -347,16 +347,16 @@ CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared
   set.present = {{}, scene, std::move(own), 0};
   setAxes(set, arguments);
   for (const FamilyMember& member : familyOf(arguments, scene)) {
-    set.familyKey = rangeFromOption(kFamily, arguments.family).key();
+    set.familyKey = parseRangeOption(kFamily, arguments.family).key();
     Curve curve = computeCurve(member.scene, common);
     requireTarget(curve);
-    set.pinned.push_back({parameterInWords(set.familyKey, member.scene), member.scene,
+    set.pinned.push_back({describeParameter(set.familyKey, member.scene), member.scene,
                           std::move(curve.points), static_cast<int>(set.pinned.size()),
                           static_cast<int>(set.pinned.size()) + 1, member.value});
   }
   for (const std::string& assignments : arguments.with) {
     const Scene other = sceneWith(scene, assignments);
-    const Message words = differencesInWords(other, scene);
+    const Message words = describeDifferences(other, scene);
     Curve curve = computeCurve(other, common);
     requireTarget(curve);
     set.pinned.push_back({words.empty() ? Message("same parameters") : words, other,
@@ -389,7 +389,7 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
     answer[std::isfinite(curve.ofFamily) ? "family" : "with"].push_back(std::move(other));
   }
   for (const TheoryCurve& theory : set.theories) {
-    const TheoryEntry& entry = entryOf(theory.theory);
+    const TheoryEntry& entry = theoryEntry(theory.theory);
     auto points = nlohmann::ordered_json::array();
     for (const TheoryPoint& point : theory.points)
       points.push_back({{"velocity", point.velocity},
@@ -409,7 +409,7 @@ void addCurvesTo(nlohmann::ordered_json& answer, const CurveSet& set) {
                       {"mu_standard_error", numberOrNull(point.muStandardError)},
                       {"relative_difference", numberOrNull(point.relative)},
                       {"relative_difference_standard_error", numberOrNull(point.standardError)}});
-  answer["compared"] = {{"setting", nameOf(set.difference->setting).english()},
+  answer["compared"] = {{"setting", settingName(set.difference->setting).english()},
                         {"points", std::move(points)}};
 }
 

@@ -124,7 +124,7 @@ FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, boo
     motion_
         .emplace(shared, 0,
                  single ? Simulation::kStepsPerFrame : std::numeric_limits<double>::infinity())
-        .want(fields);
+        .requestFields(fields);
   length_ = steady_ ? steady_->length() : motion_->frame().length;
   checkMoment(scene, arguments, length_, single);
   plan_ = planFrames(scene, length_, arguments, single);

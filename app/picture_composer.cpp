@@ -201,7 +201,7 @@ DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
 /// Returns the curve with the line, the marker at the frame's velocity, and the trace of a motion.
 DiagramSheet PictureComposer::curveWithMarker(const Frame& frame) const {
   DiagramSheet sheet = styled(curveSheet(content_.curves), settings_.style);
-  sheet.diagrams.front().marker = markerOf(frame, content_.curves.axes, content_.curves.y);
+  sheet.diagrams.front().marker = frameMarker(frame, content_.curves.axes, content_.curves.y);
   return sheet;
 }
 

@@ -25,7 +25,7 @@ void readSize(const std::string& text, PictureSettings& settings) {
   const auto fits = [](double pixels) {
     return pixels >= kSmallestPicture && pixels <= kLargestPicture;
   };
-  const std::optional<PictureSize> size = pictureSizeFrom(text);
+  const std::optional<PictureSize> size = parsePictureSize(text);
   const bool isWhole = size && (size->isOnPaper() || (size->width == std::floor(size->width) &&
                                                       size->height == std::floor(size->height)));
   if (!isWhole || (!size->isOnPaper() && !(fits(size->width) && fits(size->height))))
@@ -84,7 +84,7 @@ float scaleOf(const PictureArguments& arguments, const FigureStyle& style, float
     throw InputError("", "--scale", "and --dpi both say the density; one is enough");
   if (!arguments.scale.empty()) return scaleFrom(arguments.scale);
   if (style.dotsPerInch > 0) return static_cast<float>(style.dotsPerInch / kPixelsPerInch);
-  const std::optional<PictureSize> size = pictureSizeFrom(style.size);
+  const std::optional<PictureSize> size = parsePictureSize(style.size);
   if (size && size->isOnPaper()) return kPaperDensity / static_cast<float>(kPixelsPerInch);
   return style.size.empty() ? usual : 1;
 }

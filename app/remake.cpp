@@ -96,7 +96,7 @@ bool isOfMeasurements(const FoundScene& found) {
 
 /// Throws where a file of this origin cannot be made again.
 Json optionsOf(const FoundScene& found, const std::string& file) {
-  if (!found.isCarried) throw InputError(file, "", "is a scene, not a result that can be remade");
+  if (!found.isEmbedded) throw InputError(file, "", "is a scene, not a result that can be remade");
   if (!isOneOf(found.verb, {"accuracy", "batch", "curve", "cutoff", "figure", "fit", "map",
                             "material", "motion", "render", "sensitivity", "study", "surface"}))
     throw InputError(

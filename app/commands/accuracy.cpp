@@ -83,7 +83,7 @@ std::string methodLine(const WorkPrecisionPoint& point, bool isPresent, std::siz
   const std::string difference = Words::tr("difference"), error = Words::tr("error");
   const std::size_t width = std::max(lettersOf(difference), lettersOf(error));
   std::string text = fmt::format(
-      "  {} {} {}  {}", padded(translated(nameOf(point.choice)), nameWidth),
+      "  {} {} {}  {}", padded(translated(methodName(point.choice)), nameWidth),
       column(shortNumber(point.error, 2)), padded(point.isDifference ? difference : error, width),
       column(quantity(point.secondsWithLine, "s", 2)));
   if (point.isExtrapolated) text += " " + Words::tr("(extrapolated)");
@@ -111,7 +111,7 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
             "\n";
     std::size_t width = 0;
     for (const WorkPrecisionPoint& point : region.points)
-      width = std::max(width, lettersOf(translated(nameOf(point.choice))));
+      width = std::max(width, lettersOf(translated(methodName(point.choice))));
     for (const WorkPrecisionPoint& point : region.points)
       text += methodLine(point, point.choice == comparison.present, width);
     text += marchLine(region);
@@ -125,8 +125,8 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 int runAccuracy(const AccuracyCommand& command) {
   const Scene scene = sceneOf(command.common);
   withSceneContext(command.common, [&] {
-    needSteadySliding(scene, "asperity accuracy");
-    needVelocityAxis(scene, "asperity accuracy");
+    requireSteadySliding(scene, "asperity accuracy");
+    requireVelocityAxis(scene, "asperity accuracy");
   });
   pictureSettings(command.picture, {1200, 800, "print"});
   const ColumnChoice columns(command.columns, {"accuracy"});
@@ -138,9 +138,9 @@ int runAccuracy(const AccuracyCommand& command) {
   const WorkPrecision comparison = compute(scene, command.common);
   const ProvenanceOptions given(optionsInFolder(command.common.given, "accuracy.csv"));
   const std::string json = workPrecisionJson(comparison);
-  writeFileAtomically(
-      fileIn(command.output, "accuracy.csv"),
-      columns.of(provenanceComment("accuracy", comparison.scene) + workPrecisionCsv(comparison)));
+  writeFileAtomically(fileIn(command.output, "accuracy.csv"),
+                      columns.select(provenanceComment("accuracy", comparison.scene) +
+                                     workPrecisionCsv(comparison)));
   writeFileAtomically(fileIn(command.output, "accuracy.json"), json);
   writePictures(command, comparison);
   printSummary(command.common.json, command.common.hidesSummary(),

@@ -93,7 +93,7 @@ class BatchRun {
     const std::string made = provenanceLine(origin("results.csv"));
     const std::vector<std::string> names = grid_ ? grid_->names() : std::vector<std::string>();
     writeFileAtomically(fileIn("results.csv"),
-                        "# asperity: " + made + "\n" + columns_.of(batchTable(results_)));
+                        "# asperity: " + made + "\n" + columns_.select(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
     // All scenes stand once in the table, and in the only sheet where there is one.
     const std::string ofSheets =
@@ -157,7 +157,7 @@ class BatchRun {
     try {
       pictures.finish();
     } catch (const std::runtime_error& error) {
-      results_.back().item.error = messageOf(error);
+      results_.back().item.error = errorMessage(error);
     }
   }
 
@@ -181,9 +181,9 @@ class BatchRun {
     try {
       if (item.error.empty()) fill(result, pictures);
     } catch (const InputError& error) {
-      result.item.error = messageOf(error);
+      result.item.error = errorMessage(error);
     } catch (const std::runtime_error& error) {
-      result.item.error = messageOf(error);
+      result.item.error = errorMessage(error);
     }
     if (!result.item.error.empty() && grid_) {
       const auto [sheet, left, top] = cell();
@@ -217,7 +217,7 @@ class BatchRun {
     CurveOptions options;
     options.threads = command_.common.threads;
     if (!known && (layout == PictureLayout::Curve || layout == PictureLayout::Both)) {
-      needSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
+      requireSteadySliding(scene, Message::name("\"show\": \"" + result.item.show + "\""));
       const Curve curve = computeCurve(scene, options);
       requireTarget(curve);
       content.curves.present = {{}, shown, curve.points, 0};

@@ -49,7 +49,7 @@ std::string summaryOf(const Scene& scene, const LineSource& source, const LawInp
     add(filled(Words::tr("dimensionless force F_N / G h L = %1 (Eq. 14)"),
                {number(dimensionlessForce(in))}));
   // Eq. (13) has one relaxation time.
-  if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
+  if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
     add(filled(Words::tr("dimensionless velocity tau v slope / (sqrt(2) h) = %1 (Eq. 13)"),
                {number(dimensionlessVelocity(in))}));
   for (const std::string& assumption : surfaceAssumptions(scene)) add(assumption);
@@ -68,7 +68,7 @@ nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
       {"normal_force", in.normalForce}};
   if (in.rmsHeight > 0 && scene.load.kind != LoadKind::Indentation)
     json["dimensionless_force"] = dimensionlessForce(in);
-  if (in.rmsHeight > 0 && lawOf(scene.elastomer).kind() != ElementKind::Arms)
+  if (in.rmsHeight > 0 && elementLaw(scene.elastomer).kind() != ElementKind::Arms)
     json["dimensionless_velocity"] = dimensionlessVelocity(in);
   return json;
 }
@@ -100,7 +100,7 @@ void checkLesson(const CommonOptions& command, bool isOneOfMany,
                    printable(lesson.title.in(presentLanguage())) + "\n  " +
                    filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
                           {std::to_string(lesson.minutes), std::to_string(lesson.steps.size()),
-                           std::to_string(predictionsOf(lesson))}) +
+                           std::to_string(predictionCount(lesson))}) +
                    "\n");
   answers.push_back({{"schema", "asperity-check/1"}});
   if (isOneOfMany) answers.back()["file"] = command.scene;

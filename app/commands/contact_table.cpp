@@ -52,14 +52,14 @@ Json answerOf(const Scene& scene, const RenderCommand& command, const Frame& fra
   answer["table"] = command.table.empty() ? "shape" : command.table;
   answer["time"] = frame.time;
   answer["derived"] = derivedNumbers(frame);
-  answer["rows"] = columns.of(jsonOf(table));
+  answer["rows"] = columns.select(tableJson(table));
   return answer;
 }
 
 std::string csvTextOf(const Scene& scene, const RenderCommand& command, const DataTable& table,
                       const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
-  return provenanceComment("render", scene) + columns.of(csvOf(table));
+  return provenanceComment("render", scene) + columns.select(tableCsv(table));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ std::string summaryOf(const Curve& curve, const CurveSet& set,
                    {shortNumber(curve.achievedError, 2)}) +
             "\n";
   const auto unresolved = std::ranges::count_if(curve.points, [](const CurvePoint& point) {
-    return noteSetOf(point).has(Note::UnresolvedFriction);
+    return pointNoteSet(point).has(Note::UnresolvedFriction);
   });
   const CurvePoint& first = curve.points.front();
   if (std::isfinite(first.normalForce) && scene.sweep.isOfVelocity())
@@ -95,7 +95,7 @@ std::string summaryOf(const Curve& curve, const CurveSet& set,
   NoteSet notes;
   for (const CurvePoint& point : curve.points) notes.add(point.notes);
   for (const Note note : notes.list())
-    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
+    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
   if (unresolved > 0)
     text +=
         filled(Words::tr("at %1 velocities friction is below what the elements resolve, see the "
@@ -120,9 +120,9 @@ std::string tableOf(const CurveSet& set, const CurveCommand& command, const Colu
   const ProvenanceOptions options(optionsFor(command.common.given, ".csv"));
   const bool hasMore = command.curves.hasMore(set.present.scene);
   return commentOf(set, command.curves) +
-         columns.of(hasMore ? curveSetCsv(set)
-                            : curveCsv(set.present.points,
-                                       columnsFor(set.present.scene, showsForces(set))));
+         columns.select(hasMore ? curveSetCsv(set)
+                                : curveCsv(set.present.points,
+                                           columnsFor(set.present.scene, showsForces(set))));
 }
 
 std::string jsonOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
@@ -130,7 +130,7 @@ std::string jsonOf(const CurveSet& set, const CurveCommand& command, const Colum
   auto answer = nlohmann::ordered_json::parse(
       curveJson(set.present.points, set.present.scene, showsForces(set)));
   if (command.curves.hasMore(set.present.scene)) addCurvesTo(answer, set);
-  answer["points"] = columns.of(answer["points"]);
+  answer["points"] = columns.select(answer["points"]);
   return answer.dump(2) + "\n";
 }
 
@@ -142,11 +142,11 @@ void writeRealizations(const CurveCommand& command, const Scene& scene,
   given["output_option"] = "realizations-table";
   const ProvenanceOptions options(std::move(given));
   if (extensionOf(file) == ".csv") {
-    writeFileAtomically(file, provenanceComment("curve", scene) + csvOf(lines.table()));
+    writeFileAtomically(file, provenanceComment("curve", scene) + tableCsv(lines.table()));
     return;
   }
   nlohmann::ordered_json answer = provenance("curve", scene);
-  answer["rows"] = jsonOf(lines.table());
+  answer["rows"] = tableJson(lines.table());
   writeFileAtomically(file, answer.dump(2) + "\n");
 }
 
@@ -155,7 +155,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
   constexpr const char* kOption = "--realizations-table";
   const std::string& file = command.realizationTable;
   if (file.empty()) return;
-  needVelocityAxis(scene, "--realizations-table");
+  requireVelocityAxis(scene, "--realizations-table");
   if (choosesAccuracy(scene))
     throw InputError("", kOption,
                      "needs the same lines at every velocity; with "
@@ -171,7 +171,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
 int runCurve(const CurveCommand& command) {
   const ComparedScene compared = withCurveOptions(sceneOf(command.common), command.curves);
   const Scene& scene = compared.scene;
-  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
+  withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));

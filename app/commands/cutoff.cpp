@@ -10,7 +10,7 @@ namespace asperity {
 
 int runCutoff(const SheetCommand& command) {
   const Scene scene = sceneOf(command.common);
-  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity cutoff"); });
+  withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity cutoff"); });
   const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 1000, "print"});
   const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {
     ProgressBar bar(Words::tr("states"), command.common.quiet);

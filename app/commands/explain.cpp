@@ -128,11 +128,11 @@ std::string explanationText(const Explanation& explanation) {
                 quantity(explanation.normalForce / explanation.length, "N/m")}) +
         "\n";
   for (const Theory theory : theoriesBeside(scene))
-    text += translated(
-                message("{}: {}", Message(entryOf(theory).name), Message(entryOf(theory).range))) +
+    text += translated(message("{}: {}", Message(theoryEntry(theory).name),
+                               Message(theoryEntry(theory).range))) +
             "\n";
   for (const Note note : explanation.notes.list())
-    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
+    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
   if (const auto& predicted = explanation.predicted)
     text += Words::tr("predicted") + "\n" +
             costLines(filled(Words::tr("%1 on %2 (%3)"),
@@ -155,10 +155,10 @@ int runExplain(const ExplainCommand& command) {
   withSceneContext(command.common, [&] {
     Explanation explanation = explainRun(scene, command.common.threads);
     if (!command.x.empty()) {
-      needSteadySliding(scene, "asperity map");
+      requireSteadySliding(scene, "asperity map");
       explanation.map =
-          predictMap(scene, mapAxis(scene, rangeFromOption("--x", command.x)),
-                     mapAxis(scene, rangeFromOption("--y", command.y)), command.common.threads);
+          predictMap(scene, mapAxis(scene, parseRangeOption("--x", command.x)),
+                     mapAxis(scene, parseRangeOption("--y", command.y)), command.common.threads);
     }
     if (command.analyze) analyzeRun(explanation, command.common.threads);
     printSummary(command.common.json, command.common.quiet, explanationText(explanation));

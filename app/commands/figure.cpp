@@ -53,7 +53,7 @@ std::vector<FigureName> namesOf(const std::vector<std::string>& words) {
 }
 
 std::string fileOf(const FigureCommand& command, FigureName name, const char* extension) {
-  return (fs::path(command.output) / fmt::format("figure_{}{}", entryOf(name).word, extension))
+  return (fs::path(command.output) / fmt::format("figure_{}{}", figureEntry(name).word, extension))
       .string();
 }
 
@@ -74,22 +74,23 @@ void prepareFolder(const FigureCommand& command, const std::vector<FigureName>& 
 ColumnChoice columnsOf(const FigureCommand& command, const std::vector<FigureName>& names) {
   std::vector<std::string> tables;
   for (const FigureName name : names)
-    tables.push_back(fmt::format("figure {}", entryOf(name).word));
+    tables.push_back(fmt::format("figure {}", figureEntry(name).word));
   return {command.columns, {tables.begin(), tables.end()}};
 }
 
 void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPictures& pictures) {
   const auto optionsOf = [&](const char* extension) {
     nlohmann::ordered_json options = optionsFor(command.common.given, extension);
-    options["name"] = entryOf(figure.name).word;
+    options["name"] = figureEntry(figure.name).word;
     if (!command.common.assignments.empty()) options["set"] = command.common.assignments;
     return options;
   };
   {
     const ProvenanceOptions given(optionsOf(".csv"));
-    writeFileAtomically(fileOf(command, figure.name, ".csv"),
-                        columnsOf(command, namesOf(command.names))
-                            .amongThoseOf(provenanceComment("figure", figure.scene) + figure.csv));
+    writeFileAtomically(
+        fileOf(command, figure.name, ".csv"),
+        columnsOf(command, namesOf(command.names))
+            .selectAvailable(provenanceComment("figure", figure.scene) + figure.csv));
   }
   const PictureSettings settings = pictureSettings(command.picture, printDefaults(figure.sheet));
   Figure shown = figure;
@@ -128,7 +129,7 @@ Made makeFigures(const FigureCommand& command, const std::vector<FigureName>& na
   HeadlessPictures pictures;
   for (const FigureName name : names) {
     const auto start = std::chrono::steady_clock::now();
-    ProgressBar bar(filled(Words::tr("figure %1"), {std::string(entryOf(name).word)}),
+    ProgressBar bar(filled(Words::tr("figure %1"), {std::string(figureEntry(name).word)}),
                     command.common.quiet);
     FigureOptions options;
     options.realizations = command.realizations;

@@ -27,7 +27,7 @@ constexpr PictureDefaults kPictures{1200, 900, "print"};
 
 std::string summaryOf(const Fit& fit) {
   std::string text;
-  for (const Message& line : fitInWords(fit)) text += translated(line) + "\n";
+  for (const Message& line : describeFit(fit)) text += translated(line) + "\n";
   return text;
 }
 
@@ -44,8 +44,8 @@ int runFit(const FitCommand& command) {
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
   return withSceneContext(command.common, [&] {
-    needVelocityAxis(scene, "asperity fit");
-    const std::vector<VariedParameter> varied = variedFrom(command.varied, scene);
+    requireVelocityAxis(scene, "asperity fit");
+    const std::vector<VariedParameter> varied = parseVariedParameters(command.varied, scene);
     const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
     std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);
     for (const DataFile& table : scene.comparison.data) inputs.push_back(scene.folder / table.file);
@@ -65,7 +65,7 @@ int runFit(const FitCommand& command) {
     }();
     OutputFolder output(command.output, inputs, settings);
     for (const auto& [name, bytes] : report.texts)
-      output.addText(name, name.ends_with(".csv") ? columns.amongThoseOf(bytes) : bytes);
+      output.addText(name, name.ends_with(".csv") ? columns.selectAvailable(bytes) : bytes);
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);
     output.write(command.common.given, [&] { return fitProvenance(fitted.start, fitted.fit); });
     printSummary(command.common.json, command.common.hidesSummary(),

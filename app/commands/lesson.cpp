@@ -26,7 +26,7 @@ std::string linesOf(const Lesson& lesson) {
   return printable(shown(lesson.title)) + "\n  " +
          filled(Words::tr("%1 minutes, %2 steps, %3 predictions"),
                 {std::to_string(lesson.minutes), std::to_string(lesson.steps.size()),
-                 std::to_string(predictionsOf(lesson))}) +
+                 std::to_string(predictionCount(lesson))}) +
          "\n  " + printable(shown(lesson.goal)) + "\n";
 }
 
@@ -55,7 +55,7 @@ Json answersJson(const Lesson& lesson, int threads) {
         if (step.prediction->answer) one["answer"]["computed"] = numberJson(answer.number);
       } else {
         one["answer"] = numberJson(answer.number);
-        if (std::isfinite(answer.place.value)) one["answer"]["at"] = numberJson(answer.place);
+        if (std::isfinite(answer.x.value)) one["answer"]["at"] = numberJson(answer.x);
       }
     }
     steps.push_back(std::move(one));

@@ -23,8 +23,8 @@ namespace {
 const std::vector<std::string_view> kTables{"map"};
 
 ParameterMap compute(const Scene& scene, const MapCommand& command) {
-  const ParameterRange xRange = rangeFromOption("--x", command.x);
-  const ParameterRange yRange = rangeFromOption("--y", command.y);
+  const ParameterRange xRange = parseRangeOption("--x", command.x);
+  const ParameterRange yRange = parseRangeOption("--y", command.y);
   const MapAxis x = mapAxis(scene, xRange, &yRange), y = mapAxis(scene, yRange, &xRange);
   ProgressBar bar(Words::tr("states"), command.common.quiet);
   const auto cells = static_cast<double>(x.values.size() * y.values.size());
@@ -49,7 +49,7 @@ void writePicture(const std::string& output, const ParameterMap& map, const std:
 std::string tableOf(const ParameterMap& map, const MapCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
-         ColumnChoice(command.columns, kTables).of(mapCsv(map, command.quantity));
+         ColumnChoice(command.columns, kTables).select(mapCsv(map, command.quantity));
 }
 
 std::string jsonOf(const ParameterMap& map, const MapCommand& command) {
@@ -57,7 +57,7 @@ std::string jsonOf(const ParameterMap& map, const MapCommand& command) {
   const ColumnChoice columns(command.columns, kTables);
   if (columns.isAll()) return mapJson(map, command.quantity);
   auto answer = nlohmann::ordered_json::parse(mapJson(map, command.quantity));
-  answer["points"] = columns.of(answer["points"]);
+  answer["points"] = columns.select(answer["points"]);
   return answer.dump(2) + "\n";
 }
 
@@ -80,7 +80,7 @@ std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& o
 
 int runMap(const MapCommand& command) {
   const Scene scene = sceneOf(command.common);
-  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity map"); });
+  withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity map"); });
   checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputsOf(command.common, scene));

@@ -46,7 +46,7 @@ constexpr NamedChoices<ModulusKind, 3> kModuli{{{"auto", ModulusKind::Unknown},
                                                 {"tension", ModulusKind::Tension}}};
 
 double kelvins(const std::string& text, const char* option) {
-  const auto temperature = temperatureFrom(text);
+  const auto temperature = parseTemperature(text);
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError("", option,
                      message("'{}' is not a temperature such as 20C, 293.15K or 68F", text));
@@ -55,8 +55,8 @@ double kelvins(const std::string& text, const char* option) {
 
 /// A modulus in Pa, or with a unit.
 double pascals(const std::string& text, const char* option) {
-  const auto quantity = quantityIn(text);
-  const auto unit = quantity ? sizeOfUnit(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
+  const auto quantity = parseQuantity(text);
+  const auto unit = quantity ? unitSize(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
                              : std::optional<double>();
   if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
     throw InputError("", option, message("'{}' is not a modulus such as 2.3MPa", text));
@@ -75,17 +75,17 @@ MaterialChoices choicesOf(const MaterialCommand& command) {
   choices.columns.modulus = chosenFrom(kModuli, command.modulus, "--modulus");
   choices.columns.poissonRatio = command.poissonRatio;
   checkUnit(frequencyUnit(command.columns.frequencyUnit, false).has_value(),
-            command.columns.frequencyUnit, "--frequency-unit", "rad/s, " + unitsOf("Hz"));
+            command.columns.frequencyUnit, "--frequency-unit", "rad/s, " + unitNames("Hz"));
   checkUnit(temperatureUnit(command.columns.temperatureUnit).has_value(),
-            command.columns.temperatureUnit, "--temperature-unit", unitsOf("K"));
-  checkUnit(sizeOfUnit(command.columns.modulusUnit, "Pa").has_value(), command.columns.modulusUnit,
-            "--modulus-unit", unitsOf("Pa"));
+            command.columns.temperatureUnit, "--temperature-unit", unitNames("K"));
+  checkUnit(unitSize(command.columns.modulusUnit, "Pa").has_value(), command.columns.modulusUnit,
+            "--modulus-unit", unitNames("Pa"));
   if (!command.temperature.empty())
     choices.columns.temperature = kelvins(command.temperature, "--temperature");
   if (!command.referenceTemperature.empty())
     choices.referenceTemperature = kelvins(command.referenceTemperature, "--reference-temperature");
   if (!command.strain.empty()) {
-    choices.strainAmplitude = strainFrom(command.strain);
+    choices.strainAmplitude = parseStrain(command.strain);
     if (!choices.strainAmplitude)
       throw InputError("", "--strain",
                        message("'{}' is not a strain such as 1%", shortened(command.strain)));
@@ -142,7 +142,7 @@ int makeFromMeasurements(const MaterialCommand& command, const PictureSettings& 
   const auto addTable = [&](const char* name, const std::string& csv) {
     const ProvenanceOptions given(optionsInFolder(command.common.given, name));
     output.addText(name,
-                   columns.amongThoseOf("# asperity: " + provenanceLine(origin()) + "\n" + csv));
+                   columns.selectAvailable("# asperity: " + provenanceLine(origin()) + "\n" + csv));
   };
   output.addText("material.json", json);
   addTable("prony.csv", pronyCsv(material));
@@ -168,18 +168,18 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
   if (of) throw InputError("", of, "is of a table of moduli, and this file is a scene");
   const Scene scene = sceneOf(command.common);
   return withSceneContext(command.common, [&] {
-    const Excitation excitation = excitationOf(scene);
+    const Excitation excitation = computeExcitation(scene);
     OutputFolder output(command.output, inputsOf(command.common, scene), style);
     {
       const ProvenanceOptions given(optionsInFolder(command.common.given, "excitation.csv"));
       output.addText("excitation.csv",
-                     columnsOf(command).amongThoseOf(provenanceComment("material", scene) +
-                                                     excitationCsv(scene, excitation)));
+                     columnsOf(command).selectAvailable(provenanceComment("material", scene) +
+                                                        excitationCsv(scene, excitation)));
     }
     output.addSheet("excitation", excitationSheet(scene, excitation));
     output.write(command.common.given, [&] { return provenance("material", scene); });
     printSummary(command.common.json, command.common.hidesSummary(),
-                 translated(excitationInWords(scene, excitation)) + "\n" + output.summary());
+                 translated(describeExcitation(scene, excitation)) + "\n" + output.summary());
     if (command.common.json) {
       nlohmann::ordered_json answer = provenance("material", scene);
       answer["excitation"] = excitationJson(scene, excitation);

@@ -52,7 +52,7 @@ std::string tableOf(const Scene& scene, const MotionTable& table, const MotionCo
                     const ColumnChoice& columns) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return "# asperity: " + provenanceLine(motionProvenance("motion", scene, table)) + "\n" +
-         columns.of(motionCsv(table));
+         columns.select(motionCsv(table));
 }
 
 std::string jsonOf(const Scene& scene, const MotionTable& table, const MotionCommand& command,
@@ -61,7 +61,7 @@ std::string jsonOf(const Scene& scene, const MotionTable& table, const MotionCom
   const std::string text = motionJson(scene, table);
   if (columns.isAll()) return text;
   auto answer = nlohmann::ordered_json::parse(text);
-  answer["points"] = columns.of(answer["points"]);
+  answer["points"] = columns.select(answer["points"]);
   return answer.dump(2) + "\n";
 }
 

@@ -18,7 +18,7 @@ int runOpen(const OpenCommand& command) {
   }
   // The window asks before it shows a scene that needs much time or memory. Until the answer it
   // shows the first scene of the library.
-  if (found.isCarried && demandsOf(found.scene).any()) return showWindow({}, common, &found);
+  if (found.isEmbedded && sceneDemands(found.scene).any()) return showWindow({}, common, &found);
   return showWindow(found.scene, common);
 }
 

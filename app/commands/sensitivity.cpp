@@ -11,7 +11,7 @@ namespace asperity {
 
 int runSensitivity(const SheetCommand& command) {
   const Scene scene = sceneOf(command.common);
-  withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity sensitivity"); });
+  withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity sensitivity"); });
   const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 800, "print"});
   const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {
     if (choosesAccuracy(scene))
@@ -24,7 +24,7 @@ int runSensitivity(const SheetCommand& command) {
     options.progress = [&bar](double part) {
       bar.show(static_cast<std::int64_t>(part * 1000), 1000);
     };
-    return exponentsOf(scene, sensitivities(scene, options));
+    return sensitivityExponents(scene, sensitivities(scene, options));
   });
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   writeAnswer(command, settings,

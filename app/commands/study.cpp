@@ -199,7 +199,7 @@ std::string missingText(const MergedStores& merged, const ParameterStudy& study)
 
 int runStudyRun(const StudyCommand& command) {
   const ParameterStudy study = studyOf(command);
-  const Shard shard = command.shard.empty() ? Shard{} : shardFrom(command.shard);
+  const Shard shard = command.shard.empty() ? Shard{} : parseShard(command.shard);
   if (command.plan) return plan(command, study, shard);
   if (command.output.empty())
     throw InputError("", "--output", "is missing; a study needs a store, unless --plan is given");

@@ -11,7 +11,7 @@
 #include "app/output.h"
 #include "app/surface_progress.h"
 #include "core/base/atomic_file.h"
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
@@ -66,7 +66,7 @@ std::string measuredText(const MeasuredSummary& summary) {
     return word;
   };
   text += cell("") + cell(Words::tr("raw")) + Words::tr("used") + "\n";
-  for (const NamedValue& value : valuesOf(summary))
+  for (const NamedValue& value : namedValues(summary))
     text += cell(value.name) + cell(valueText(value.raw, value.unit)) +
             valueText(value.used, value.unit) + "\n";
   return text;
@@ -75,7 +75,7 @@ std::string measuredText(const MeasuredSummary& summary) {
 std::string notesText(const NoteSet& notes) {
   std::string text;
   for (const Note note : notes.list())
-    text += std::string(wordOf(note)) + ": " + translated(sentenceOf(note)) + "\n";
+    text += std::string(noteWord(note)) + ": " + translated(noteSentence(note)) + "\n";
   return text;
 }
 
@@ -85,7 +85,7 @@ bool isWrittenLine(const std::filesystem::path& file) {
   const std::string beginning = RegularFile(file).read(0, kBeginning);
   if (!beginning.starts_with('#') || beginning.find("\nposition,height\n") == std::string::npos)
     return false;
-  const auto record = nlohmann::json::parse(carriedText(beginning), nullptr, false);
+  const auto record = nlohmann::json::parse(embeddedProvenance(beginning), nullptr, false);
   return record.is_object() && record.contains("verb") && record["verb"] == "surface";
 }
 
@@ -128,8 +128,8 @@ constexpr NamedChoices<SurfaceTable, 3> kTables{{{"line", SurfaceTable::Line},
 
 std::string csvTextOf(SurfaceTable table, const Scene& scene, const LineSource& source,
                       const Line& line) {
-  if (table == SurfaceTable::Spectrum) return csvOf(spectrumTable(source));
-  if (table == SurfaceTable::Statistics) return csvOf(statisticsTable(scene, source, line));
+  if (table == SurfaceTable::Spectrum) return tableCsv(spectrumTable(source));
+  if (table == SurfaceTable::Statistics) return tableCsv(statisticsTable(scene, source, line));
   return lineCsv(line);
 }
 
@@ -140,10 +140,9 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
   const ProvenanceOptions given(optionsFor(command.common.given, output));
   const std::string extension = extensionOf(output);
   if (extension == ".csv" || output == "-")
-    writeTable(
-        output,
-        provenanceComment("surface", scene) +
-            ColumnChoice(command.columns, {columnsOf}).of(csvTextOf(table, scene, source, line)));
+    writeTable(output, provenanceComment("surface", scene) +
+                           ColumnChoice(command.columns, {columnsOf})
+                               .select(csvTextOf(table, scene, source, line)));
   if (extension == ".json") writeFileAtomically(output, surfaceJson(scene, source, line));
   if (isPictureFile(output)) writePicture(output, command, scene, source, line);
 }
@@ -194,7 +193,7 @@ int runSurface(const SurfaceCommand& command) {
     const Line line = source.make(0);
     const std::string text = (source.measured() ? measuredText(measuredSummary(scene, source))
                                                 : factsText(source.spectrumFacts())) +
-                             notesText(notesOf(source)) + summaryOf(line, command.outputs);
+                             notesText(lineNotes(source)) + summaryOf(line, command.outputs);
     for (const std::string& output : command.outputs)
       if (output != "-" || !command.common.json) writeSurface(output, command, scene, source, line);
     const bool machineReads = command.common.json || hasStandardOutput(command.outputs);

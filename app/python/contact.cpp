@@ -38,7 +38,7 @@ struct Contact {
 };
 
 std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization) {
-  needSteadySliding(scene, "asperity.state");
+  requireSteadySliding(scene, "asperity.state");
   if (realization < 0) throw InputError("", "--realization", "is below 0");
   if (realization > 0 && !LineSource(scene, 1).isRandom())
     throw InputError("", "--realization", "this surface has one line, and no other realization");

@@ -42,7 +42,7 @@ struct CurveOfScene {
 
 std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py::object& progress) {
   checkThreads(threads);
-  needSteadySliding(scene, "asperity.curve");
+  requireSteadySliding(scene, "asperity.curve");
   return compute(progress, [scene, threads](const Call& call) {
     CurveOptions options;
     options.threads = threads;
@@ -104,7 +104,7 @@ struct FoundStates {
 py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numbers>& values,
                    int threads, const py::object& progress) {
   checkThreads(threads);
-  needSteadySliding(scene, "asperity.friction");
+  requireSteadySliding(scene, "asperity.friction");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "states side by side have the same lines; give accuracy.scheme and "
@@ -139,8 +139,8 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
 std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Texts& y, int threads,
                                     const py::object& progress) {
   checkThreads(threads);
-  needSteadySliding(scene, "asperity.map");
-  const ParameterRange xRange = rangeFrom(x.at(0), x.at(1)), yRange = rangeFrom(y.at(0), y.at(1));
+  requireSteadySliding(scene, "asperity.map");
+  const ParameterRange xRange = parseRange(x.at(0), x.at(1)), yRange = parseRange(y.at(0), y.at(1));
   const MapAxis alongX = mapAxis(scene, xRange, &yRange);
   const MapAxis alongY = mapAxis(scene, yRange, &xRange);
   return compute(progress, [scene, alongX, alongY, threads](const Call& call) {
@@ -170,7 +170,7 @@ struct SensitivityOfScene {
 std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int threads,
                                                   const py::object& progress) {
   checkThreads(threads);
-  needSteadySliding(scene, "asperity.sensitivity");
+  requireSteadySliding(scene, "asperity.sensitivity");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "differences need the same lines on both sides; give accuracy.scheme and "
@@ -181,7 +181,7 @@ std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int thread
     options.stop = call.stop();
     options.progress = [&call](double part) { call.tell(part); };
     std::vector<Sensitivity> all = sensitivities(scene, options);
-    std::vector<Exponent> exponents = exponentsOf(scene, all);
+    std::vector<Exponent> exponents = sensitivityExponents(scene, all);
     return std::make_shared<SensitivityOfScene>(
         SensitivityOfScene{scene, std::move(all), std::move(exponents)});
   });
@@ -229,11 +229,11 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
   const std::vector<FrictionData> read = addComparisonData(scene, files);
   if (scene.comparison.data.empty() && tables.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
-  needSteadySliding(scene, "a fit");
+  requireSteadySliding(scene, "a fit");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "a fit needs the same lines everywhere, not a target");
-  const std::vector<VariedParameter> parameters = variedFrom(varied, scene);
+  const std::vector<VariedParameter> parameters = parseVariedParameters(varied, scene);
   std::vector<FrictionData> data = readComparisonData(scene, read);
   for (const auto& [name, text] : tables) data.push_back(parseFrictionData(text, name));
   const bool hasFiles = tables.empty();

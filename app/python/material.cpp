@@ -44,7 +44,7 @@ Choice chosenFrom(const std::array<std::pair<std::string_view, Choice>, N>& choi
 }
 
 double kelvins(const Option& option) {
-  const auto temperature = temperatureFrom(option.value);
+  const auto temperature = parseTemperature(option.value);
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError(
         "", option.name,
@@ -53,8 +53,8 @@ double kelvins(const Option& option) {
 }
 
 double pascals(const Option& option) {
-  const auto quantity = quantityIn(option.value);
-  const auto unit = quantity ? sizeOfUnit(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
+  const auto quantity = parseQuantity(option.value);
+  const auto unit = quantity ? unitSize(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
                              : std::optional<double>();
   if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
     throw InputError("", option.name,
@@ -150,7 +150,7 @@ constexpr std::array<Row, 26> kRows{{
      [](const Option& o, MaterialChoices& c) { c.columns.strainColumn = o.value; }},
     {"--strain",
      [](const Option& o, MaterialChoices& c) {
-       c.strainAmplitude = strainFrom(o.value);
+       c.strainAmplitude = parseStrain(o.value);
        if (!c.strainAmplitude)
          throw InputError("", o.name,
                           message("'{}' is not a strain such as 1%", shortened(o.value)));
@@ -158,15 +158,15 @@ constexpr std::array<Row, 26> kRows{{
     {"--frequency-unit",
      [](const Option& o, MaterialChoices& c) {
        c.columns.frequencyUnit =
-           unitOf(o, frequencyUnit(o.value, false).has_value(), "rad/s, " + unitsOf("Hz"));
+           unitOf(o, frequencyUnit(o.value, false).has_value(), "rad/s, " + unitNames("Hz"));
      }},
     {"--temperature-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.temperatureUnit = unitOf(o, temperatureUnit(o.value).has_value(), unitsOf("K"));
+       c.columns.temperatureUnit = unitOf(o, temperatureUnit(o.value).has_value(), unitNames("K"));
      }},
     {"--modulus-unit",
      [](const Option& o, MaterialChoices& c) {
-       c.columns.modulusUnit = unitOf(o, sizeOfUnit(o.value, "Pa").has_value(), unitsOf("Pa"));
+       c.columns.modulusUnit = unitOf(o, unitSize(o.value, "Pa").has_value(), unitNames("Pa"));
      }},
     {"--name", [](const Option& o, MaterialChoices& c) { c.name = o.value; }},
     {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},
@@ -188,7 +188,7 @@ MaterialChoices choicesOf(std::vector<std::pair<std::string, std::string>> optio
     if (row == kRows.end()) {
       std::array<std::string_view, kRows.size()> names;
       std::ranges::transform(kRows, names.begin(), &Row::name);
-      const std::string_view nearest = nearestOf(name, names);
+      const std::string_view nearest = nearestWord(name, names);
       std::string argument(nearest.empty() ? nearest : nearest.substr(2));
       std::ranges::replace(argument, '-', '_');
       throw InputError("", name,

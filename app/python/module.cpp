@@ -7,7 +7,7 @@
 #include "app/python/call.h"
 #include "app/vector_target.h"
 #include "core/base/input_error.h"
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 #include "core/measured/measured_file.h"
 #include "core/scene/columns.h"
 
@@ -76,10 +76,8 @@ void addErrors(py::module_& module) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const InputError& error) {
       raise(error);
-    } catch (const StudyStopped&) {
+    } catch (const StopRequested&) {
       PyErr_SetString(PyExc_RuntimeError, "the computation was stopped");
-    } catch (const ReadingStopped&) {
-      PyErr_SetString(PyExc_RuntimeError, "the reading of a file was stopped");
     }
   });
 }

@@ -33,7 +33,7 @@ py::object objectOf(const ParameterValue& value) {
 py::object valueIn(const Scene& scene, const std::string& key) {
   const Parameter& row = knownParameter(key);
   if (!isApplicable(row, scene)) throw InputError("", key, "has no meaning in this scene");
-  return objectOf(valueOf(row, scene));
+  return objectOf(parameterValue(row, scene));
 }
 
 py::list keysOf(const Scene& scene) {
@@ -45,7 +45,7 @@ py::list keysOf(const Scene& scene) {
 
 py::object numberFromWord(const std::string& key, const std::string& text) {
   const Parameter& row = numberRow(key);
-  const double number = numberFromText(row, text);
+  const double number = parseNumber(row, text);
   if (std::holds_alternative<IntegerField>(row.field))
     return py::int_(static_cast<std::int64_t>(number));
   return py::float_(number);
@@ -69,7 +69,7 @@ py::list parameterTable() {
     entry["symbol"] = std::string(row.symbol);
     entry["unit"] = std::string(row.unit);
     entry["allowed"] = allowedText(row).english();
-    entry["default"] = objectOf(defaultOf(row));
+    entry["default"] = objectOf(defaultValue(row));
     entry["meaning"] = std::string(row.sentence);
     all.append(entry);
   }
@@ -77,11 +77,11 @@ py::list parameterTable() {
 }
 
 /// Returns the values of a range such as "1mN:1N:20:log" in the key's unit.
-std::vector<double> rangeValues(const Scene& scene, const std::string& key,
+std::vector<double> sweptValues(const Scene& scene, const std::string& key,
                                 const std::string& text) {
-  const ParameterRange range = rangeFrom(key, text);
+  const ParameterRange range = parseRange(key, text);
   checkRange(range, scene);
-  return valuesOf(range);
+  return rangeValues(range);
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ void addScene(py::module_& module) {
   module.def("is_key", [](const std::string& key) { return findParameter(key) != nullptr; });
   module.def("number", &numberFromWord);
   module.def("parameters", &parameterTable);
-  module.def("range_values", &rangeValues);
+  module.def("range_values", &sweptValues);
 }
 
 }  // namespace asperity

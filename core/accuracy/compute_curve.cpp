@@ -43,7 +43,7 @@ Curve slideSweep(const std::vector<Scene>& states, const std::vector<double>& va
   return curve;
 }
 
-/// Each value to its own target, one after the other.
+/// Computes each value to its own target, one after the other.
 Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& values,
                   const CurveOptions& options) {
   Curve curve;
@@ -77,7 +77,7 @@ Curve targetSweep(const std::vector<Scene>& states, const std::vector<double>& v
   return curve;
 }
 
-/// A curve over another key than velocity.
+/// Computes a curve over another key than velocity.
 Curve sweepCurve(const Scene& scene, const CurveOptions& options) {
   const std::vector<double> values = sweepValues(scene);
   const std::vector<Scene> states = statesOf(scene, values);

@@ -42,7 +42,8 @@ Json budgetJson(const ErrorBudget& error) {
           {"model_difference", numberOrNull(error.modelDifference)}};
 }
 
-/// What the line and the load on it are. A long profile is not read for it, nor a long line made.
+/// Adds the properties of the line and of its load. It reads no long profile and makes no long
+/// line.
 void addLine(Explanation& explanation) {
   constexpr std::int64_t kLongProfile = std::int64_t{1} << 16;  // rows
   constexpr std::int64_t kLongLine = std::int64_t{1} << 22;     // elements
@@ -53,16 +54,17 @@ void addLine(Explanation& explanation) {
     explanation.normalForce = loadOn(scene.load, extent.length).normalForce;
   if (extent.rows > kLongProfile || extent.elements > kLongLine) return;
   const LineSource source(scene, 1);
-  explanation.notes = notesOf(source);
+  explanation.notes = lineNotes(source);
   if (!measuredFrequencies(scene.elastomer)) return;
   const Excitation excitation(scene, source);
-  explanation.excitation = excitationInWords(scene, excitation);
+  explanation.excitation = describeExcitation(scene, excitation);
   explanation.notes.add(
-      notesOf(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
+      elastomerNotes(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
 }
 
-/// A curve over velocity that costs what the scene's curve over another key costs: all points on
-/// the same lines where only their scaling differs, else one point that is computed `times` often.
+/// Returns a curve over velocity that costs as much as the scene's curve over another key: all
+/// points on the same lines where only their scaling differs, else one point that is computed
+/// `times` times.
 struct EqualCost {
   Scene scene;
   double times = 1;
@@ -136,9 +138,9 @@ std::string explanationJson(const Explanation& explanation) {
   root["force_per_length"] = numberOrNull(explanation.normalForce / explanation.length);
   root["notes"] = Json::array();
   for (const Note note : explanation.notes.list())
-    root["notes"].push_back({{"word", wordOf(note)}, {"meaning", sentenceOf(note).english()}});
+    root["notes"].push_back({{"word", noteWord(note)}, {"meaning", noteSentence(note).english()}});
   for (const Theory theory : theoriesBeside(explanation.scene)) {
-    const TheoryEntry& entry = entryOf(theory);
+    const TheoryEntry& entry = theoryEntry(theory);
     root["theories"].push_back({{"theory", theoryWords()[static_cast<std::size_t>(theory)]},
                                 {"name", entry.name},
                                 {"range", entry.range}});

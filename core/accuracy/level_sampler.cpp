@@ -18,7 +18,7 @@ constexpr std::int64_t kMostNodesOfThree = std::int64_t{1} << 25;
 constexpr std::int64_t kApart = std::int64_t{1} << 32;
 
 bool isAllowed(std::int64_t elements, int level) {
-  const std::int64_t nodes = elements * oversamplingOf(level);
+  const std::int64_t nodes = elements * levelOversampling(level);
   return level <= 1 || nodes <= (level == 2 ? kMostNodesOfThree : kMostNodes);
 }
 
@@ -35,7 +35,7 @@ const LineSource& LevelSampler::source(int level) {
   auto& source = sources_[static_cast<std::size_t>(level)];
   if (source) return *source;
   const double begin = threadSeconds();
-  source = std::make_unique<LineSource>(scene_, oversamplingOf(level), profile_);
+  source = std::make_unique<LineSource>(scene_, levelOversampling(level), profile_);
   secondsOfSources_ += threadSeconds() - begin;
   return *source;
 }
@@ -52,7 +52,7 @@ bool LevelSampler::slide(int level, const States& states, std::int64_t first, st
 }
 
 double LevelSampler::count(const SteadyResult& result, int level) {
-  const double nodes = static_cast<double>(source(level).elements() * oversamplingOf(level));
+  const double nodes = static_cast<double>(source(level).elements() * levelOversampling(level));
   const double operations = static_cast<double>(result.passes) * nodes;
   cost_.operations += operations;
   cost_.passes += result.passes;

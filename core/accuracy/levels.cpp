@@ -113,7 +113,7 @@ std::vector<std::int64_t> optimalLines(std::span<const double> variances,
   return lines;
 }
 
-double resolutionErrorOf(const Halves& halves, int level) {
+double estimateResolutionError(const Halves& halves, int level) {
   const RunningMean last = pooled(halves, level, &LevelSums::correction);
   const double byChance = kChance * std::sqrt(last.variance());
   return std::max(std::abs(last.mean()), byChance) / 3;
@@ -129,7 +129,7 @@ double lineError(std::span<const double> friction) {
 std::optional<LevelPlan> planLevels(const Halves& halves, int known, double relative) {
   std::optional<CostedPlan> best;
   for (int last = 1; last < known; ++last) {
-    const double resolution = resolutionErrorOf(halves, last);
+    const double resolution = estimateResolutionError(halves, last);
     const double mu = (frictionOf(halves, 0, 0, last) + frictionOf(halves, 1, 0, last)) / 2;
     if (!(resolution < kResolutionShare * relative * std::abs(mu))) continue;
     std::optional<CostedPlan> ofLevel;
@@ -144,7 +144,7 @@ std::optional<LevelPlan> planLevels(const Halves& halves, int known, double rela
   return best->plan;
 }
 
-LevelEstimate estimateOf(const Halves& halves, const LevelPlan& plan) {
+LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan) {
   LevelEstimate estimate;
   double squares = 0, spread = 0;
   for (const std::size_t half : {0U, 1U})
@@ -161,7 +161,7 @@ LevelEstimate estimateOf(const Halves& halves, const LevelPlan& plan) {
 }
 
 double excessVariance(const Halves& halves, const LevelPlan& plan, double relative) {
-  const LevelEstimate estimate = estimateOf(halves, plan);
+  const LevelEstimate estimate = estimateMean(halves, plan);
   const double error = relative * std::abs(estimate.mean);
   const double random = estimate.standardError / error, resolution = plan.resolutionError / error;
   return random * random / (1 - resolution * resolution);

@@ -3,7 +3,7 @@
 // (multilevel Monte Carlo: Giles, Operations Research 56, 607, 2008). The same realization has the
 // same phases at every resolution, so the differences vary little. If s is the finest level, it is
 // the plain average.
-// A sample that is stopped by its own spread has a biased mean: friction is skewed, so samples with
+//
 // A sample whose size depends on its own spread has a biased mean: friction is skewed, so samples
 // with a low mean also have a low spread and stop early. Lines are therefore drawn in two halves,
 // and the spread of each half determines the number of lines of the other half. The mean of the two
@@ -24,7 +24,7 @@ namespace asperity {
 
 /// The maximum number of levels: `cubic` with 1, 2, 4, ... points per element.
 inline constexpr int kMostLevels = 9;
-inline std::int64_t oversamplingOf(int level) {
+inline std::int64_t levelOversampling(int level) {
   return std::int64_t{1} << level;
 }
 
@@ -62,7 +62,7 @@ std::vector<std::int64_t> optimalLines(std::span<const double> variances,
 /// Returns an upper estimate of |mu_level - mu_converged| for the mean over lines, level >= 1: a
 /// third of its difference from the level below (second order; the cubic line's error falls as 1/16
 /// once it is resolved), or a part of the spread of that difference where the mean is smaller.
-double resolutionErrorOf(const Halves& halves, int level);
+double estimateResolutionError(const Halves& halves, int level);
 
 /// Returns an upper estimate of |mu_l - mu_converged| for one line, from its friction on levels 0
 /// to l >= 2: the last difference, or a quarter of the previous one where that is larger, because
@@ -78,12 +78,12 @@ double lineError(std::span<const double> friction);
 /// sampled.
 std::optional<LevelPlan> planLevels(const Halves& halves, int known, double relative);
 
-/// The mean over a plan, and its standard error.
+/// The mean of a plan, and its standard error.
 struct LevelEstimate {
   double mean = 0, standardError = 0;
   double freedom = 0;  // degrees of freedom (Welch and Satterthwaite)
 };
-LevelEstimate estimateOf(const Halves& halves, const LevelPlan& plan);
+LevelEstimate estimateMean(const Halves& halves, const LevelPlan& plan);
 
 /// Returns the variance of the estimate over the variance that is allowed for a total error of
 /// `relative` of mu after the resolution's part: above 1 more lines are needed.

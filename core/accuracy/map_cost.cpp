@@ -5,7 +5,7 @@
 #include "core/accuracy/pilot.h"
 #include "core/base/jobs.h"
 #include "core/base/processor_time.h"
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 
 namespace asperity {
 namespace {
@@ -27,7 +27,7 @@ Trial tried(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis&
   options.stop = stop;
   const double begin = threadSeconds();
   Trial trial{mapStage(stage, scene, x, y, options)};
-  if (!trial.map.isComplete) throw StudyStopped{};
+  if (!trial.map.isComplete) throw StopRequested{};
   trial.seconds = threadSeconds() - begin;
   return trial;
 }
@@ -37,7 +37,7 @@ Trial tried(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis&
 MapCost predictMap(const Scene& scene, const MapAxis& x, const MapAxis& y, int threads,
                    const std::stop_token& stop) {
   MapCost cost{x.values.size(), y.values.size()};
-  cost.threads = threadsOf(threads);
+  cost.threads = threadCount(threads);
   const auto cells = static_cast<double>(cost.columns * cost.rows);
   Trial trial = tried(MapStage::Coarse, scene, x, y, stop);
   // Which cells are equal is known only where all are tried.

@@ -1,8 +1,8 @@
-// What a map over two parameters will cost, predicted from a trial: of all its states on one line,
-// or where that takes long of some of them, and where it is short of all on a few lines, too, which
-// tells what does not grow with the lines. Time depends on the machine and is shown to users, but
-// never decides what is computed. Threading: one thread at a time (time is measured). Failure: as
-// parameterMap; StudyStopped.
+// The cost of a map over two parameters, predicted from a trial: of all its states on one line or,
+// where that takes long, of some of them. Where the trial is short, all states are also computed on
+// a few lines, which shows the part of the time that does not grow with the lines. Time depends on
+// the machine and is shown to users, but never decides what is computed. Threading: one thread at a
+// time (time is measured). Failure: as parameterMap; StopRequested.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace asperity {
 
 struct MapCost {
   std::size_t columns = 0, rows = 0;  // cells along x and y
-  /// Cells that have to be slid; the others are equal to one of them. 0: not known, because the
-  /// trial was of some cells only.
+  /// The number of cells that have to be computed; the others equal one of them. 0: not known,
+  /// because the trial used only some cells.
   std::size_t different = 0;
-  double lines = 1;    // that each cell is a mean over
+  double lines = 1;    // number of lines of the mean in each cell
   double seconds = 0;  // wall clock, on `threads`
   int threads = 1;
 };

@@ -48,7 +48,7 @@ bool isIsolated(const Surface& surface) {
 /// where blocks of the line are skipped; a pass visits elements with arms one by one, several
 /// times.
 double operationsOfBalance(const Scene& scene) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   if (law.kind() != ElementKind::Arms) return 0.1;
   return 3 * (1 + static_cast<double>(law.arms.size()));
 }
@@ -128,7 +128,7 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   const PilotScene whole(scene, lineExtent(scene));
   const auto lines = static_cast<double>(whole.lines);
   const auto velocities = static_cast<double>(scene.sweep.points);
-  const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
+  const auto points = static_cast<double>(curvePointsPerElement(scene));
   const double balance = operationsOfBalance(scene);
   PilotPlan plan{whole, whole};
   plan.runOperations = lines * whole.operations(1 + balance * velocities, points);
@@ -162,7 +162,7 @@ PilotPlan planPilot(const Scene& scene, int threads) {
   return plan;
 }
 
-double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
+double curveMemory(const PilotScene& run, int threads, std::int64_t finest) {
   const Scene& scene = run.scene;
   const bool isRandom = mayHaveManyLines(scene.surface);
   const auto lines = static_cast<double>(run.lines);
@@ -184,7 +184,7 @@ double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest) {
   if (!isRandom) bytes += 2 * nodes * kNumber;                   // for the only line
   // The text of a file and its numbers are freed before the line is made.
   bytes = std::max(bytes, kOfProgram + kBytesOfRow * static_cast<double>(run.rows));
-  if (callsFor(scene, Purpose::Curve, Stage::SummitCorrelation))
+  if (needsStage(scene, Purpose::Curve, Stage::SummitCorrelation))
     bytes += 18 * elements * kNumber * parallel;  // its transform at four nodes per element
   // Results of a batch of 32 lines wait for their turn, and those of the first are kept.
   const auto points = static_cast<double>(scene.sweep.points);

@@ -24,7 +24,7 @@ struct PilotScene {
   Scene scene;            // with length and elements, which a scene may leave to a profile's file
   std::int64_t rows = 0;  // rows to read from the beginning of a profile's file; 0: no profile
   std::int64_t rowsOfFile = 0;
-  std::int64_t lines = 1;  // that the scene's means are over
+  std::int64_t lines = 1;  // number of lines of the scene's means
 
   /// Makes the run's own line, with the size in `extent`.
   PilotScene(const Scene& its, const LineExtent& extent);
@@ -68,6 +68,6 @@ PilotScene sampleWithin(const PilotScene& whole, double perPoint, double points,
 
 /// Returns the memory in bytes of a friction curve: lines in work on `threads`, their sources, and
 /// results. finest: points per element of the finest line.
-double memoryOfCurve(const PilotScene& run, int threads, std::int64_t finest);
+double curveMemory(const PilotScene& run, int threads, std::int64_t finest);
 
 }  // namespace asperity

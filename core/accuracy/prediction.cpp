@@ -9,10 +9,11 @@
 #include "core/accuracy/target_curve.h"
 #include "core/base/jobs.h"
 #include "core/base/processor_time.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/study.h"
 #include "core/surface/line_source.h"
 
 namespace asperity {
@@ -32,7 +33,7 @@ class Pilot {
   /// profile: replaces the one in the scene's file if it is not null.
   Pilot(const Scene& scene, const Profile* profile, std::vector<double> velocities)
       : scene_(scene),
-        source_(scene, pointsPerElementOfCurve(scene), profile),
+        source_(scene, curvePointsPerElement(scene), profile),
         sliding_(scene),
         velocities_(std::move(velocities)),
         row_(velocities_.size()) {}
@@ -56,9 +57,9 @@ class Pilot {
 
   double largestResidual() const { return residual_; }
   /// Return the processor time to make one line, and to slide it at one velocity: medians.
-  double secondsOfLine() const { return medianSeconds(making_); }
+  double secondsOfLine() const { return median(making_); }
   double secondsOfBalance() const {
-    return medianSeconds(sweeping_) / static_cast<double>(velocities_.size());
+    return median(sweeping_) / static_cast<double>(velocities_.size());
   }
   double secondsOfLastBalance() const {
     return sweeping_.back() / static_cast<double>(velocities_.size());
@@ -81,7 +82,7 @@ Scene refined(const Scene& scene, std::int64_t factor) {
   Scene fine = scene;
   fine.accuracy = {
       scene.accuracy.scheme == Scheme::Linear ? Scheme::Linear : Scheme::Cubic,
-      scene.accuracy.scheme == Scheme::Nodal ? 4 : factor * pointsPerElementOfCurve(scene), 0};
+      scene.accuracy.scheme == Scheme::Nodal ? 4 : factor * curvePointsPerElement(scene), 0};
   return fine;
 }
 
@@ -133,7 +134,7 @@ double resolutionDifference(const Scene& scene, const std::vector<double>& veloc
 
 /// Returns how many times finer the reference line is: 4, or less where memory limits it; 1: none.
 std::int64_t measuringFactor(const Scene& scene) {
-  const std::int64_t nodes = lineExtent(scene).elements * pointsPerElementOfCurve(scene);
+  const std::int64_t nodes = lineExtent(scene).elements * curvePointsPerElement(scene);
   return std::clamp<std::int64_t>(kMostMeasuredNodes / nodes, 1, 4);
 }
 
@@ -174,7 +175,7 @@ ErrorBudget errorOf(const PilotPlan& plan, const Profile* profile, Pilot& pilot,
 Prediction predictTarget(const Scene& scene, int threads, const std::stop_token& stop) {
   const PilotPlan pilot = planPilot(scene, threads);
   const bool isAveraged = pilot.run.lines > 1;
-  const auto points = static_cast<double>(pointsPerElementOfCurve(scene));
+  const auto points = static_cast<double>(curvePointsPerElement(scene));
   PilotScene sample =
       isAveraged ? sampleWithin(pilot.run, kOperationsOfTarget, points, kMostPilot) : pilot.sample;
   sample.scene.accuracy = scene.accuracy;
@@ -199,7 +200,7 @@ Prediction predictTarget(const Scene& scene, int threads, const std::stop_token&
   prediction.error.standardError = plan.standardError;
   prediction.error.resolution = plan.resolutionError;
   prediction.error.forceBalance = plan.largestResidual;
-  prediction.memory = memoryOfCurve(pilot.run, threads, plan.finest);
+  prediction.memory = curveMemory(pilot.run, threads, plan.finest);
   return prediction;
 }
 
@@ -213,9 +214,9 @@ double ErrorBudget::total() const {
 }
 
 Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& stop) {
-  if (choosesAccuracy(scene)) return predictTarget(scene, threadsOf(threads), stop);
+  if (choosesAccuracy(scene)) return predictTarget(scene, threadCount(threads), stop);
   Prediction prediction;
-  prediction.threads = threadsOf(threads);
+  prediction.threads = threadCount(threads);
   const PilotPlan plan = planPilot(scene, prediction.threads);
   const double begin = threadSeconds();
   const std::unique_ptr<const Profile> profile = plan.sample.profile();
@@ -245,7 +246,7 @@ Prediction predictCurve(const Scene& scene, int threads, const std::stop_token& 
   const double line = making + balance * plan.shortening * static_cast<double>(scene.sweep.points);
   // The first line is slid alone, so that its result appears at once.
   prediction.seconds = planning * plan.shortening * slower + line * (1 + (lines - 1) / parallel);
-  prediction.memory = memoryOfCurve(plan.run, prediction.threads, pointsPerElementOfCurve(scene));
+  prediction.memory = curveMemory(plan.run, prediction.threads, curvePointsPerElement(scene));
   return prediction;
 }
 
@@ -265,7 +266,7 @@ ErrorBudget measureError(const Scene& scene, std::int64_t lines, int threads) {
     const Curve curve = frictionCurve(scene, options);
     error.forceBalance = curve.largestResidual;
     points = curve.points;
-    velocities[pointsPerElementOfCurve(scene)] = sweepVelocities(scene.sweep);
+    velocities[curvePointsPerElement(scene)] = sweepVelocities(scene.sweep);
   }
   if (isFrictionless(scene)) return error;
   std::vector<double> standard, differences;

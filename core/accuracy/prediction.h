@@ -2,7 +2,7 @@
 // (core/accuracy/pilot.h) gives time, spread and resolution, and the rest is arithmetic. The parts
 // of the error are separate. Time depends on the machine and is shown to users, but never decides
 // anything. Threading: one thread at a time (time is measured). Failure: as frictionCurve;
-// StudyStopped.
+// StopRequested.
 #pragma once
 
 #include <cstdint>

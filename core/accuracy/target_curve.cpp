@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/processor_time.h"
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -53,7 +53,7 @@ class Targeting {
     const bool isWhole = isFrictionless_ ? runFrictionless()
                          : isRandom_     ? runPilot() && planAll()
                                          : runSingle();
-    if (!isWhole) throw StudyStopped{};
+    if (!isWhole) throw StopRequested{};
     plan.secondsOfPilot = threadSeconds() - start;
     plan.secondsOfSources = sampler_.secondsOfSources();
     plan.secondsOfOperation = plan.secondsOfPilot / std::max(1.0, sampler_.cost().operations);
@@ -66,7 +66,7 @@ class Targeting {
         for (const std::int64_t count : half) lines += static_cast<double>(count);
       plan.mostLines = std::max(plan.mostLines, lines);
       plan.simulations += lines;
-      plan.finest = std::max(plan.finest, oversamplingOf(state.plan.last));
+      plan.finest = std::max(plan.finest, levelOversampling(state.plan.last));
       if (isFrictionless_) continue;
       const double relative = state.plan.resolutionError / std::abs(sampledValue(state));
       resolution += relative * relative;
@@ -186,7 +186,7 @@ class Targeting {
   /// Accepts the best possible result where even the finest allowed line is not sufficient.
   void exhaust(VelocityState& state) const {
     const int last = state.known - 1;
-    state.plan = {last, last, {}, 0, 0, resolutionErrorOf(state.halves, last)};
+    state.plan = {last, last, {}, 0, 0, estimateResolutionError(state.halves, last)};
     for (auto& lines : state.plan.lines) lines = {kFewestDirect};
     state.isPlanned = state.isExhausted = true;
   }
@@ -299,12 +299,12 @@ class Targeting {
   AchievedAccuracy achievedBy(const VelocityState& state) const {
     const LevelPlan& plan = state.plan;
     AchievedAccuracy achieved;
-    achieved.oversampling = oversamplingOf(plan.last);
-    achieved.coarsest = oversamplingOf(plan.first);
+    achieved.oversampling = levelOversampling(plan.last);
+    achieved.coarsest = levelOversampling(plan.first);
     achieved.resolutionError = plan.resolutionError;
     double mean = 0, random = 0;
     if (isRandom_) {
-      const LevelEstimate estimate = estimateOf(state.halves, plan);
+      const LevelEstimate estimate = estimateMean(state.halves, plan);
       mean = estimate.mean;
       achieved.standardError = estimate.standardError;
       random = studentQuantile(estimate.freedom) * estimate.standardError;
@@ -424,7 +424,7 @@ TargetCurve targetCurve(const Scene& scene, const CurveOptions& options) {
 }
 
 bool isFrictionless(const Scene& scene) {
-  return lawOf(scene.elastomer).kind() == ElementKind::Elastic;
+  return elementLaw(scene.elastomer).kind() == ElementKind::Elastic;
 }
 
 }  // namespace asperity

@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "core/base/processor_time.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
 #include "core/contact/steady_solver.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/study.h"
 #include "core/material/element_law.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
@@ -58,7 +59,7 @@ Prepared prepare(const Scene& scene, const MethodChoice& choice, std::int64_t li
     prepared.lines.push_back(prepareProfile(line, prepared.scene.accuracy.scheme));
     seconds.push_back(threadSeconds() - start);
   }
-  prepared.lineSeconds = medianSeconds(seconds);
+  prepared.lineSeconds = median(seconds);
   return prepared;
 }
 
@@ -119,10 +120,11 @@ class Comparison {
  private:
   bool isPossible(const MethodChoice& choice) const {
     if (source_.elements() * choice.oversampling > kMostNodes) return false;
-    if (lawOf(scene_.elastomer).kind() == ElementKind::Arms) return choice.method == Method::Cubic;
+    if (elementLaw(scene_.elastomer).kind() == ElementKind::Arms)
+      return choice.method == Method::Cubic;
     if (choice.method == Method::Literal)
       return scene_.load.kind != LoadKind::Indentation &&
-             lawOf(scene_.elastomer).kind() == ElementKind::Kelvin;
+             elementLaw(scene_.elastomer).kind() == ElementKind::Kelvin;
     return true;
   }
 
@@ -131,11 +133,11 @@ class Comparison {
       case Scheme::Nodal:
         return {Method::Nodal, 1};
       case Scheme::Linear:
-        return {Method::Linear, pointsPerElementOfCurve(scene_)};
+        return {Method::Linear, curvePointsPerElement(scene_)};
       case Scheme::Cubic:
         break;
     }
-    return {Method::Cubic, pointsPerElementOfCurve(scene_)};
+    return {Method::Cubic, curvePointsPerElement(scene_)};
   }
 
   void step(double cost = 1) {
@@ -153,7 +155,7 @@ class Comparison {
     CurveOptions options;
     options.stop = options_.stop;
     const Curve curve = frictionCurve(scene, options);
-    if (!curve.isComplete) throw StudyStopped{};
+    if (!curve.isComplete) throw StopRequested{};
     std::vector<double> velocities, mu;
     for (const CurvePoint& point : curve.points)
       if (point.mu > 0) {
@@ -224,7 +226,7 @@ class Comparison {
                            const std::vector<double>& reference) const {
     const Errors errors = errorsOf(slideAll(prepared, region.velocities), reference);
     WorkPrecisionPoint point{choice, errors.rms, errors.largest, choice.method == Method::Nodal};
-    point.seconds = medianSeconds(seconds);
+    point.seconds = median(seconds);
     point.fastest = quantile(seconds, 0.25);
     point.slowest = quantile(seconds, 0.75);
     point.lineSeconds = prepared.lineSeconds;
@@ -259,10 +261,10 @@ class Comparison {
     const Errors errors = errorsOf(found, expected);
     point.error = point.isExtrapolated ? kNotApplicable : errors.rms;
     point.largest = point.isExtrapolated ? kNotApplicable : errors.largest;
-    point.seconds = medianSeconds(seconds);
+    point.seconds = median(seconds);
     point.fastest = quantile(seconds, 0.25);
     point.slowest = quantile(seconds, 0.75);
-    point.lineSeconds = medianSeconds(lineSeconds);
+    point.lineSeconds = median(lineSeconds);
     return point;
   }
 
@@ -281,8 +283,8 @@ class Comparison {
     if (!source_.isRandom()) return;
     Scene scene = scene_;
     scene.accuracy.targetRelativeError = 0;
-    scene.accuracy.oversampling = pointsPerElementOfCurve(scene_);
-    const LineSource source(scene, pointsPerElementOfCurve(scene));
+    scene.accuracy.oversampling = curvePointsPerElement(scene_);
+    const LineSource source(scene, curvePointsPerElement(scene));
     const SteadySolver sliding(scene);
     const std::vector<double> velocity{
         std::sqrt(region.velocities.front() * region.velocities.back())};
@@ -326,7 +328,7 @@ class Comparison {
 
 }  // namespace
 
-std::string nameOf(const MethodChoice& choice) {
+std::string methodName(const MethodChoice& choice) {
   switch (choice.method) {
     case Method::Literal:
       return "literal march";

@@ -10,7 +10,7 @@
 // costs both; the median of repeated runs, in which all methods take turns, so that a busy machine
 // affects all of them.
 // Threading: one thread at a time (time is measured). Failure: InputError for a scene without
-// steady sliding or without a region; StudyStopped where `stop` was requested.
+// steady sliding or without a region; StopRequested where `stop` was requested.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "core/friction/study.h"
+#include "core/friction/curve_point.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -34,7 +34,7 @@ struct MethodChoice {
 };
 
 /// Returns "cubic x2" or "nodal".
-std::string nameOf(const MethodChoice& choice);
+std::string methodName(const MethodChoice& choice);
 
 /// Returns literal, nodal, and linear and cubic with 1, 2, 4, 8 and 16 points per element.
 std::vector<MethodChoice> allMethods();

@@ -60,7 +60,7 @@ Message printedName(const MethodChoice& choice) {
     case Method::Cubic:
       return message("cubic \u00D7{}", choice.oversampling);
     default:
-      return nameOf(choice);
+      return methodName(choice);
   }
 }
 
@@ -140,7 +140,7 @@ Diagram spreadDiagram(const WorkPrecision& comparison, bool overSeconds) {
   return diagram;
 }
 
-Message sentenceOf(const WorkPrecision& comparison) {
+Message comparisonSubtitle(const WorkPrecision& comparison) {
   const Scene& scene = comparison.scene;
   const std::int64_t elements = LineSource(scene, 1).elements();
   const Message lines =
@@ -163,7 +163,7 @@ std::string workPrecisionCsv(const WorkPrecision& comparison) {
       "\n";
   for (const RegionPrecision& region : comparison.regions)
     for (const WorkPrecisionPoint& point : region.points) {
-      std::string name = nameOf(point.choice);
+      std::string name = methodName(point.choice);
       name = name.substr(0, name.rfind(" x"));
       text +=
           fmt::format("{},{},{},{},{},{},{},{:d},{},{},{},{},{},{:d},{:d},{:d},{}\n", region.region,
@@ -178,7 +178,7 @@ std::string workPrecisionCsv(const WorkPrecision& comparison) {
 
 std::string workPrecisionJson(const WorkPrecision& comparison) {
   Json root = provenance("accuracy", comparison.scene);
-  root["present_choice"] = nameOf(comparison.present);
+  root["present_choice"] = methodName(comparison.present);
   root["lines"] = comparison.lines;
   Json regions = Json::array();
   for (const RegionPrecision& region : comparison.regions) {
@@ -187,7 +187,7 @@ std::string workPrecisionJson(const WorkPrecision& comparison) {
                   {"reference_error", region.referenceError}};
     Json points = Json::array();
     for (const WorkPrecisionPoint& point : region.points)
-      points.push_back({{"method", nameOf(point.choice)},
+      points.push_back({{"method", methodName(point.choice)},
                         {"relative_error", numberOrNull(point.error)},
                         {"largest_error", numberOrNull(point.largest)},
                         {"is_model_difference", point.isDifference},
@@ -211,7 +211,7 @@ std::string workPrecisionJson(const WorkPrecision& comparison) {
 DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
   DiagramSheet sheet;
   sheet.title = "What accuracy costs in time";
-  sheet.subtitle = sentenceOf(comparison);
+  sheet.subtitle = comparisonSubtitle(comparison);
   for (const RegionPrecision& region : comparison.regions)
     sheet.diagrams.push_back(regionDiagram(comparison, region));
   sheet.columns = sheet.diagrams.size() > 3 ? 2 : 0;
@@ -227,7 +227,7 @@ DiagramSheet workPrecisionSheet(const WorkPrecision& comparison) {
 DiagramSheet standardErrorSheet(const WorkPrecision& comparison) {
   DiagramSheet sheet;
   sheet.title = "What realizations cost in time";
-  sheet.subtitle = listed({sentenceOf(comparison), printedName(comparison.present)});
+  sheet.subtitle = listed({comparisonSubtitle(comparison), printedName(comparison.present)});
   sheet.diagrams = {spreadDiagram(comparison, false), spreadDiagram(comparison, true)};
   sheet.note =
       "Circles: spread of the means over groups of so many lines. Lines: one over the square root.";

@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4) of files, so that a result can name the very content that it was made from.
+// SHA-256 (FIPS 180-4) of files, so that a result can identify the content from which it was made.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace asperity {
 
-/// 64 hexadecimal digits.
+/// Returns the digest as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-/// The same of a regular file's content. What was found is kept for as long as size and time of the
-/// file stay. Any thread. Throws InputError where the file cannot be read.
+/// Returns the digest of a regular file's content. Digests are kept for as long as size and time of
+/// the file stay. Any thread. Throws InputError where the file cannot be read.
 std::string sha256OfFile(const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -26,9 +26,9 @@ class FourierPlans {
   FourierPlans& operator=(const FourierPlans&) = delete;
 
   std::size_t points() const { return points_; }
-  /// X_k = sum_j x_j exp(-2 pi i j k / n), k = 0 ... n/2. The values are kept.
+  /// Computes X_k = sum_j x_j exp(-2 pi i j k / n), k = 0 ... n/2. The values are not changed.
   void forward(const double* values, std::complex<double>* modes) const;
-  /// Back, without the factor 1/n. The modes are used up.
+  /// Transforms back, without the factor 1/n. The modes are overwritten.
   void backward(std::complex<double>* modes, double* values) const;
 
  private:
@@ -36,8 +36,8 @@ class FourierPlans {
   fftw_plan_s *forward_, *backward_;
 };
 
-/// The next number of points, not below `count`, that has no prime factor above 5: transforms of so
-/// many points are fast.
+/// Returns the next number of points, not below `count`, that has no prime factor above 5:
+/// transforms of such sizes are fast.
 std::size_t fastTransformSize(std::size_t count);
 
 /// X_k = sum_j x_j exp(-2 pi i j k / n), k = 0 ... n/2, and back (without the factor 1/n).
@@ -52,14 +52,14 @@ class RealTransform {
 
   /// values: n numbers.
   std::vector<std::complex<double>> forward(std::span<const double> values) const;
-  /// modes: n/2 + 1 numbers, which are used up.
+  /// modes: n/2 + 1 numbers, which are overwritten.
   std::vector<double> backward(std::vector<std::complex<double>> modes) const;
 
  private:
   std::unique_ptr<const FourierPlans> plans_;
 };
 
-/// The transform of rows x columns numbers, row by row: rows x (columns/2 + 1) modes.
+/// Returns the transform of rows x columns numbers, row by row: rows x (columns/2 + 1) modes.
 std::vector<std::complex<double>> transform2d(std::span<const double> values, std::size_t rows,
                                               std::size_t columns);
 

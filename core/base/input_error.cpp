@@ -9,7 +9,7 @@ Message TextError::withNames(const std::vector<std::string>& names, Message mess
   return whole;
 }
 
-Message messageOf(const std::exception& error) {
+Message errorMessage(const std::exception& error) {
   const auto* text = dynamic_cast<const TextError*>(&error);
   return text ? TextError::withNames(text->about(), text->message()) : Message::name(error.what());
 }

@@ -37,7 +37,7 @@ class TextError : public std::runtime_error {
 
 /// Returns the message of an error with the names before it; for an error that is not a TextError,
 /// what().
-Message messageOf(const std::exception& error);
+Message errorMessage(const std::exception& error);
 
 /// An error in the user's input.
 class InputError : public TextError {

@@ -15,7 +15,7 @@
 namespace asperity {
 
 /// Returns the number of threads that is meant: as many as the machine has for 0.
-inline int threadsOf(int wanted) {
+inline int threadCount(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -24,7 +24,7 @@ void checkMembers(const Json& object, const std::string& where,
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
     const std::string path = where.empty() ? shortened(key) : where + "." + shortened(key);
-    const std::string_view nearest = nearestOf(key, known);
+    const std::string_view nearest = nearestWord(key, known);
     refuseMember(
         path, nearest.empty()
                   ? message("unknown key; known are {}", fmt::format("{}", fmt::join(known, ", ")))
@@ -32,20 +32,21 @@ void checkMembers(const Json& object, const std::string& where,
   }
 }
 
-double numberIn(const Json& object, const std::string& where, const char* member) {
+double numberMember(const Json& object, const std::string& where, const char* member) {
   const auto found = object.find(member);
   if (found == object.end()) refuseMember(where + "." + member, "is missing; it needs a number");
   if (!found->is_number()) refuseMember(where + "." + member, "needs a number");
   return found->get<double>();
 }
 
-std::optional<double> optionalNumber(const Json& object, const std::string& where,
-                                     const char* member) {
-  return object.contains(member) ? std::optional(numberIn(object, where, member)) : std::nullopt;
+std::optional<double> optionalNumberMember(const Json& object, const std::string& where,
+                                           const char* member) {
+  return object.contains(member) ? std::optional(numberMember(object, where, member))
+                                 : std::nullopt;
 }
 
-std::int64_t wholeIn(const Json& object, const char* member, std::int64_t least, std::int64_t most,
-                     const std::string& where) {
+std::int64_t integerMember(const Json& object, const char* member, std::int64_t least,
+                           std::int64_t most, const std::string& where) {
   const std::string path = where.empty() ? member : where + "." + member;
   const double number = object.at(member).is_number() ? object.at(member).get<double>() : 0.5;
   if (number != std::floor(number) || number < static_cast<double>(least) ||
@@ -55,8 +56,8 @@ std::int64_t wholeIn(const Json& object, const char* member, std::int64_t least,
   return static_cast<std::int64_t>(number);
 }
 
-std::string textIn(const Json& object, const char* member, const std::string& otherwise,
-                   const std::string& where) {
+std::string textMember(const Json& object, const char* member, const std::string& otherwise,
+                       const std::string& where) {
   const auto found = object.find(member);
   if (found == object.end()) return otherwise;
   if (!found->is_string())

@@ -1,5 +1,5 @@
-// Members of JSON objects, read with errors that name their place: "space.load.normal_force.from".
-// Pure; any thread. Failure: InputError with the place and what is allowed.
+// Reads members of JSON objects, with errors that name their path: "space.load.normal_force.from".
+// Pure; any thread. Failure: InputError with the path and what is allowed.
 #pragma once
 
 #include <array>
@@ -15,25 +15,32 @@
 
 namespace asperity {
 
-/// Throws InputError with the place.
-[[noreturn]] void refuseMember(const std::string& place, const Message& why);
+/// Throws InputError with the path.
+[[noreturn]] void refuseMember(const std::string& path, const Message& why);
 
-/// Throws where the value is no object, or has a member that is not known.
+/// Throws InputError where the value is no object, or has a member that is not known.
 void checkMembers(const nlohmann::ordered_json& object, const std::string& where,
                   std::initializer_list<std::string_view> known);
 
-double numberIn(const nlohmann::ordered_json& object, const std::string& where, const char* member);
-std::optional<double> optionalNumber(const nlohmann::ordered_json& object, const std::string& where,
-                                     const char* member);
-std::int64_t wholeIn(const nlohmann::ordered_json& object, const char* member, std::int64_t least,
-                     std::int64_t most, const std::string& where = "");
-std::string textIn(const nlohmann::ordered_json& object, const char* member,
-                   const std::string& otherwise = "", const std::string& where = "");
+/// Returns a number. where: the path of the object, here and below. Throws InputError where the
+/// member is missing or no number.
+double numberMember(const nlohmann::ordered_json& object, const std::string& where,
+                    const char* member);
+/// Returns a number, or nothing where the member is missing.
+std::optional<double> optionalNumberMember(const nlohmann::ordered_json& object,
+                                           const std::string& where, const char* member);
+/// Returns a whole number from `least` to `most`; the member must exist.
+std::int64_t integerMember(const nlohmann::ordered_json& object, const char* member,
+                           std::int64_t least, std::int64_t most, const std::string& where = "");
+/// Returns a text, or `otherwise` where the member is missing.
+std::string textMember(const nlohmann::ordered_json& object, const char* member,
+                       const std::string& otherwise = "", const std::string& where = "");
 
-/// Names and what they stand for.
+/// The words of an enumeration with their enumerators.
 template <class Choice, std::size_t N>
 using NamedChoices = std::array<std::pair<std::string_view, Choice>, N>;
 
+/// Returns the enumerator of a word. Throws InputError with the known words for any other one.
 template <class Choice, std::size_t N>
 Choice chosen(const NamedChoices<Choice, N>& choices, const std::string& word,
               const std::string& where) {
@@ -45,8 +52,9 @@ Choice chosen(const NamedChoices<Choice, N>& choices, const std::string& word,
   refuseMember(where, notOneOf(word, known));
 }
 
+/// Returns the word of an enumerator.
 template <class Choice, std::size_t N>
-std::string_view wordOf(const NamedChoices<Choice, N>& choices, Choice choice) {
+std::string_view choiceWord(const NamedChoices<Choice, N>& choices, Choice choice) {
   for (const auto& [word, one] : choices)
     if (one == choice) return word;
   return {};

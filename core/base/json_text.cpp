@@ -149,7 +149,7 @@ bool beginsAsObject(std::string_view text) {
 }
 
 nlohmann::ordered_json parseJson(std::string_view text, int deepest, std::string_view wanted) {
-  if (const std::string_view kind = foreignKindOf(text); !kind.empty()) refuseKind(kind, wanted);
+  if (const std::string_view kind = detectNonText(text); !kind.empty()) refuseKind(kind, wanted);
   const std::string_view beginning = withoutBlanks(text).substr(0, 1);
   if (beginning.empty()) refuseKind("an empty file", wanted);
   if (beginning != "{" && beginning != "[" && !Json::accept(text))

@@ -13,8 +13,8 @@ bool beginsAsObject(std::string_view text);
 
 /// Parses the text. Throws InputError with the position where the text is not JSON, where a key
 /// occurs twice in one object or an object has more than 256 keys, and where the nesting is deeper
-/// than `deepest`. wanted: the sentence that tells, for a file of another kind, what is needed
-/// instead. The time grows linearly with the text.
+/// than `deepest`. wanted: the sentence that tells what is needed instead of a file of another
+/// kind. The time grows linearly with the text.
 nlohmann::ordered_json parseJson(std::string_view text, int deepest,
                                  std::string_view wanted = "JSON in UTF-8 is needed");
 

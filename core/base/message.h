@@ -51,7 +51,7 @@ struct Message {
   }
 };
 
-/// Returns the template with its places %1, %2, ... filled with the values; other text is
+/// Returns the template with its placeholders %1, %2, ... replaced by the values; other text is
 /// unchanged.
 std::string filled(std::string_view form, const std::vector<std::string>& values);
 
@@ -93,8 +93,8 @@ Message messageValue(const std::string& format, const Value& value) {
 }  // namespace detail
 
 /// Makes a message from a template in the syntax of fmt and its values in the order of their
-/// places: numbers, texts that are names, and messages. The German file has the template as "waves
-/// above %1 m".
+/// placeholders: numbers, texts that are names, and messages. The German file has the template as
+/// "waves above %1 m".
 template <class... Values>
 Message message(fmt::format_string<const Values&...> format, const Values&... values) {
   const fmt::string_view view = format;

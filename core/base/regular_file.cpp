@@ -116,7 +116,7 @@ bool looksLikeUtf16(std::string_view beginning) {
 
 }  // namespace
 
-std::string_view foreignKindOf(std::string_view bytes) {
+std::string_view detectNonText(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 4096;
   for (const Signature& signature : kSignatures)
     if (bytes.starts_with(signature.bytes)) return signature.kind;

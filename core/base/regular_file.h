@@ -35,6 +35,6 @@ std::string readRegularFile(const std::filesystem::path& file, std::size_t limit
 
 /// Returns "text in UTF-16", "a PNG picture", "a ZIP archive (as of a spreadsheet)" or "a binary
 /// file"; empty where the bytes may be text in UTF-8. It examines only the beginning.
-std::string_view foreignKindOf(std::string_view bytes);
+std::string_view detectNonText(std::string_view bytes);
 
 }  // namespace asperity

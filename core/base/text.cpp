@@ -124,7 +124,7 @@ std::string shortened(std::string_view text) {
   return std::string(text.substr(0, end)) + "...";
 }
 
-std::string_view nearestOf(std::string_view word, std::span<const std::string_view> known) {
+std::string_view nearestWord(std::string_view word, std::span<const std::string_view> known) {
   const std::string_view start = word.substr(0, 100);
   const auto nearest = std::ranges::min_element(
       known, {}, [start](std::string_view one) { return editDistance(start, one); });
@@ -132,7 +132,7 @@ std::string_view nearestOf(std::string_view word, std::span<const std::string_vi
   return *nearest;
 }
 
-std::string fileNameOf(std::string_view name) {
+std::string makeFileName(std::string_view name) {
   constexpr std::size_t kMost = 60;
   std::string clean;
   for (const unsigned char letter : name.substr(0, kMost))

@@ -27,10 +27,10 @@ bool isOneOf(std::string_view word, const Words& words) {
 
 /// Returns the known word nearest to `word` by edit distance; empty where the distance to all
 /// exceeds half of the word's length.
-std::string_view nearestOf(std::string_view word, std::span<const std::string_view> known);
+std::string_view nearestWord(std::string_view word, std::span<const std::string_view> known);
 
 /// Returns a file name: letters and digits of ASCII, '-' and '_' stay, every other byte becomes
 /// '_'; 60 bytes at most. Empty for an empty name.
-std::string fileNameOf(std::string_view name);
+std::string makeFileName(std::string_view name);
 
 }  // namespace asperity

@@ -3,26 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <set>
+#include <system_error>
 
 #include "core/base/text_number.h"
 
 namespace asperity {
 namespace {
 
+bool isBlankOrTab(char letter) {
+  return letter == ' ' || letter == '\t';
+}
+
 using Separator = TextDialect::Separator;
 using Lines = std::vector<std::string_view>;
 
-/// Texts up to this length are looked at as a whole; of longer ones so many lines in one place.
+/// Texts up to this length are examined as a whole; of longer ones this many lines from each of
+/// several parts.
 constexpr std::size_t kStretch = std::size_t{1} << 15, kMostLines = 200;
 
-/// Lines from the beginning, the end and three places between.
+/// Lines from the beginning, the end and three parts in between.
 struct Sample {
   Lines lines;
-  std::size_t ofBeginning = 0;  // so many of them follow each other from the first line on
+  std::size_t ofBeginning = 0;  // number of consecutive lines from the first one on
 };
 
 Sample sampleOf(std::string_view text) {
@@ -45,7 +52,7 @@ Sample sampleOf(std::string_view text) {
   return sample;
 }
 
-/// How well a dialect reads the lines of a sample.
+/// The quality of a dialect for the lines of a sample.
 struct Fit {
   double score = 0;           // lines that are rows of numbers; those of another width count less
   std::size_t columns = 0;    // of most rows
@@ -73,10 +80,10 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
       isGrouped = isGrouped || read.isGrouped;
     }
     if (numbers == 0 || 2 * texts > fields.size()) continue;
-    // "1,234" is rather a decimal than a thousand, where both can be.
+    // Where both are possible, "1,234" is more likely a decimal number than a number of thousands.
     constexpr double kGrouped = 0.9, kWithTexts = 0.5;
     const double score = texts > 0 ? kWithTexts : isGrouped ? kGrouped : 1;
-    // Lines such as "Step 1" above the first row of numbers alone are those of a header.
+    // Lines such as "Step 1" above the first row of numbers belong to a header.
     if (texts == 0 && fit.firstRow == lines.size()) {
       fit.firstRow = i;
       ofColumns.clear();
@@ -99,16 +106,16 @@ Fit fitOf(const Lines& lines, const TextDialect& dialect) {
   return fit;
 }
 
-/// Whether each number is larger than the one before, or each one smaller.
+/// Returns whether the numbers strictly rise or strictly fall.
 bool isMonotone(const std::vector<double>& numbers) {
   const auto none = numbers.end();
   return std::ranges::adjacent_find(numbers, std::greater_equal<>()) == none ||
          std::ranges::adjacent_find(numbers, std::less_equal<>()) == none;
 }
 
-/// Whether commas between whole numbers are decimal marks: "0,05", "-0,5", "1,5E-3", always the
-/// same number of digits behind them, or, of two columns, a first one that goes up and down, which
-/// positions and velocities do not.
+/// Returns whether commas between whole numbers are decimal marks: in "0,05", "-0,5", "1,5E-3",
+/// where the number of digits behind them is always the same; or where the first one of two columns
+/// goes up and down, which positions and velocities do not.
 bool looksLikeDecimals(const Lines& lines, std::size_t columns) {
   std::vector<std::string_view> fields;
   std::size_t rows = 0, digits = 0;
@@ -145,7 +152,7 @@ bool looksLikeDecimals(const Lines& lines, std::size_t columns) {
   return (digits > 1 && sameDigits && varies) || (columns == 2 && !isMonotone(heads));
 }
 
-/// The line before the first row; empty where there is none.
+/// Returns the line before the first row; empty where there is none.
 std::string_view lineBefore(const Sample& sample, std::size_t firstRow) {
   for (std::size_t i = std::min(firstRow, sample.ofBeginning); i-- > 0;)
     if (!trimmedBlanks(sample.lines[i]).empty()) return sample.lines[i];
@@ -160,7 +167,7 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   std::vector<std::string_view> fields;
   splitFields(names, Separator::Comma, fields);
   if (fields.size() == fit.columns) return comma;
-  // There may be as many names as halves; a single one counts if it has a unit, else it may be any
+  // There may be as many names as pairs; a single name counts only with a unit, as it may be a
   // title.
   const bool isNamed = fields.size() == fit.columns / 2 &&
                        (fields.size() > 1 || (names.find_first_of("([") != std::string_view::npos &&
@@ -170,15 +177,16 @@ TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   return {Separator::CommaPair, ','};
 }
 
-/// What the numbers of one column say of the mark in them, which is taken for a decimal mark.
+/// The evidence of the numbers of one column about the mark in them, which is assumed to be a
+/// decimal mark.
 struct MarkedNumbers {
   std::size_t marked = 0;              // "13.318": what may be thousands as well
   std::set<std::string_view> whole{};  // "929"
   bool hasLong = false;                // "1318": thousands without a mark
 };
 
-/// Takes a field into account; returns whether its mark can be no mark of thousands: "0.318",
-/// "1.5", "1318.250", "1.318e3".
+/// Adds a field; returns whether its mark cannot separate thousands: "0.318", "1.5", "1318.250",
+/// "1.318e3".
 bool isDecimal(std::string_view field, char mark, MarkedNumbers& numbers) {
   constexpr std::size_t kGroup = 3;
   field = trimmedField(field);
@@ -200,10 +208,9 @@ bool isDecimal(std::string_view field, char mark, MarkedNumbers& numbers) {
 
 enum class Mark { Decimal, Unclear, Thousands };
 
-/// Whether the marks in the numbers separate decimals. Where each one stands before exactly three
-/// digits, they may separate thousands as well; they do where numbers below a thousand have none:
-/// of so many decimals some would end with a zero, which is left out where whole numbers have no
-/// mark.
+/// Returns the meaning of the marks in the numbers. Where each mark has exactly three digits behind
+/// it, it may separate thousands. It does where numbers below a thousand have no mark: some of so
+/// many decimals would end with a zero, which programs omit where whole numbers have no mark.
 Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit) {
   constexpr std::size_t kManyMarked = 50, kManyWhole = 3, kSomeMarked = 3;
   std::vector<MarkedNumbers> columns(fit.columns);
@@ -225,11 +232,11 @@ Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit) {
   return std::ranges::any_of(columns, isMarked) ? Mark::Unclear : Mark::Decimal;
 }
 
-/// Returns the dialect with the other decimal mark where it leaves fewer texts among the rows
-/// ("1,000,000" is a number then), or where marks separate thousands by all that is there.
+/// Returns the dialect with the other decimal mark where that leaves fewer texts among the rows
+/// ("1,000,000" is then a number), or where all marks separate thousands.
 TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, const Fit& fit) {
   const bool isQuoted = dialect == TextDialect{Separator::Comma, ','};
-  if (markOf(dialect.separator) == ',' && !isQuoted) return dialect;
+  if (separatorCharacter(dialect.separator) == ',' && !isQuoted) return dialect;
   TextDialect other = dialect;
   other.decimal = dialect.decimal == '.' ? ',' : '.';
   const Fit otherFit = fitOf(sample.lines, other);
@@ -242,7 +249,7 @@ TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, cons
 
 }  // namespace
 
-char markOf(Separator separator) {
+char separatorCharacter(Separator separator) {
   switch (separator) {
     case Separator::Blanks:
       return ' ';
@@ -275,19 +282,20 @@ bool isComment(std::string_view line) {
 void splitFields(std::string_view line, Separator separator,
                  std::vector<std::string_view>& fields) {
   fields.clear();
-  const char mark = markOf(separator);
+  const char mark = separatorCharacter(separator);
   const bool atBlanks = separator == Separator::Blanks;
   bool second = false;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= line.size(); ++i) {
     const bool atEnd = i == line.size();
-    // A quotation begins where a field does, for E" is a modulus; without an end it is none.
+    // A quotation begins only where a field does, because E" is a modulus; without an end it is
+    // none.
     if (!atEnd && line[i] == '"' && trimmedBlanks(line.substr(begin, i - begin)).empty())
       if (const std::size_t end = line.find('"', i + 1); end != std::string_view::npos) {
         i = end;
         continue;
       }
-    const bool isBlank = !atEnd && (line[i] == ' ' || line[i] == '\t');
+    const bool isBlank = !atEnd && isBlankOrTab(line[i]);
     if (atBlanks) {
       if (!atEnd && !isBlank) continue;
       if (i > begin) fields.push_back(line.substr(begin, i - begin));
@@ -295,7 +303,7 @@ void splitFields(std::string_view line, Separator separator,
       continue;
     }
     if (!atEnd && line[i] != mark) continue;
-    const bool blankFollows = i + 1 < line.size() && (line[i + 1] == ' ' || line[i + 1] == '\t');
+    const bool blankFollows = i + 1 < line.size() && isBlankOrTab(line[i + 1]);
     if (!atEnd && separator == Separator::CommaBlank && !blankFollows) continue;
     second = !second;
     if (!atEnd && separator == Separator::CommaPair && second) continue;
@@ -339,11 +347,11 @@ TextDialect detectDialect(std::string_view text) {
   for (const TextDialect& candidate : kCandidates) {
     const Fit fit = fitOf(sample.lines, candidate);
     if (candidate.isExact() && fit.columns < 2) continue;
-    // "1,5, 2,5": each column holds two of the fields that every comma makes.
+    // In "1,5, 2,5" each column has two of the fields that every comma makes.
     const bool halves = candidate.separator == Separator::CommaBlank &&
                         best.separator == Separator::Comma && fit.score >= bestFit.score &&
                         2 * fit.columns == bestFit.columns;
-    // Lines below the rows such as "Ra 0.5" are no reason to take blanks where another mark
+    // Lines such as "Ra 0.5" below the rows do not make the blank a separator where another one
     // separates.
     constexpr double kBetter = 1.1;
     const bool isLoose = !candidate.isExact() && bestFit.columns > 1;
@@ -365,6 +373,45 @@ TextDialect detectDialect(std::string_view text) {
     }
   }
   return withRightMark(sample, best, bestFit);
+}
+
+bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers) {
+  using Separator = TextDialect::Separator;
+  if (dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair)
+    return false;
+  const char mark = separatorCharacter(dialect.separator);
+  const bool atBlanks = dialect.separator == Separator::Blanks;
+  const char* next = line.data();
+  const char* const end = next + line.size();
+  const auto skipBlanks = [&] {
+    while (next != end && (*next == ' ' || (*next == '\t' && mark != '\t'))) ++next;
+  };
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    skipBlanks();
+    if (i > 0 && !atBlanks) {
+      if (next == end || *next != mark) return false;
+      ++next;
+      skipBlanks();
+    }
+    if (next != end && *next == '+') ++next;
+    // Neither "inf" nor "nan", which std::from_chars takes for numbers.
+    const char* first = next != end && *next == '-' ? next + 1 : next;
+    if (first == end || !(isDigit(*first) || *first == '.')) return false;
+    if (dialect.decimal == '.') {
+      const auto [stop, error] = std::from_chars(next, end, numbers[i]);
+      if (error != std::errc{}) return false;
+      next = stop;
+    } else {
+      const char* stop = next;
+      while (stop != end && !isBlankOrTab(*stop) && *stop != mark) ++stop;
+      const auto size = static_cast<std::size_t>(stop - next);
+      if (!readTextNumber(std::string_view(next, size), ',', numbers[i])) return false;
+      next = stop;
+    }
+    if (next != end && !isBlankOrTab(*next) && *next != mark) return false;
+  }
+  skipBlanks();
+  return next == end;
 }
 
 }  // namespace asperity

@@ -1,7 +1,8 @@
-// How the rows of a text table are written: what separates the fields, and whether a decimal mark
-// is a point or a comma. Found from the numbers themselves. Pure; any thread.
+// The dialect of a text table: the separator of its fields, and whether a decimal mark is a point
+// or a comma. It is found from the numbers themselves. Pure; any thread.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -22,16 +23,16 @@ struct TextDialect {
   char decimal = '.';
   bool isUnclear = false;  // numbers such as "13.318" alone: the mark may separate thousands, too
 
-  /// Whether two separators in a row enclose an empty field.
+  /// Returns whether two separators in a row enclose an empty field.
   bool isExact() const { return separator != Separator::Blanks; }
   bool operator==(const TextDialect&) const = default;
 };
 
-/// What separates two fields; a blank where any run of blanks does.
-char markOf(TextDialect::Separator separator);
+/// Returns the character between two fields; a blank where any run of blanks separates them.
+char separatorCharacter(TextDialect::Separator separator);
 
-/// The dialect in which most lines of the text are rows of equally many numbers. Looks at some
-/// places of a long text alone.
+/// Returns the dialect in which most lines of the text are rows of equally many numbers. Of a long
+/// text only some parts are examined.
 TextDialect detectDialect(std::string_view text);
 
 /// Replaces `fields` by those of one line; separators within double quotes, which begin with the
@@ -44,10 +45,16 @@ void splitFields(std::string_view line, TextDialect::Separator separator,
 void splitRow(std::string_view line, const TextDialect& dialect,
               std::vector<std::string_view>& fields);
 
-/// The first line of the text, without its end and the blanks there; takes it and its end away.
+/// Removes the first line with its end from the text, and returns it without the end and the blanks
+/// there.
 std::string_view takeLine(std::string_view& text);
 
-/// Whether a line begins as a comment does: '#', '%', "//", '!'.
+/// Returns whether a line begins like a comment: '#', '%', "//", '!'.
 bool isComment(std::string_view line);
+
+/// Reads a row of exactly `numbers.size()` numbers without quotes, comments and words for missing
+/// values: the fast way. Returns false where the line is anything else, for which splitRow and
+/// readField are needed.
+bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers);
 
 }  // namespace asperity

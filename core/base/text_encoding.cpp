@@ -52,7 +52,7 @@ std::string utf8OfUtf16(std::string_view bytes, bool littleEndian) {
   return text;
 }
 
-/// Bytes 0x80 to 0x9F of Microsoft's variant; those that it leaves free stay as in Latin-1.
+/// The bytes 0x80 to 0x9F of Microsoft's variant; unused ones are as in Latin-1.
 constexpr std::array<std::uint16_t, 32> kMicrosoft{
     0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
@@ -68,7 +68,7 @@ std::string utf8OfLatin1(std::string_view bytes) {
   return text;
 }
 
-/// Whether some carriage return has no line feed behind it.
+/// Returns whether some carriage return is not followed by a line feed.
 bool hasLoneReturn(std::string_view text) {
   for (std::size_t at = 0; (at = text.find('\r', at)) != std::string_view::npos; ++at)
     if (at + 1 == text.size() || text[at + 1] != '\n') return true;
@@ -89,7 +89,7 @@ std::string withLineFeeds(std::string_view text) {
 
 bool isUtf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    // Eight letters of ASCII at once.
+    // This tests eight letters of ASCII at once.
     std::uint64_t eight = 0;
     while (i + 8 <= text.size()) {
       std::memcpy(&eight, text.data() + i, 8);
@@ -115,7 +115,7 @@ DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     : text(bytes), encoding("UTF-8") {
   constexpr std::string_view kMark8 = "\xEF\xBB\xBF", kMarkLittle = "\xFF\xFE",
                              kMarkBig = "\xFE\xFF";
-  const std::string_view kind = foreignKindOf(bytes);
+  const std::string_view kind = detectNonText(bytes);
   if (kind == "text in UTF-16") {
     const bool hasMark = bytes.starts_with(kMarkLittle) || bytes.starts_with(kMarkBig);
     const bool isLittle = hasMark ? bytes.starts_with(kMarkLittle) : byteAt(bytes, 0) != 0;
@@ -132,7 +132,7 @@ DecodedText::DecodedText(std::string_view bytes, const std::string& name)
     text = converted;
     encoding = "Latin-1";
   }
-  // What fills up the last block of a file is no text.
+  // The padding of the last block of a file is no text.
   const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2));
   text = text.substr(0, end == std::string_view::npos ? 0 : end + 1);
   if (hasLoneReturn(text)) {

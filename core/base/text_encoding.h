@@ -1,4 +1,4 @@
-// Text files as UTF-8 with plain line ends, whatever wrote them. Pure; any thread.
+// Decodes text files to UTF-8 with plain line ends, whatever program wrote them. Pure; any thread.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@ struct DecodedText {
   std::string_view encoding;  // "UTF-8", "UTF-16" or "Latin-1"
   std::string converted{};    // where the bytes could not stay as they are
 
-  /// From UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or, where the
-  /// bytes are no UTF-8, Latin-1 in Microsoft's variant. The bytes must outlive it. Throws
-  /// InputError naming the file `name` where they are no text.
+  /// Decodes UTF-8, UTF-16 (with a mark, or without one where every other byte is 0) or, where the
+  /// bytes are not UTF-8, Latin-1 in Microsoft's variant. The bytes must outlive the object. Throws
+  /// InputError that names the file `name` where the bytes are no text.
   DecodedText(std::string_view bytes, const std::string& name);
   DecodedText(const DecodedText&) = delete;  // the text may be its own
   DecodedText& operator=(const DecodedText&) = delete;
 };
 
-/// Whether all of it is UTF-8.
+/// Returns whether the whole text is UTF-8.
 bool isUtf8(std::string_view text);
 
 }  // namespace asperity

@@ -24,7 +24,7 @@ std::size_t keyEnd(std::string_view line) {
   return at == 0 ? std::string_view::npos : at;
 }
 
-TextEntry entryOf(const TextLine& kept, const TextDialect& dialect) {
+TextEntry parseEntry(const TextLine& kept, const TextDialect& dialect) {
   const std::string_view line = withoutCommentMark(kept.text, dialect);
   TextEntry entry{{}, std::string(line), kept.number};
   std::vector<std::string_view> fields;
@@ -68,8 +68,8 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-/// Whether fields can be the names of columns: no numbers but for names that are numbers, such as
-/// temperatures or positions along x, of all columns but the first.
+/// Returns whether fields can be the names of columns: no numbers, except that all names but the
+/// first may be numbers, such as temperatures or positions along x.
 bool areNames(const Fields& fields, const TextDialect& dialect) {
   std::size_t numbers = 0, texts = 0;
   for (const std::string& field : fields) {
@@ -81,13 +81,13 @@ bool areNames(const Fields& fields, const TextDialect& dialect) {
   return texts > 0 && (numbers == 0 || (columns > 2 && numbers + 1 >= columns));
 }
 
-/// The fields of a line that may be names, units or comments of the columns; empty where it is none
-/// of these. mayCountRows: the first column may be one of row numbers.
+/// Returns the fields of a line that may be names, units or comments of the columns; empty where it
+/// is none of these. mayCountRows: the first column may number the rows.
 Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t columns,
                bool mayCountRows) {
   const std::string_view text = withoutCommentMark(line, dialect);
-  // A separator in front is an unnamed column, too, be it a tab, which a blank is otherwise. So is
-  // one at the end.
+  // A separator in front makes an unnamed column, also a tab where blanks separate; so does one at
+  // the end.
   Fields fields = splitNames(text, dialect, columns);
   if (fields.empty() && dialect.isExact()) {
     std::vector<std::string_view> whole;
@@ -95,7 +95,7 @@ Fields namesIn(std::string_view line, const TextDialect& dialect, std::size_t co
     if (whole.size() == columns)
       for (const std::string_view field : whole) fields.emplace_back(trimmedField(field));
   }
-  // Row numbers, which some programs write in front, have no name.
+  // Row numbers, which some programs write in the first column, have no name.
   if (fields.empty() && columns > 2 && mayCountRows &&
       (dialect.isExact() || text.starts_with('"'))) {
     fields = splitNames(text, dialect, columns - 1);
@@ -113,8 +113,8 @@ bool isUnitField(const std::string& field) {
   return isKnownUnit(field) || withoutBrackets(field).size() != trimmedField(field).size();
 }
 
-/// Whether each field is a unit or empty, and one at least could be nothing else. Among several
-/// units one word may be none, such as "bool" of a column that says what is valid.
+/// Returns whether each field is a unit or empty, and at least one can be nothing else. Among
+/// several units one word may be no unit, such as "bool" of a column of validity.
 bool areUnits(const Fields& fields) {
   std::size_t sure = 0, others = 0;
   for (const std::string& field : fields) {
@@ -129,7 +129,8 @@ bool areUnits(const Fields& fields) {
   return others == 0 ? sure > 0 : others == 1 && sure >= 2;
 }
 
-/// Whether fields are names with known units: one in brackets, or one in each of several fields.
+/// Returns whether fields are names with known units: one in brackets, or one in each of several
+/// fields.
 bool haveUnits(const Fields& fields) {
   bool inBrackets = false, inEach = fields.size() > 1;
   for (const std::string& field : fields) {
@@ -140,9 +141,9 @@ bool haveUnits(const Fields& fields) {
   return inBrackets || inEach;
 }
 
-/// The fields of the lines above a block that may be names, units and comments of its columns; the
-/// nearest line is the first. Beyond a line of another kind, be it a comment or a damaged row, only
-/// units and names with units are sure to belong to the columns.
+/// Returns the fields of the lines above a block that may be names, units and comments of its
+/// columns, the nearest line first. Beyond a line of another kind, such as a comment or a damaged
+/// row, only units and names with units certainly belong to the columns.
 std::vector<Fields> rowsAbove(const std::vector<TextLine>& above, const TextDialect& dialect,
                               std::size_t columns, bool mayCountRows) {
   constexpr std::size_t kMostRows = 4, kMostLines = 12;
@@ -176,7 +177,8 @@ std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const T
       first[0].kind == FieldKind::Number && (first[0].value == 0 || first[0].value == 1);
   const auto rows = rowsAbove(above, dialect, columns, mayCountRows);
   const auto units = std::ranges::find_if(rows, areUnits);
-  // Names stand above their units; without units, they have some, or stand right above the numbers.
+  // Names are above their units; without a row of units, they contain some, or are directly above
+  // the numbers.
   const Fields* names = nullptr;
   if (units == rows.end()) {
     const auto found = std::ranges::find_if(rows, haveUnits);

@@ -1,4 +1,4 @@
-// The lines of a text table that are no rows: `key: value`, and names and units above the columns.
+// The lines of a text table that are not rows: `key: value`, and names and units above the columns.
 // Pure; any thread.
 #pragma once
 
@@ -16,16 +16,16 @@ struct TextLine {
   std::size_t number = 0;  // counted from 1
 };
 
-/// Without the mark of a comment; a semicolon is one where it separates no fields.
+/// Returns the line without the mark of a comment; a semicolon is one where it separates no fields.
 std::string_view withoutCommentMark(std::string_view line, const TextDialect& dialect);
 
-/// Where ":" or "=" ends a key; npos where there is none.
+/// Returns the position of the ":" or "=" that ends a key; npos where there is none.
 std::size_t keyEnd(std::string_view line);
 
-/// The key and value of a line.
-TextEntry entryOf(const TextLine& line, const TextDialect& dialect);
+/// Reads the key and the value of a line.
+TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
 
-/// The columns of a block with the names and units that the lines above it have. `first`: the
+/// Returns the columns of a block with their names and units from the lines above it. first: the
 /// fields of its first row.
 std::vector<TextColumn> namedColumns(const std::vector<TextLine>& above, const TextDialect& dialect,
                                      const std::vector<Field>& first);

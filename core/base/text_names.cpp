@@ -10,8 +10,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Letters that are also symbols of quantities: behind "_" or a blank they are units of these
-/// alone.
+/// Returns whether a unit that is also a letter fits the name: behind "_" or a blank such letters
+/// are units only of certain quantities.
 bool suitsLetter(std::string_view name, std::string_view unit) {
   if (unit.size() > 1) return lowerCase(unit) != "in" || name.size() <= 2;
   const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
@@ -40,7 +40,7 @@ ColumnName parts(std::string_view name, std::string_view unit) {
   return {std::string(trimmedField(name)), std::string(trimmedBlanks(unit))};
 }
 
-/// Fields between tabs or runs of at least two blanks.
+/// Splits at tabs and at runs of at least two blanks.
 std::vector<std::string> splitAtWideBlanks(std::string_view line) {
   std::vector<std::string> fields;
   std::size_t begin = 0;
@@ -55,8 +55,8 @@ std::vector<std::string> splitAtWideBlanks(std::string_view line) {
   return fields;
 }
 
-/// Fields between single blanks; a unit, and what stands in brackets or behind a stroke, belongs to
-/// the name before.
+/// Splits at single blanks; a unit, and a text in brackets or behind a stroke, stays with the name
+/// before it.
 std::vector<std::string> splitAtBlanks(std::string_view line) {
   std::vector<std::string_view> words;
   splitFields(line, TextDialect::Separator::Blanks, words);
@@ -107,7 +107,7 @@ ColumnName columnName(std::string_view text) {
       isUnitWord(text.substr(at + 1)))
     return parts(text.substr(0, at), text.substr(at + 1));
 
-  // Behind a stroke, which may stand in the unit, too: "v / m/s".
+  // The unit may be behind a stroke, which may also be part of it: "v / m/s".
   for (std::size_t at = 0; (at = text.find('/', at)) != std::string_view::npos; ++at)
     if (at > 0 && isKnownUnit(text.substr(at + 1)))
       return parts(text.substr(0, at), text.substr(at + 1));
@@ -135,7 +135,7 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
   const bool isSeparated = !ways.empty() && ways.front().size() > 1;
   if (line.find('\t') != std::string_view::npos) ways.push_back(splitAt(line, Separator::Tab));
   ways.push_back(splitAtWideBlanks(line));
-  // Where the mark of the rows separates names, blanks stand within them.
+  // Where the separator of the rows separates the names as well, blanks are part of the names.
   if (!isSeparated) ways.push_back(splitAtBlanks(line));
   for (const Separator separator : {Separator::Semicolon, Separator::Comma})
     ways.push_back(splitAt(line, separator));

@@ -1,4 +1,4 @@
-// Names of the columns of a text table and the units in them. Pure; any thread.
+// The names of the columns of a text table and the units in them. Pure; any thread.
 #pragma once
 
 #include <string>
@@ -14,14 +14,14 @@ struct ColumnName {
   std::string unit{};  // as written, without brackets; empty where there is none
 };
 
-/// "x (mm)", "z/um", "Height [\u00B5m]", "freq_Hz", "x in mm", "x, mm", "x mm", "X_(microns)". In
-/// round brackets, behind a stroke, a blank or "_" only a known unit counts; what stands in square
-/// brackets at the end is a unit whatever it is.
+/// Separates a name and its unit: "x (mm)", "z/um", "Height [\u00B5m]", "freq_Hz", "x in mm", "x,
+/// mm", "x mm", "X_(microns)". In round brackets, behind a stroke, a blank or "_" only a known unit
+/// counts; the text in square brackets at the end is always a unit.
 ColumnName columnName(std::string_view text);
 
-/// The fields of a line of names for `columns` columns, which may be separated otherwise than the
-/// numbers: the first way of splitting it that gives so many, or else none. A unit behind a blank
-/// stays with its name.
+/// Splits a line of names for `columns` columns. The names may be separated differently from the
+/// numbers: the first separator that gives this number of names is used; none where there is no
+/// such separator. A unit behind a blank stays with its name.
 std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
                                     std::size_t columns);
 

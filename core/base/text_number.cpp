@@ -17,7 +17,7 @@ using namespace std::string_view_literals;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What programs write where there is no value, in lower case.
+/// Words that programs write for a missing value, in lower case.
 constexpr std::array kMissing{
     "nan"sv,       "-nan"sv,      "+nan"sv,   "nan(ind)"sv, "-nan(ind)"sv, "qnan"sv,
     "1.#qnan"sv,   "-1.#qnan"sv,  "1.#ind"sv, "-1.#ind"sv,  "1.#inf"sv,    "-1.#inf"sv,
@@ -30,7 +30,7 @@ constexpr std::array kMissing{
     "fehlt"sv,     "error"sv,     "err"sv,    "#error"sv,   "empty"sv,     "out"sv,
     "saturated"sv, "clipped"sv,   "outlier"sv};
 
-/// What spreadsheets write into a cell without a value.
+/// Marks that spreadsheets write into a cell without a value.
 constexpr std::array kSpreadsheetErrors{"#N/A"sv,    "#NV"sv,    "#NUM!"sv, "#DIV/0!"sv,
                                         "#VALUE!"sv, "#WERT!"sv, "#REF!"sv, "#BEZUG!"sv,
                                         "#NAME?"sv,  "#ZAHL!"sv};
@@ -39,7 +39,7 @@ constexpr std::array kTrue{"true"sv, "ok"sv, "good"sv, "valid"sv, "yes"sv, "pass
 constexpr std::array kFalse{"false"sv, "invalid"sv, "no"sv, "fail"sv, "nok"sv, "falsch"sv};
 
 bool isMissing(std::string_view text) {
-  // "-", "--", "***", "####": nothing but one of these.
+  // A missing value is also a text of only one of these characters: "-", "--", "***", "####".
   if (text.find_first_not_of("-") == std::string_view::npos ||
       text.find_first_not_of("*") == std::string_view::npos ||
       text.find_first_not_of("#") == std::string_view::npos)
@@ -59,23 +59,24 @@ constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
 constexpr std::size_t kLongestNumber = 64;
 
-/// All of the text by std::from_chars.
+/// Reads the whole text by std::from_chars.
 bool readPlain(const char* begin, const char* end, double& number) {
   const auto [stop, error] = std::from_chars(begin, end, number);
   if (stop != end) return false;
   if (error == std::errc{}) return std::isfinite(number);
   if (error != std::errc::result_out_of_range) return false;
-  // Too small is 0; too large is no number.
+  // A number that is too small becomes 0; one that is too large is no number.
   const char* exponent = std::find_if(begin, end, [](char c) { return c == 'e' || c == 'E'; });
   number = 0;
   return exponent + 1 < end && exponent[1] == '-';
 }
 
-/// What separates thousands, beside the mark that is no decimal mark.
+/// Separators of thousands, in addition to the mark that is not the decimal mark.
 constexpr std::array kThousands{"'"sv, "\u2019"sv, " "sv, "\u00A0"sv, "\u202F"sv, "\u2009"sv};
 
-/// "1.234,5", "-12 345", "1'234'567.8": one to three digits that do not begin with 0, then groups
-/// of three behind equal marks, then perhaps decimals.
+/// Reads a number with separated thousands, "1.234,5", "-12 345", "1'234'567.8": one to three
+/// digits that do not begin with 0, then groups of three behind equal separators, then optional
+/// decimals.
 bool readGroupedNumber(std::string_view text, char decimal, double& number) {
   if (text.empty() || text.size() > kLongestNumber) return false;
   std::string plain;
@@ -217,9 +218,9 @@ bool beginsWithSpreadsheetError(std::string_view text) {
                              [text](std::string_view error) { return text.starts_with(error); });
 }
 
-std::optional<TextQuantity> quantityIn(std::string_view text) {
+std::optional<TextQuantity> parseQuantity(std::string_view text) {
   text = trimmedField(text);
-  // The longest beginning that is a number, with either mark.
+  // The number is the longest beginning that is one, with either decimal mark.
   const std::size_t most =
       std::min(text.find_first_not_of("0123456789+-.,eEdD\xE2\x88\x92"), text.size());
   for (std::size_t size = most; size > 0; --size) {

@@ -13,7 +13,6 @@
 #include "core/base/text_header.h"
 #include "core/base/text_names.h"
 #include "core/base/text_number.h"
-#include "core/base/text_row.h"
 
 namespace asperity {
 namespace {
@@ -44,7 +43,7 @@ class TableReader {
  private:
   [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
 
-  /// Names the first line that looks most like a row.
+  /// Throws InputError that names the line most similar to a row.
   [[noreturn]] void refuseWithoutRows() {
     for (const TextLine& line : above_) {
       if (isComment(line.text)) continue;
@@ -79,16 +78,16 @@ class TableReader {
     keep(line);
   }
 
-  /// A line that is no row; it may be part of a header.
+  /// Keeps a line that is no row; it may belong to a header.
   void keep(const TextLine& line) {
     if (above_.size() < kMostHeaderLines) above_.push_back(line);
   }
 
-  /// The rows go on behind lines that were kept: comments may stand between rows, a header begins a
-  /// block of its own.
+  /// Returns whether rows continue behind kept lines: comments may stand between rows, but a header
+  /// begins a new block.
   bool goesOn() const {
     return std::ranges::all_of(above_, [this](const TextLine& line) {
-      return isComment(line.text) && entryOf(line, table_.dialect).key.empty();
+      return isComment(line.text) && parseEntry(line, table_.dialect).key.empty();
     });
   }
 
@@ -122,7 +121,7 @@ class TableReader {
     ++block().rows;
   }
 
-  /// Where labels are kept, "#" belongs to them.
+  /// Splits a line; where labels are kept, "#" belongs to them.
   void split(std::string_view line, std::vector<std::string_view>& fields) const {
     if (options_.keepsTexts)
       splitFields(line, table_.dialect.separator, fields);
@@ -143,7 +142,7 @@ class TableReader {
         std::ranges::count_if(kinds_, [kind](const Field& field) { return field.kind == kind; }));
   }
 
-  /// Whether the fields are a row of the open block.
+  /// Returns whether the fields are a row of the open block.
   bool fits() const {
     const std::vector<TextColumn>& columns = table_.blocks.back().columns;
     std::size_t size = fields_.size();
@@ -160,11 +159,11 @@ class TableReader {
       }
       anyValue = anyValue || !trimmedBlanks(fields_[i]).empty();
     }
-    // Nothing but separators is a row of gaps if it stands amid the rows.
+    // A line of separators alone is a row of gaps if it stands among rows.
     return anyValue || (size == columns.size() && nextLineFits());
   }
 
-  /// Whether the next line that is not blank is a row of the open block.
+  /// Returns whether the next line that is not blank is a row of the open block.
   bool nextLineFits() const {
     std::string_view rest = rest_;
     while (!rest.empty()) {
@@ -187,14 +186,15 @@ class TableReader {
     return false;
   }
 
-  /// Whether a field is a number or looks like one; "1. Ra" in a list does not.
+  /// Returns whether a field is a number or looks like one; "1. Ra" in a list does not.
   bool isLikeNumber(std::string_view field) const {
     return readField(field, table_.dialect.decimal).kind == FieldKind::Number ||
            (beginsAsNumber(field) &&
             trimmedField(field).find_first_of(" \t") == std::string_view::npos);
   }
 
-  /// Whether the next line has so many fields and begins as a number does, as damaged rows do.
+  /// Returns whether the next line has this number of fields and begins like a number, as damaged
+  /// rows do.
   bool nextLineResembles(std::size_t size) const {
     std::string_view rest = rest_;
     const std::string_view line = takeLine(rest);
@@ -203,8 +203,8 @@ class TableReader {
     return fields.size() == size && isLikeNumber(fields.front());
   }
 
-  /// A row that is wrong in one field, or has another width, is an error where the rows go on. So
-  /// are several such rows: results of a program below its rows begin with a word.
+  /// Throws InputError for a row with a wrong field or another width where rows continue. Several
+  /// such rows are an error, too: results that a program writes below its rows begin with a word.
   void refuseAmidRows(const TextLine& line) const {
     constexpr std::size_t kManyRows = 10;  // of no header such as "60 40"
     const std::vector<TextColumn>& columns = table_.blocks.back().columns;
@@ -247,8 +247,8 @@ class TableReader {
     addRow(line);
   }
 
-  /// Words such as "invalid" are 0 or 1 in a column of nothing else; among other numbers nothing
-  /// was measured there.
+  /// Words such as "invalid" become 0 or 1 in a column of such words; among other numbers they mark
+  /// missing values.
   void clearFlags() {
     if (flags_.empty()) return;
     TextBlock& last = block();
@@ -264,8 +264,8 @@ class TableReader {
     flags_.clear();
   }
 
-  /// Makes rows without a value of the blank lines within a single column. Where they follow every
-  /// row they only space the lines.
+  /// Turns blank lines within a single column into rows without a value, unless such a line follows
+  /// every row.
   void fillBlankLines() {
     TextBlock& last = block();
     const bool isSpaced = blanks_.size() + 1 >= last.rows;
@@ -296,7 +296,7 @@ class TableReader {
     blankLines_ = 0;
   }
 
-  /// Whether the fields can be the first row of a block.
+  /// Returns whether the fields can be the first row of a block.
   bool startsBlock(const TextLine& line) {
     if (countOf(FieldKind::Number) == 0) return false;
     if (countOf(FieldKind::Text) == 0) return true;
@@ -306,7 +306,7 @@ class TableReader {
                                 [](const TextColumn& column) { return column.name.empty(); });
   }
 
-  /// Whether the line above a first row has as many fields and a number in front.
+  /// Returns whether the line above a first row has equally many fields and begins with a number.
   bool isDamagedRow(const TextLine& above, const TextLine& first) const {
     std::vector<std::string_view> fields;
     split(above.text, fields);
@@ -316,7 +316,7 @@ class TableReader {
   }
 
   void start(const TextLine& line) {
-    // Separators at the ends of all lines enclose nothing, unless the column has a name.
+    // Separators at the ends of all lines make no column, unless it has a name.
     const auto isNamed = [this](std::size_t columns) {
       return !above_.empty() && !splitNames(withoutCommentMark(above_.back().text, table_.dialect),
                                             table_.dialect, columns)
@@ -345,7 +345,7 @@ class TableReader {
     for (const TextLine& kept : above_) addEntry(kept, fresh.header);
     above_.clear();
     if (!table_.blocks.empty()) block().values.shrink_to_fit();
-    // As many rows as there may be, so that large tables are not moved about.
+    // Memory for all possible rows is reserved, so that large tables are not copied.
     const std::size_t rows = rest_.size() / (line.text.size() + 1) + 1;
     fresh.values.reserve(std::min(rows * fields_.size(), kMostNumbers - count_));
     table_.blocks.push_back(std::move(fresh));
@@ -354,7 +354,7 @@ class TableReader {
   }
 
   void addEntry(const TextLine& line, std::vector<TextEntry>& entries) const {
-    entries.push_back(entryOf(line, table_.dialect));
+    entries.push_back(parseEntry(line, table_.dialect));
   }
 
   std::string_view whole_, rest_;

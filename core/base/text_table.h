@@ -1,6 +1,6 @@
-// Tables of numbers in text files, of whatever program or person wrote them: profiles, sweeps of a
-// rheometer, measured friction. One reader finds encoding, separator, decimal mark, names, units,
-// `key: value` lines and missing values; what the columns mean is up to its callers.
+// Reads tables of numbers in text files, whatever program or person wrote them: profiles, sweeps of
+// a rheometer, measured friction. One reader finds encoding, separator, decimal mark, names, units,
+// `key: value` lines and missing values; the callers interpret the columns.
 // Pure; any thread. Failure: InputError that names the file and the line.
 #pragma once
 
@@ -28,7 +28,7 @@ struct TextEntry {
   std::size_t line = 0;  // counted from 1
 };
 
-/// Rows of equally many fields that follow each other. Blank lines and comments do not end it.
+/// Consecutive rows of equally many fields. Blank lines and comments do not end a block.
 struct TextBlock {
   std::vector<TextColumn> columns{};
   std::size_t rows = 0;
@@ -48,42 +48,42 @@ struct TextTable {
   TextDialect dialect{};
   std::vector<TextBlock> blocks{};   // at least one
   std::vector<TextEntry> trailer{};  // lines behind the last block
-  /// Numbers of lines that look like rows and are none: damaged ones right above a block, and those
-  /// behind the last block that begin with a number.
+  /// The numbers of lines that look like rows but are not: damaged ones right above a block, and
+  /// those behind the last block that begin with a number.
   std::vector<std::uint32_t> leftOut{};
 
-  /// The block with the most numbers, the first of those.
+  /// Returns the block with the most numbers; of equal ones the first.
   const TextBlock& largest() const;
-  /// The value of the nearest entry with this key in front of the block, its header or that of a
-  /// block before it; letters large or small. Empty where there is none.
+  /// Returns the value of the nearest entry with this key in front of the block, in its header or
+  /// that of an earlier block, in upper or lower case. Empty where there is none.
   std::string entry(std::string_view key, const TextBlock& block) const;
 };
 
 struct TextTableOptions {
-  /// Columns whose first field is no number are kept as texts, if the columns have names. Else rows
-  /// are of numbers alone.
+  /// Whether columns whose first field is no number are kept as texts, if the columns have names.
+  /// Otherwise rows have numbers only.
   bool keepsTexts = false;
-  /// Names (in lower case) of columns that are texts even where they look like numbers: labels.
+  /// The names (in lower case) of columns that are texts even where they look like numbers: labels.
   std::vector<std::string> textColumns{};
-  /// In a table of one column a blank line between numbers is a row without a value, as
+  /// Whether a blank line between the numbers of a single column is a row without a value, as
   /// spreadsheets write it, unless such a line follows every row.
   bool blankLinesAreGaps = false;
-  /// Told the part that is read, 0 to 1, now and then. May throw to end the reading.
+  /// Called now and then with the part that has been read, 0 to 1. It may throw to end the reading.
   std::function<void(double)> progress{};
 };
 
-/// Reads the bytes of a file, whose name stands in errors. A field that is no number amid rows of
-/// numbers, or a row of another width, is an error; where such a line follows the last row of a
-/// block, it ends the block.
+/// Reads the bytes of a file; name: of the file, in errors. A field that is no number among rows of
+/// numbers, or a row of another width, is an error; behind the last row of a block such a line ends
+/// the block.
 TextTable readTextTable(std::string_view bytes, const std::string& name,
                         const TextTableOptions& options = {});
 
-/// Replaces the numbers of columns whose names say logarithm ("log10(f/Hz)", "lg G' (Pa)", "ln v")
-/// by their powers, and the names by those of the quantities. isQuantity: whether a name, without
-/// the logarithm, is one that the caller knows.
+/// Replaces logarithms by the quantities themselves in columns with names such as "log10(f/Hz)",
+/// "lg G' (Pa)", "ln v", and changes these names accordingly. isQuantity: whether the caller knows
+/// a name without the logarithm.
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity);
 
-/// Whether a column counts the rows: 0, 1, 2, ... or 1, 2, 3, ...
+/// Returns whether a column counts the rows: 0, 1, 2, ... or 1, 2, 3, ...
 bool countsRows(const TextBlock& block, std::size_t column);
 
 }  // namespace asperity

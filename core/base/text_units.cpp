@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Words that stand for a unit beside those of units.h and the lengths, in lower case.
+/// Words for units in addition to those of units.h and the lengths, in lower case.
 constexpr std::array kOtherWords{
     "a"sv,          "c"sv,       "h"sv,       "k"sv,       "%"sv,       "-"sv,       "1"sv,
     "px"sv,         "pixel"sv,   "pixels"sv,  "percent"sv, "counts"sv,  "a.u."sv,    "arb"sv,
@@ -31,7 +31,8 @@ struct NamedLength {
   double metres;
 };
 
-/// Beside those of units.h; in lower case of ASCII, without an "s" at the end.
+/// Units of length in addition to those of units.h, in lower case of ASCII, without an "s" at the
+/// end.
 constexpr std::array kLengths{NamedLength{"meter"sv, 1},
                               NamedLength{"metre"sv, 1},
                               NamedLength{"kilometer"sv, 1e3},
@@ -74,8 +75,8 @@ constexpr std::array kLengths{NamedLength{"meter"sv, 1},
 std::optional<double> namedLength(std::string_view unit) {
   std::string word = lowerCase(unit);
   for (int plural = 0; plural < 2; ++plural) {
-    // "HM" is a hardness, and nobody measures in hectometres.
-    if (const auto known = unitNamed(word, "m"); known && word != "hm") return known->toSi(1);
+    // "HM" is a hardness; hectometres are not in use.
+    if (const auto known = findUnit(word, "m"); known && word != "hm") return known->toSi(1);
     for (const NamedLength& one : kLengths)
       if (one.name == word) return one.metres;
     if (word.size() < 4 || !word.ends_with('s')) return {};
@@ -84,7 +85,8 @@ std::optional<double> namedLength(std::string_view unit) {
   return {};
 }
 
-/// "1e-6", "100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty where it is none of these.
+/// Reads a power of ten: "1e-6", "100", "10^-6", "\u00D710\u207B\u2076", "x10-6"; empty where the
+/// text is none.
 std::optional<double> powerOfTenIn(std::string_view text) {
   constexpr std::string_view kTimes = "\u00D7";
   constexpr std::array kRaised{"\u2070"sv, "\u00B9"sv, "\u00B2"sv, "\u00B3"sv, "\u2074"sv,
@@ -137,9 +139,10 @@ bool isUnitWord(std::string_view text) {
   // Letters of Greek and of the ring stay as they are.
   const std::string word = lowerCase(text);
   if (std::ranges::find(kOtherWords, word) != kOtherWords.end()) return true;
-  if (text.size() > 1 && (unitNamed(text) || metresPer(text))) return true;
-  // "1/nm", "um^3"; a letter with a digit, such as "A2", is rather a name than square angstroms.
-  if (const auto length = lengthPowerNamed(text); length && length->power != 1)
+  if (text.size() > 1 && (findUnit(text) || metresPer(text))) return true;
+  // "1/nm" and "um^3" are units; a letter with a digit, such as "A2", is more likely a name than a
+  // square.
+  if (const auto length = parseLengthPower(text); length && length->power != 1)
     return word.find('m') != std::string::npos;
   return std::ranges::any_of(kSymbols, [&word](std::string_view symbol) {
     if (!word.ends_with(symbol)) return false;
@@ -173,10 +176,10 @@ std::optional<LengthPower> productNamed(std::string_view text) {
     const std::size_t at = text.find(mark);
     if (at == std::string_view::npos) continue;
     const bool isOver = mark == "/(";
-    const auto square = lengthPowerNamed(trimmedBlanks(text.substr(0, at)));
-    // The bracket of a quotient stays with what it holds.
+    const auto square = parseLengthPower(trimmedBlanks(text.substr(0, at)));
+    // The bracket of a quotient stays with its content.
     const std::string_view rest = text.substr(isOver ? at + 1 : at + mark.size());
-    const auto other = lengthPowerNamed(trimmedBlanks(rest));
+    const auto other = parseLengthPower(trimmedBlanks(rest));
     if (!square || square->power != 2 || !other) return {};
     const int otherPower = isOver ? -other->power : other->power, power = 2 + otherPower;
     if (power <= 0) return {};
@@ -188,8 +191,8 @@ std::optional<LengthPower> productNamed(std::string_view text) {
 
 }  // namespace
 
-std::optional<LengthPower> lengthPowerNamed(std::string_view text) {
-  // Longer endings first, for "-1" ends in a digit, too.
+std::optional<LengthPower> parseLengthPower(std::string_view text) {
+  // Longer endings come first, because "-1" also ends with a digit.
   constexpr std::array<std::pair<std::string_view, int>, 14> kPowers{{{"\u207B\u00B9", -1},
                                                                       {"{-1}", -1},
                                                                       {"-1", -1},

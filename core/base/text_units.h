@@ -1,4 +1,4 @@
-// Units in text files: which words are one, and units of length. Pure; any thread.
+// Units in text files: the words that are units, and units of length. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace asperity {
 
-/// Whether the word is a unit of length, time, frequency, temperature, force, pressure, velocity,
-/// angle or a share. "-" and "1" stand for a pure number.
+/// Returns whether the word is a unit of length, time, frequency, temperature, force, pressure,
+/// velocity, angle or a share. "-" and "1" stand for a pure number.
 bool isUnitWord(std::string_view text);
 
 /// Returns the same of a unit with or without brackets around it, or with a power of ten in front.
@@ -24,8 +24,8 @@ struct LengthPower {
   int power = 1;
 };
 
-/// Reads "1/um", "rad/m", "cycles/m", "nm^-1", "m^3", "um\u00B3", "mm", "um^2 mm", "um^2/(1/mm)".
-/// Empty where the text is none.
-std::optional<LengthPower> lengthPowerNamed(std::string_view text);
+/// Reads a unit such as "1/um", "rad/m", "cycles/m", "nm^-1", "m^3", "um\u00B3", "mm", "um^2 mm",
+/// "um^2/(1/mm)". Empty where the text is none.
+std::optional<LengthPower> parseLengthPower(std::string_view text);
 
 }  // namespace asperity

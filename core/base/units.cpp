@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// What an SI unit measures, and an example from daily life of those that scenes have.
+/// The quantity of an SI unit, and an example of its use in scenes.
 struct Dimension {
   std::string_view si;
   const char* words;
@@ -138,8 +138,8 @@ constexpr std::array kOthers{
     OtherUnit{"radians"sv, {"rad"}},
 };
 
-/// One spelling of products and powers: "Pa\u00B7s" and "Pa*s" as "Pa s", "m s-1" as "m/s",
-/// "N/mm\u00B2" and "N/mm^2" as "N/mm2".
+/// Returns the usual spelling of products and powers: "Pa s" for "Pa\u00B7s" and "Pa*s", "m/s" for
+/// "m s-1", "N/mm2" for "N/mm\u00B2" and "N/mm^2".
 std::string usualSpelling(std::string_view name) {
   std::string text(trimmedBlanks(name));
   for (const std::string_view times : {"\u00B7"sv, "\u22C5"sv, "*"sv}) replaceAll(text, times, " ");
@@ -172,7 +172,7 @@ const Dimension* dimensionOf(std::string_view si) {
   return found == kDimensions.end() ? nullptr : &*found;
 }
 
-/// A number at the beginning of a text, and what follows it.
+/// A number at the beginning of a text, and the rest of the text.
 struct Parts {
   std::string mantissa;
   int exponent = 0;
@@ -226,7 +226,7 @@ Message refusalOf(std::string_view text, const std::string& unit, const Quantity
                          : isDifference ? Message("a difference of temperatures")
                                         : Message(known->words);
   const PrintedNumber example{std::string(known ? known->example : "0.5"sv)};
-  const std::optional<Unit> given = unitNamed(unit);
+  const std::optional<Unit> given = findUnit(unit);
   const Dimension* other = given && !given->si.empty() ? dimensionOf(given->si) : nullptr;
   if (other)
     return message("{} is {}; wanted is {}, such as {}", PrintedNumber{shortened(text)},
@@ -238,7 +238,7 @@ Message refusalOf(std::string_view text, const std::string& unit, const Quantity
                  example);
 }
 
-/// Digits of a converted number: the last ones of the product are rounding errors.
+/// Rounds a converted number: the last digits of the product are rounding errors.
 double roundedProduct(double value) {
   double rounded = value;
   readNumber(fmt::format("{:.14e}", value), rounded);
@@ -251,14 +251,14 @@ double Unit::toSi(double number) const {
   return (number + offset) * size * std::pow(10.0, exponent);
 }
 
-std::optional<Unit> unitNamed(std::string_view name, std::string_view si) {
+std::optional<Unit> findUnit(std::string_view name, std::string_view si) {
   const std::string text = usualSpelling(name);
   if (const auto found = other(text); found && found->si == si) return found;
   const Dimension* dimension = dimensionOf(si);
   return dimension ? withPrefix(text, dimension->si) : std::nullopt;
 }
 
-std::optional<Unit> unitNamed(std::string_view name) {
+std::optional<Unit> findUnit(std::string_view name) {
   const std::string text = usualSpelling(name);
   if (const auto found = other(text)) return found;
   for (const Dimension& dimension : kDimensions)
@@ -267,13 +267,13 @@ std::optional<Unit> unitNamed(std::string_view name) {
 }
 
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
-  if (const auto exact = unitNamed(name, si)) return exact;
+  if (const auto exact = findUnit(name, si)) return exact;
   const std::string text = lowerCase(usualSpelling(name));
   for (const OtherUnit& one : kOthers)
     if (one.unit.si == si && lowerCase(one.name) == text) return one.unit;
   const Dimension* dimension = dimensionOf(si);
   if (!dimension) return {};
-  // Small letters stand for two prefixes, as m does for milli and mega.
+  // Lower-case letters stand for two prefixes, as m does for milli and mega.
   std::optional<Unit> smaller, larger;
   for (const Prefix& prefix : kPrefixes) {
     if (lowerCase(prefix.letter) + lowerCase(si) != text) continue;
@@ -285,12 +285,12 @@ std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si) {
   return si == "Pa" ? larger : std::nullopt;
 }
 
-std::optional<double> sizeOfUnit(std::string_view name, std::string_view si) {
+std::optional<double> unitSize(std::string_view name, std::string_view si) {
   const auto unit = unitInAnyCase(name, si);
   return unit && unit->offset == 0 ? std::optional(unit->toSi(1)) : std::nullopt;
 }
 
-std::string unitsOf(std::string_view si) {
+std::string unitNames(std::string_view si) {
   std::string list(si);
   for (const std::string_view prefix : {"k"sv, "M"sv, "G"sv})
     if (si == "Pa") list += fmt::format(", {}{}", prefix, si);
@@ -315,9 +315,9 @@ TypedQuantity typedQuantity(std::string_view text, const QuantityRule& rule) {
   if (!parts) return {};
   if (parts->isTooLarge) return {{}, {}, true};
   if (parts->unit.empty()) return {parts->number, {}};
-  const std::optional<Unit> unit = unitNamed(parts->unit, rule.unit);
-  // Words behind a pure number that are no unit are no number, either.
-  if (!unit && rule.unit.empty() && !unitNamed(parts->unit)) return {};
+  const std::optional<Unit> unit = findUnit(parts->unit, rule.unit);
+  // A pure number with a word behind it that is no unit is no number.
+  if (!unit && rule.unit.empty() && !findUnit(parts->unit)) return {};
   if (!unit || (unit->offset != 0 && !rule.isTemperature) || (rule.unit.empty() && rule.isWhole))
     return {{}, refusalOf(trimmedBlanks(text), parts->unit, rule)};
   if (unit->size != 1 || unit->offset != 0) return {roundedProduct(unit->toSi(parts->number)), {}};

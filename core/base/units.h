@@ -25,24 +25,24 @@ struct Unit {
 /// Returns the unit with this name: an SI unit with a prefix from f to P ("kPa s", "\u00B5m",
 /// "mm/s"), or another common one ("bar", "\u00B0C", "km/h", "min", "%"). Upper and lower case
 /// differ in short names ("mPa", "MPa"). Empty where it is none.
-std::optional<Unit> unitNamed(std::string_view name);
+std::optional<Unit> findUnit(std::string_view name);
 
 /// Returns the same where it measures what the SI unit measures. "m" is a length, and in a table of
 /// times it may not be minutes: only units of `si` are looked at.
-std::optional<Unit> unitNamed(std::string_view name, std::string_view si);
+std::optional<Unit> findUnit(std::string_view name, std::string_view si);
 
 /// Returns the same as instruments write it, in any case where that leaves no doubt: "KHZ", "MPA"
 /// and "mpa" (megapascals, for nobody measures rubber in millipascals), "MS" (milliseconds).
 std::optional<Unit> unitInAnyCase(std::string_view name, std::string_view si);
 
 /// Returns how many of the SI unit one of such a unit is. Empty where it is none.
-std::optional<double> sizeOfUnit(std::string_view name, std::string_view si);
+std::optional<double> unitSize(std::string_view name, std::string_view si);
 
 /// Returns "Pa, kPa, MPa, GPa, kN/m2, ..., psi": the units that measure what the SI unit measures,
 /// with their usual prefixes and without other spellings, for messages.
-std::string unitsOf(std::string_view si);
+std::string unitNames(std::string_view si);
 
-/// What a number has to be.
+/// The kind of number that is expected.
 struct QuantityRule {
   std::string_view unit{};     // SI; empty for a pure number
   bool isTemperature = false;  // on the absolute scale: degrees Celsius are accepted, too

@@ -29,7 +29,7 @@ double shiftToScene(const MeasuredPoint& point, const Scene& scene) {
   return temperatureShift(there) / temperatureShift(scene.elastomer);
 }
 
-/// Whether Eq. (11) stands in the points of the curve, and is drawn from them.
+/// Returns whether Eq. (11) is part of the points of the curve, and is drawn from them.
 bool hasLawInPoints(const CurveSet& set) {
   return set.isOfVelocity() && (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu);
 }
@@ -47,7 +47,7 @@ std::vector<TheoryCurve> theoryCurves(const CurveSet& set, const std::stop_token
   return curves;
 }
 
-/// What a table may say of a state besides its velocity.
+/// The quantities of a state that a table may have besides the velocity.
 struct MeasuredColumn {
   std::string_view key;
   double MeasuredPoint::*value;
@@ -58,20 +58,20 @@ constexpr std::array<MeasuredColumn, 4> kMeasuredColumns{
      {"load.nominal_pressure", &MeasuredPoint::nominalPressure},
      {"elastomer.temperature", &MeasuredPoint::temperature}}};
 
-/// Whether a measured value is that of the scene, as far as both are known.
+/// Returns whether a measured value equals that of the scene, as far as both are known.
 bool agrees(const MeasuredColumn& column, const MeasuredPoint& point, const Scene& scene) {
   constexpr double kClose = 0.02;
   const Parameter& row = *findParameter(column.key);
   const double measured = point.*column.value;
   if (std::isnan(measured) || !isApplicable(row, scene)) return true;
-  const double own = numberOf(row, scene);
+  const double own = parameterNumber(row, scene);
   // Two per cent of a temperature would be six kelvins.
   const double allowed = column.key == "elastomer.temperature" ? 1.0 : kClose * std::abs(own);
   return std::abs(measured - own) <= allowed;
 }
 
-/// The rows of a table that stand on an axis over another key than velocity. Adds a note where some
-/// do not.
+/// Returns the rows of a table that belong on an axis over another key than velocity. Adds a note
+/// where some do not.
 FrictionData onAxis(FrictionData table, CurveSet& set) {
   const Scene& scene = set.present.scene;
   const Parameter& row = sweptParameter(scene);
@@ -104,7 +104,7 @@ FrictionData onAxis(FrictionData table, CurveSet& set) {
   return table;
 }
 
-double placeOf(const MeasuredPoint& point, const Scene& scene) {
+double measuredAbscissa(const MeasuredPoint& point, const Scene& scene) {
   if (scene.sweep.isOfVelocity()) return point.velocity * shiftToScene(point, scene);
   return point.*std::ranges::find(kMeasuredColumns, scene.sweep.key, &MeasuredColumn::key)->value;
 }
@@ -157,8 +157,8 @@ void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOp
     MeasuredCurve curve;
     std::vector<Scene> states;
     for (const MeasuredPoint& point : table.points) {
-      curve.places.push_back(placeOf(point, scene));
-      states.push_back(sceneOf(point, scene));
+      curve.places.push_back(measuredAbscissa(point, scene));
+      states.push_back(sceneAtPoint(point, scene));
     }
     SteadyStates found = slideStates(states, options);
     if (found.isComplete) curve.computed = std::move(found.points);

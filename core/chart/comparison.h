@@ -12,8 +12,8 @@
 
 namespace asperity {
 
-/// The tables that the scene names, in its order. `known`: the last of them, where they have been
-/// read already.
+/// Reads the tables that the scene names, in its order. known: the last ones of them, if they have
+/// been read already.
 std::vector<FrictionData> readComparisonData(const Scene& scene,
                                              const std::vector<FrictionData>& known = {});
 
@@ -22,8 +22,8 @@ std::vector<FrictionData> readComparisonData(const Scene& scene,
 /// there are too many.
 std::vector<FrictionData> addComparisonData(Scene& scene, const std::vector<std::string>& files);
 
-/// Whether there is something to add: another theory than Eq. (11), a table, or an axis on which
-/// Eq. (11) does not stand in the points of the curve.
+/// Returns whether there is something to add: another theory than Eq. (11), a table, or an axis on
+/// which Eq. (11) is not part of the curve's points.
 bool hasComparisons(const CurveSet& set);
 
 /// Adds the theories and the measured friction to a set whose present curve is that of its scene;

@@ -26,15 +26,15 @@ class Grid {
     return columns() * rows() + j * columns() + i;
   }
 
-  /// Where the level is crossed on a side.
-  ContourPlace placeOn(std::size_t side) const {
+  /// Returns the point at which a side crosses the level.
+  ContourPoint placeOn(std::size_t side) const {
     const bool isAlongY = side >= columns() * rows();
     const std::size_t node = isAlongY ? side - columns() * rows() : side;
     const std::size_t i = node % columns(), j = node / columns();
     const double a = at(i, j), b = isAlongY ? at(i, j + 1) : at(i + 1, j);
     const double t = (level_ - a) / (b - a);
-    return isAlongY ? ContourPlace{x_[i], y_[j] + t * (y_[j + 1] - y_[j])}
-                    : ContourPlace{x_[i] + t * (x_[i + 1] - x_[i]), y_[j]};
+    return isAlongY ? ContourPoint{x_[i], y_[j] + t * (y_[j + 1] - y_[j])}
+                    : ContourPoint{x_[i] + t * (x_[i + 1] - x_[i]), y_[j]};
   }
 
  private:
@@ -42,7 +42,7 @@ class Grid {
   double level_;
 };
 
-/// A piece of a line from side to side of one cell.
+/// A piece of a contour line between two sides of one cell.
 struct Piece {
   std::size_t from = 0, to = 0;
 };
@@ -51,7 +51,7 @@ std::vector<Piece> piecesOf(const Grid& grid, double level) {
   std::vector<Piece> pieces;
   for (std::size_t j = 0; j + 1 < grid.rows(); ++j)
     for (std::size_t i = 0; i + 1 < grid.columns(); ++i) {
-      // Corners counter-clockwise, and the sides that follow them.
+      // The corners are counter-clockwise, and each side follows its corner.
       const std::array<double, 4> corner{grid.at(i, j), grid.at(i + 1, j), grid.at(i + 1, j + 1),
                                          grid.at(i, j + 1)};
       if (std::ranges::any_of(corner, [](double value) { return !std::isfinite(value); })) continue;
@@ -63,7 +63,8 @@ std::vector<Piece> piecesOf(const Grid& grid, double level) {
         if ((corner[k] >= level) != (corner[(k + 1) % 4] >= level)) crossed[count++] = k;
       if (count == 2) pieces.push_back({side[crossed[0]], side[crossed[1]]});
       if (count != 4) continue;
-      // A saddle: corners like the middle are connected through it, the two others are cut off.
+      // In a saddle the corners on the same side of the level as the middle are connected through
+      // it; the two others are cut off.
       const bool isHigh = (corner[0] + corner[1] + corner[2] + corner[3]) / 4 >= level;
       const std::size_t first = (corner[0] >= level) == isHigh ? 1 : 0;  // a corner cut off
       pieces.push_back({side[(first + 3) % 4], side[first]});
@@ -72,7 +73,7 @@ std::vector<Piece> piecesOf(const Grid& grid, double level) {
   return pieces;
 }
 
-/// Joins pieces that meet on a side.
+/// Joins the pieces that meet on a side to lines.
 class Joining {
  public:
   explicit Joining(const std::vector<Piece>& pieces) : pieces_(pieces), isUsed_(pieces.size()) {
@@ -85,7 +86,7 @@ class Joining {
 
   std::vector<std::vector<std::size_t>> lines() {
     std::vector<std::vector<std::size_t>> lines;
-    // Lines that end at the grid's edge begin there; what is left then is closed.
+    // Lines that end at the edge of the grid begin there; the remaining lines are closed.
     for (const bool closed : {false, true})
       for (std::size_t k = 0; k < pieces_.size(); ++k) {
         if (isUsed_[k]) continue;
@@ -129,7 +130,7 @@ std::vector<ContourLine> contourLines(std::span<const double> x, std::span<const
   for (const std::vector<std::size_t>& sides : Joining(pieces).lines()) {
     ContourLine line;
     for (const std::size_t side : sides) {
-      const ContourPlace place = grid.placeOn(side);
+      const ContourPoint place = grid.placeOn(side);
       // A level that runs through a node is crossed on several sides in the same place.
       if (line.empty() || !(place == line.back())) line.push_back(place);
     }
@@ -145,7 +146,7 @@ std::vector<double> contourLevels(double from, double to, bool isLogarithmic, in
     const double decades = std::log10(to / from);
     constexpr double kThree = 2, kTwoFive = 3;
     const double perDecade = count / decades;
-    // Fewer than a level in a decade: whole powers of ten in equal steps.
+    // With fewer than one level per decade, whole powers of ten have equal steps.
     const int step = std::max(1, static_cast<int>(std::lround(1 / perDecade)));
     std::vector<double> factors{1};
     if (perDecade >= kTwoFive)

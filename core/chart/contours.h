@@ -1,6 +1,7 @@
 // Contour lines of a quantity on a rectangular grid, by marching squares: in each cell of the grid
-// a line crosses the sides between whose ends the level lies, at the place of linear interpolation.
-// In a saddle the mean of the four corners decides which corners are connected. Pure; any thread.
+// a line crosses the sides between whose ends the level lies, at the position of linear
+// interpolation. In a saddle the mean of the four corners decides which corners are connected.
+// Pure; any thread.
 #pragma once
 
 #include <span>
@@ -8,17 +9,18 @@
 
 namespace asperity {
 
-struct ContourPlace {
+struct ContourPoint {
   double x = 0, y = 0;
 
-  bool operator==(const ContourPlace&) const = default;
+  bool operator==(const ContourPoint&) const = default;
 };
 
-/// Places one after the other; of a closed line the last one is the first one again.
-using ContourLine = std::vector<ContourPlace>;
+/// The points of a line in order; a closed line ends with its first point.
+using ContourLine = std::vector<ContourPoint>;
 
-/// x, y: places of the grid's columns and rows, strictly rising; values: x fastest, NaN where there
-/// is none, which interrupts the lines. A value equal to the level counts as above it.
+/// Returns the contour lines of one level. x, y: positions of the grid's columns and rows, strictly
+/// rising; values: x fastest, NaN where there is none, which interrupts the lines. A value equal to
+/// the level counts as above it.
 std::vector<ContourLine> contourLines(std::span<const double> x, std::span<const double> y,
                                       std::span<const double> values, double level);
 

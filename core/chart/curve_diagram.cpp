@@ -40,7 +40,7 @@ Message nameOfMean(const NamedCurve& curve) {
 Message nameOfPresent(const CurveSet& set) {
   std::vector<Message> words;
   for (const NamedCurve& curve : set.pinned) {
-    Message difference = differencesInWords(set.present.scene, curve.scene);
+    Message difference = describeDifferences(set.present.scene, curve.scene);
     if (!difference.empty() && std::ranges::find(words, difference) == words.end())
       words.push_back(std::move(difference));
   }
@@ -52,9 +52,9 @@ Message nameOfPresent(const CurveSet& set) {
 DiagramPoint pointOf(const CurvePoint& point, const CurveSet& set, int row) {
   const CurveQuantity quantity =
       set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y;
-  const double value = valueOf(quantity, point);
+  const double value = quantityValue(quantity, point);
   const double error = point.muStandardError * perFriction(quantity, point);
-  return {placeOf(point, set), value, value - error, value + error, row};
+  return {abscissa(point, set), value, value - error, value + error, row};
 }
 
 /// Returns the known points with error bars.
@@ -78,7 +78,7 @@ double lawBetween(const CurvePoint& a, const CurvePoint& b, double velocity) {
 /// Samples the law more finely than the sweep, because straight lines between its points would be
 /// visible.
 DiagramSeries lawSeries(const NamedCurve& curve, CurveAxes axes) {
-  const auto [velocity, friction] = factorsOf(curve.points, axes);
+  const auto [velocity, friction] = axesFactors(curve.points, axes);
   DiagramSeries law;
   law.name = "Eq. (11)";
   law.isTheory = true;
@@ -107,13 +107,13 @@ std::size_t sizeOfFamily(const CurveSet& set) {
       set.pinned, [](const NamedCurve& curve) { return std::isfinite(curve.ofFamily); }));
 }
 
-/// Whether a curve is one of a large family, whose colours are those of a ramp.
+/// Returns whether a curve belongs to a large family, whose colours are those of a ramp.
 bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
   constexpr std::size_t kFewCurves = 5;
   return std::isfinite(curve.ofFamily) && sizeOfFamily(set) > kFewCurves;
 }
 
-/// Says what the colours of a large family mean.
+/// Adds the meaning of the colours of a large family.
 std::optional<DiagramRamp> rampOf(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
@@ -139,9 +139,9 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
     for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
     return series;
   }
-  series.colour = colourOfPin(curve.place);
-  // The present curve is the first of them all: twelve pairs of marks and strokes, so that curves
-  // are told apart without their colours.
+  series.colour = pinColour(curve.place);
+  // Twelve pairs of marks and strokes, of which the present curve has the first, distinguish curves
+  // without colours.
   const auto number = static_cast<std::size_t>(curve.place) + 1;
   series.mark = marks[number % marks.size()];
   series.stroke = strokes[number / marks.size() % strokes.size()];
@@ -149,14 +149,13 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
 }
 
 void addRegions(Diagram& diagram, const NamedCurve& curve, CurveAxes axes) {
-  const double factor = factorsOf(curve.points, axes).velocity;
+  const double factor = axesFactors(curve.points, axes).velocity;
   if (!std::isfinite(factor)) return;
-  const auto few = fewSummitsOf(curve.scene, curve.points);
-  for (const CurveRegion& region : regionsOfCurve(curve.scene, curve.points)) {
+  const auto few = fewSummitsRange(curve.scene, curve.points);
+  for (const CurveRegion& region : findRegions(curve.scene, curve.points)) {
     DiagramSpan span{region.from * factor, region.to * factor,
-                     message("{} {}", region.name, Message(wordOfRegion(region.name))),
-                     region.name};
-    span.notes = {sentenceOfRegion(region.name),
+                     message("{} {}", region.name, Message(regionWord(region.name))), region.name};
+    span.notes = {regionSentence(region.name),
                   "Borders are read from this curve, not from theory."};
     if (few && region.name == "IV") span.notes.emplace_back(kFewSummitsSentence);
     diagram.spans.push_back(std::move(span));
@@ -171,14 +170,14 @@ void addExtrapolated(Diagram& diagram, const CurveSet& set) {
     if (points[i].extrapolated != 1) continue;
     std::size_t last = i;
     while (last + 1 < points.size() && points[last + 1].extrapolated == 1) ++last;
-    // Up to the middle between the points at which it begins and ends.
+    // The tint extends to the middle between the points at which it begins and ends.
     const auto border = [&](std::size_t inside, std::size_t outside) {
-      const double a = placeOf(points[inside], set), b = placeOf(points[outside], set);
+      const double a = abscissa(points[inside], set), b = abscissa(points[outside], set);
       return set.scaleOfX() == AxisScale::Linear ? (a + b) / 2 : std::sqrt(a * b);
     };
-    const double from = i > 0 ? border(i, i - 1) : placeOf(points[i], set);
+    const double from = i > 0 ? border(i, i - 1) : abscissa(points[i], set);
     const double to =
-        last + 1 < points.size() ? border(last, last + 1) : placeOf(points[last], set);
+        last + 1 < points.size() ? border(last, last + 1) : abscissa(points[last], set);
     if (std::isfinite(from) && std::isfinite(to))
       diagram.shades.push_back(
           {std::min(from, to), std::max(from, to), "beyond the measured frequencies", {}, {}});
@@ -186,7 +185,7 @@ void addExtrapolated(Diagram& diagram, const CurveSet& set) {
   }
 }
 
-/// Whether a value has a place on an axis of this scale.
+/// Returns whether a value can be shown on an axis of this scale.
 bool hasPlace(double value, AxisScale scale) {
   return std::isfinite(value) && (scale == AxisScale::Linear || value > 0);
 }
@@ -205,7 +204,7 @@ Message blankOf(const CurveSet& set) {
   if (points.empty() || isShown(set)) return {};
   CurveSet physical;
   physical.present.scene.sweep = set.present.scene.sweep;
-  if (set.axes == CurveAxes::Physical && !entryOf(set.y).isFriction)
+  if (set.axes == CurveAxes::Physical && !quantityEntry(set.y).isFriction)
     return "nothing to show on these axes";
   if (std::ranges::all_of(
           points, [](const CurvePoint& point) { return point.realizations < 1 || point.mu == 0; }))
@@ -215,41 +214,43 @@ Message blankOf(const CurveSet& set) {
   return "no positive coefficient of friction to show on a logarithmic axis";
 }
 
-/// What a theory says of the shown quantity; NaN where it says nothing.
-double valueOf(const TheoryPoint& point, const CurveSet& set) {
+/// Returns the shown quantity by a theory; NaN where the theory does not apply.
+double ordinate(const TheoryPoint& point, const CurveSet& set) {
   return set.axes == CurveAxes::Dimensionless ? point.mu : point.value(set.y);
 }
 
-/// Why a theory has no line; empty where it has one.
+/// Returns why a theory has no line; empty where it has one.
 Message whyMissing(const TheoryCurve& theory, const CurveSet& set) {
-  const auto isKnown = [&](const TheoryPoint& point) { return std::isfinite(valueOf(point, set)); };
+  const auto isKnown = [&](const TheoryPoint& point) {
+    return std::isfinite(ordinate(point, set));
+  };
   if (std::ranges::any_of(theory.points, [&](const TheoryPoint& point) {
         return point.isInRange && isKnown(point);
       }))
     return {};
-  const Message name(entryOf(theory.theory).name);
+  const Message name(theoryEntry(theory.theory).name);
   return std::ranges::any_of(theory.points, isKnown)
              ? message("{} has no line: nowhere on this axis does it hold.", name)
              : message("{} has no line: it says nothing about this quantity in this scene.", name);
 }
 
-/// Lines where the theories hold. Those of this model are thin, each with a stroke of its own; that
-/// of a half-space, which is another model, has a colour.
+/// Adds lines where the theories are valid. Theories of this model are thin, each with a stroke of
+/// its own; that of a half-space, which is another model, has a colour.
 void addTheories(Diagram& diagram, const CurveSet& set) {
   constexpr int kColourOfHalfSpace = kPinColours - 3;  // on white the next one is nearly black
-  const auto [velocity, friction] = factorsOf(set.present.points, set.axes);
+  const auto [velocity, friction] = axesFactors(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.theories.size(); ++k) {
     const TheoryCurve& theory = set.theories[k];
     DiagramSeries series;
-    series.name = entryOf(theory.theory).name;
+    series.name = theoryEntry(theory.theory).name;
     series.isTheory = theory.theory != Theory::PerssonHalfSpace;
     series.stroke = theory.theory == Theory::Eq11              ? SeriesStroke::Solid
                     : theory.theory == Theory::CompleteContact ? SeriesStroke::Dotted
                                                                : SeriesStroke::Dashed;
-    if (!series.isTheory) series.colour = colourOfPin(kColourOfHalfSpace);
+    if (!series.isTheory) series.colour = pinColour(kColourOfHalfSpace);
     series.id = theory.theory == Theory::Eq11 ? kLawCurve : kTheoryCurves - static_cast<int>(k);
     for (const TheoryPoint& point : theory.points) {
-      const double y = point.isInRange ? valueOf(point, set) * friction : kNotApplicable;
+      const double y = point.isInRange ? ordinate(point, set) * friction : kNotApplicable;
       series.points.push_back({set.isOfVelocity() ? point.velocity * velocity : point.swept, y});
     }
     if (whyMissing(theory, set).empty()) diagram.series.push_back(std::move(series));
@@ -258,26 +259,26 @@ void addTheories(Diagram& diagram, const CurveSet& set) {
 
 constexpr std::array kMeasuredMarks{SeriesMark::Square, SeriesMark::Diamond, SeriesMark::Triangle};
 
-/// Marks and colours that no curve of the set has.
+/// Returns a series for measured points, with a mark and a colour that no curve of the set has.
 DiagramSeries measuredSeries(const CurveSet& set, std::size_t k) {
   DiagramSeries series;
   series.name = set.measured[k].data.name;
   series.stroke = SeriesStroke::None;
   series.mark = kMeasuredMarks[k % kMeasuredMarks.size()];
-  series.colour = colourOfPin(static_cast<int>(set.pinned.size() + k));
+  series.colour = pinColour(static_cast<int>(set.pinned.size() + k));
   return series;
 }
 
-/// Points with error bars.
+/// Adds the measured points with error bars.
 void addMeasured(Diagram& diagram, const CurveSet& set) {
-  const AxesFactors factors = factorsOf(set.present.points, set.axes);
+  const AxesFactors factors = axesFactors(set.present.points, set.axes);
   for (std::size_t k = 0; k < set.measured.size(); ++k) {
     const MeasuredCurve& measured = set.measured[k];
     DiagramSeries series = measuredSeries(set, k);
     series.id = kMeasuredCurves - static_cast<int>(k);
     for (std::size_t i = 0; i < measured.places.size(); ++i) {
       const MeasuredPoint& point = measured.data.points[i];
-      const double friction = factorOfMeasured(measured, i, set, factors);
+      const double friction = measuredFactor(measured, i, set, factors);
       series.points.push_back({measured.places[i] * factors.velocity, point.mu * friction,
                                (point.mu - point.muError) * friction,
                                (point.mu + point.muError) * friction, static_cast<int>(i)});
@@ -286,13 +287,14 @@ void addMeasured(Diagram& diagram, const CurveSet& set) {
   }
 }
 
-/// Measured over computed friction at each measured point, over the axis of the curves.
+/// Makes the diagram of measured over computed friction at each measured point, over the axis of
+/// the curves.
 Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   Diagram diagram;
   diagram.height = kDifferenceHeight;
   diagram.x = x;
   diagram.y = {"measured / computed", "", AxisScale::Linear};
-  const double factor = factorsOf(set.present.points, set.axes).velocity;
+  const double factor = axesFactors(set.present.points, set.axes).velocity;
   DiagramSeries one;
   one.isTheory = true;
   one.points = {{x.from, 1}, {x.to, 1}};
@@ -326,9 +328,9 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
   const bool isPhysical = set.axes == CurveAxes::Physical;
   const Parameter& row = sweptParameter(set.present.scene);
   diagram.x = isPhysical
-                  ? DiagramAxis{titleOfKey(row.key), std::string(row.unit)}
+                  ? DiagramAxis{parameterTitle(row.key), std::string(row.unit)}
                   : DiagramAxis{"dimensionless velocity v\u0304 = \u03C4 v \u2207z / (\u221A2 h)"};
-  const QuantityEntry& entry = entryOf(isPhysical ? set.y : CurveQuantity::NormalizedMu);
+  const QuantityEntry& entry = quantityEntry(isPhysical ? set.y : CurveQuantity::NormalizedMu);
   diagram.y = {Message(entry.title), std::string(entry.unit)};
   diagram.x.scale = set.scaleOfX();
   diagram.y.scale = set.scaleOfY();
@@ -341,8 +343,8 @@ void setAxes(Diagram& diagram, const CurveSet& set) {
                               set.present.scene.elastomer.temperature);
 }
 
-/// Whether Eq. (11) is drawn from the points of the curve; else it is one of the theories, finely
-/// sampled.
+/// Returns whether Eq. (11) is drawn from the points of the curve; otherwise it is one of the
+/// theories, with many points.
 bool drawsLawOfPoints(const CurveSet& set) {
   const bool isAmongTheories = std::ranges::any_of(
       set.theories, [](const TheoryCurve& theory) { return theory.theory == Theory::Eq11; });
@@ -359,7 +361,7 @@ Diagram curvesDiagram(const CurveSet& set) {
   addTheories(diagram, set);
   for (const NamedCurve& curve : set.pinned) diagram.series.push_back(pinnedSeries(curve, set));
   diagram.ramp = rampOf(set);
-  // A family stands for itself: the scene's own curve would be one more, often one of them again.
+  // A family needs no present curve: it would be one more, and often one of them again.
   const bool showsOwn = set.familyKey.empty();
   if (showsOwn) {
     DiagramSeries mean = meanSeries(set.present, set);
@@ -370,7 +372,7 @@ Diagram curvesDiagram(const CurveSet& set) {
     diagram.series.push_back(std::move(mean));
   }
   addMeasured(diagram, set);
-  // The regions are those of the own curve, of friction over velocity.
+  // The regions belong to the present curve of friction over velocity.
   if (showsOwn && set.isOfVelocity()) addRegions(diagram, set.present, set.axes);
   addExtrapolated(diagram, set);
   diagram.blank = blankOf(set);
@@ -416,11 +418,11 @@ Diagram differenceDiagram(const CurveSet& set, const DiagramAxis& x) {
   diagram.height = kDifferenceHeight;
   diagram.x = x;
   diagram.y = {"difference \u0394", "%", AxisScale::Linear};
-  const double factor = factorsOf(set.present.points, set.axes).velocity;
+  const double factor = axesFactors(set.present.points, set.axes).velocity;
   DiagramSeries series, zero;
-  series.name = message("{} minus the curve above", nameOf(set.difference->setting));
+  series.name = message("{} minus the curve above", settingName(set.difference->setting));
   series.mark = SeriesMark::Diamond;
-  series.colour = colourOfPin(kPinColours - 1);
+  series.colour = pinColour(kPinColours - 1);
   series.id = kDifferenceCurve;
   zero.isTheory = true;
   for (std::size_t i = 0; i < set.difference->points.size(); ++i) {
@@ -456,7 +458,7 @@ Message titleOf(const CurveSet& set) {
   if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu)
     return set.isOfVelocity() ? Message("Friction over velocity")
                               : message("Friction over {}", label);
-  return message("{} over {}", Message(entryOf(set.y).title), label);
+  return message("{} over {}", Message(quantityEntry(set.y).title), label);
 }
 
 }  // namespace
@@ -470,10 +472,10 @@ DiagramSheet curveSheet(const Scene& scene, std::span<const CurvePoint> points) 
 DiagramSheet curveSheet(const CurveSet& set) {
   const Scene& scene = set.present.scene;
   DiagramSheet sheet;
-  // The name of a scene often speaks of its friction over velocity.
+  // The name of a scene often mentions its friction over velocity.
   const bool isNamed = set.isOfVelocity() && !scene.title.empty();
   sheet.title = isNamed ? Message(scene.title) : titleOf(set);
-  sheet.subtitle = isNamed ? parametersInWords(scene) : sceneInWords(scene);
+  sheet.subtitle = isNamed ? describeParameters(scene) : describeScene(scene);
   sheet.diagrams = {curvesDiagram(set)};
   std::vector<Message> notes;
   if (!sheet.diagrams.front().spans.empty())
@@ -481,7 +483,7 @@ DiagramSheet curveSheet(const CurveSet& set) {
         "Regions as read from the curve: I ends 20 % below its line, III lies above 95 % of the "
         "maximum.");
   if (set.isOfVelocity() && !sheet.diagrams.front().shades.empty() &&
-      fewSummitsOf(set.present.scene, set.present.points))
+      fewSummitsRange(set.present.scene, set.present.points))
     notes.emplace_back(kFewSummitsSentence);
   if (std::ranges::any_of(set.present.points,
                           [](const CurvePoint& point) { return point.extrapolated == 1; }))
@@ -492,7 +494,7 @@ DiagramSheet curveSheet(const CurveSet& set) {
     if (Message reason = whyMissing(theory, set); !reason.empty())
       notes.push_back(std::move(reason));
     else if (theory.theory != Theory::Eq11)
-      notes.emplace_back(entryOf(theory.theory).range);
+      notes.emplace_back(theoryEntry(theory.theory).range);
   for (const Message& note : set.notes) notes.push_back(message("{}.", note));
   sheet.note = sentences(notes);
   const bool hasResiduals = std::ranges::any_of(

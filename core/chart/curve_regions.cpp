@@ -24,10 +24,11 @@ constexpr std::array<RegionText, 4> kTexts{
       "Contacts carry on their leading sides only, Eq. (9). Ends where friction falls below 95 % "
       "of the maximum."},
      {"IV", "decrease",
-      "Few summits of the finite period carry the load, and the slope in contact falls, Eq. (15). "
+      "Few summits of the finite period carry the load, and the slope in contact falls, "
+      "Eq. (15). "
       "Begins below 95 % of the maximum."}}};
 
-const RegionText* textOf(std::string_view name) {
+const RegionText* findRegionText(std::string_view name) {
   for (const RegionText& text : kTexts)
     if (text.name == name) return &text;
   return nullptr;
@@ -103,19 +104,19 @@ std::vector<CurveRegion> regionsOf(const Known& known) {
 
 }  // namespace
 
-std::vector<CurveRegion> regionsOfCurve(const Scene& scene, std::span<const CurvePoint> points) {
+std::vector<CurveRegion> findRegions(const Scene& scene, std::span<const CurvePoint> points) {
   const Known known = knownPart(points);
-  if (known.size() < 3 || lawOf(scene.elastomer).kind() != ElementKind::Kelvin) return {};
+  if (known.size() < 3 || elementLaw(scene.elastomer).kind() != ElementKind::Kelvin) return {};
   return regionsOf(known);
 }
 
-std::string_view wordOfRegion(std::string_view name) {
-  const RegionText* text = textOf(name);
+std::string_view regionWord(std::string_view name) {
+  const RegionText* text = findRegionText(name);
   return text ? text->word : std::string_view();
 }
 
-std::string_view sentenceOfRegion(std::string_view name) {
-  const RegionText* text = textOf(name);
+std::string_view regionSentence(std::string_view name) {
+  const RegionText* text = findRegionText(name);
   return text ? text->sentence : std::string_view();
 }
 
@@ -126,7 +127,7 @@ double climbedHeight(double normalForce, double viscosity, double velocity) {
 double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
   const bool isRough =
       scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface);
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   if (!isRough || !(rmsHeight > 0) || scene.load.kind != LoadKind::Force ||
       law.kind() != ElementKind::Kelvin)
     return kNotApplicable;
@@ -134,7 +135,7 @@ double fewSummitsVelocity(const Scene& scene, double rmsHeight) {
 }
 
 double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   for (const CurvePoint& point : points) {
     // This is Eq. (13) solved for h.
     const double slope = point.mu / point.normalizedMu;
@@ -150,7 +151,8 @@ std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, dou
   return VelocityRange{std::max(velocity, first), last};
 }
 
-std::optional<VelocityRange> fewSummitsOf(const Scene& scene, std::span<const CurvePoint> points) {
+std::optional<VelocityRange> fewSummitsRange(const Scene& scene,
+                                             std::span<const CurvePoint> points) {
   if (points.empty()) return std::nullopt;
   const auto [first, last] = std::ranges::minmax(points, {}, &CurvePoint::velocity);
   return fewSummitsWithin(fewSummitsVelocity(scene, points), first.velocity, last.velocity);

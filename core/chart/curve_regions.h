@@ -27,13 +27,13 @@ namespace asperity {
 /// Region I needs a linear beginning, region III a maximum inside the curve or a flat end. There
 /// are none for bodies with more than one relaxation time, which the paper's regions do not
 /// describe, and without friction.
-std::vector<CurveRegion> regionsOfCurve(const Scene& scene, std::span<const CurvePoint> points);
+std::vector<CurveRegion> findRegions(const Scene& scene, std::span<const CurvePoint> points);
 
 /// Returns "linear", "transition", "plateau", "decrease" for "I" to "IV"; empty for others.
-std::string_view wordOfRegion(std::string_view name);
+std::string_view regionWord(std::string_view name);
 
 /// Returns what happens in the region and how its borders were found, one sentence each.
-std::string_view sentenceOfRegion(std::string_view name);
+std::string_view regionSentence(std::string_view name);
 
 struct VelocityRange {
   double from = 0, to = 0;  // m/s
@@ -65,7 +65,8 @@ double fewSummitsVelocity(const Scene& scene, std::span<const CurvePoint> points
 std::optional<VelocityRange> fewSummitsWithin(double velocity, double first, double last);
 
 /// Returns the same for all velocities of a curve.
-std::optional<VelocityRange> fewSummitsOf(const Scene& scene, std::span<const CurvePoint> points);
+std::optional<VelocityRange> fewSummitsRange(const Scene& scene,
+                                             std::span<const CurvePoint> points);
 
 /// Adds this range as a shade to the diagram, whose x-axis is velocity times `factor`.
 void addFewSummits(Diagram& diagram, const std::optional<VelocityRange>& range, double factor = 1);

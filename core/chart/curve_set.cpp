@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
+AxesFactors axesFactors(std::span<const CurvePoint> points, CurveAxes axes) {
   if (axes == CurveAxes::Physical) return {1, 1};
   AxesFactors factors;
   for (const CurvePoint& point : points) {
@@ -26,8 +26,8 @@ AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes) {
   return factors;
 }
 
-double factorOfMeasured(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
-                        const AxesFactors& factors) {
+double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
+                      const AxesFactors& factors) {
   if (set.axes == CurveAxes::Dimensionless || set.y == CurveQuantity::Mu) return factors.friction;
   return point < measured.computed.size() ? perFriction(set.y, measured.computed[point])
                                           : kNotApplicable;
@@ -37,7 +37,7 @@ bool showsLaw(const Scene& scene) {
   return std::ranges::find(scene.comparison.theory, Theory::Eq11) != scene.comparison.theory.end();
 }
 
-int colourOfPin(int place) {
+int pinColour(int place) {
   // The first two colours belong to the present curve and its marker, so they come last.
   constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
   return order[static_cast<std::size_t>(place % kPinColours)];
@@ -49,13 +49,14 @@ AxisScale CurveSet::scaleOfX() const {
   return xScale.value_or(isLinear ? AxisScale::Linear : AxisScale::Logarithmic);
 }
 
-double placeOf(const CurvePoint& point, const CurveSet& set) {
+double abscissa(const CurvePoint& point, const CurveSet& set) {
   if (set.axes == CurveAxes::Dimensionless) return point.dimensionlessVelocity;
   return set.isOfVelocity() ? point.velocity : point.swept;
 }
 
-double valueOf(const CurvePoint& point, const CurveSet& set) {
-  return valueOf(set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y, point);
+double ordinate(const CurvePoint& point, const CurveSet& set) {
+  return quantityValue(set.axes == CurveAxes::Dimensionless ? CurveQuantity::NormalizedMu : set.y,
+                       point);
 }
 
 bool showsForces(const CurveSet& set) {
@@ -87,7 +88,8 @@ std::string curveSetCsv(const CurveSet& set) {
     text += "," + joinedColumns({"relative_difference", "relative_difference_standard_error"});
   text += "\n";
   const double ownOfFamily =
-      family.empty() ? kNotApplicable : numberOf(*findParameter(set.familyKey), set.present.scene);
+      family.empty() ? kNotApplicable
+                     : parameterNumber(*findParameter(set.familyKey), set.present.scene);
   double ofFamily = ownOfFamily;  // of the curve whose rows are added
   const auto addRow = [&](const std::string& series, const CurvePoint& point,
                           const DifferencePoint* difference = nullptr) {
@@ -107,7 +109,7 @@ std::string curveSetCsv(const CurveSet& set) {
   };
   const std::string& title = set.present.scene.title;
   addCurve(title.empty() ? "this scene" : title, set.present);
-  const AxesFactors factors = factorsOf(set.present.points, CurveAxes::Dimensionless);
+  const AxesFactors factors = axesFactors(set.present.points, CurveAxes::Dimensionless);
   // place: on the axis.
   const auto pointAt = [&](double place, double mu) {
     CurvePoint point;
@@ -135,7 +137,7 @@ std::string curveSetCsv(const CurveSet& set) {
         row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
         row.dimensionlessVelocity = kNotApplicable;
       }
-      addRow(entryOf(theory.theory).name, row);
+      addRow(theoryEntry(theory.theory).name, row);
     }
   for (const MeasuredCurve& measured : set.measured)
     for (std::size_t i = 0; i < measured.places.size(); ++i) {
@@ -153,7 +155,7 @@ std::string curveSetCsv(const CurveSet& set) {
     CurvePoint point = pointAt(difference.velocity, difference.mu);
     point.muStandardError = difference.muStandardError;
     point.realizations = set.difference->setting.realizations;
-    addRow(nameOf(set.difference->setting).english(), point, &difference);
+    addRow(settingName(set.difference->setting).english(), point, &difference);
   }
   return text;
 }

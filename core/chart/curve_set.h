@@ -30,7 +30,7 @@ struct AxesFactors {
   double velocity = std::numeric_limits<double>::quiet_NaN();
   double friction = std::numeric_limits<double>::quiet_NaN();
 };
-AxesFactors factorsOf(std::span<const CurvePoint> points, CurveAxes axes);
+AxesFactors axesFactors(std::span<const CurvePoint> points, CurveAxes axes);
 
 struct NamedCurve {
   Message name;  // "G = 20 MPa": the difference from the present curve, which has no name
@@ -47,7 +47,7 @@ struct TheoryCurve {
   std::vector<TheoryPoint> points;
 };
 
-/// Measured friction, and what the present scene says at each of its points: at the point's own
+/// Measured friction, and that of the present scene at each of its points: at the point's own
 /// force, pressure and temperature.
 struct MeasuredCurve {
   FrictionData data;
@@ -66,11 +66,11 @@ struct CurveSet {
   std::vector<TheoryCurve> theories;
   std::vector<MeasuredCurve> measured;  // the tables that the scene names
   bool isReduced = false;               // whether measured velocities are shifted
-  std::vector<Message> notes;           // what a reader has to know of the measured friction
+  std::vector<Message> notes;           // on the measured friction
   CurveAxes axes = CurveAxes::Physical;
-  CurveQuantity y = CurveQuantity::Mu;      // of physical axes
-  std::optional<AxisScale> xScale, yScale;  // none: as the sweep's values are spaced; logarithmic
-  std::string familyKey;                    // the key that tells the pinned curves apart; or empty
+  CurveQuantity y = CurveQuantity::Mu;        // of physical axes
+  std::optional<AxisScale> xScale, yScale;    // none: as the sweep's values are spaced; logarithmic
+  std::string familyKey;                      // the key in which the pinned curves differ; or empty
   std::optional<CurveDifference> difference;  // of the present curve
   // Ranges of the present axes, in their units; equal ends: automatic.
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;
@@ -83,12 +83,12 @@ struct CurveSet {
 /// Returns the factor from the friction of a measured point to the vertical axis; NaN where the
 /// axis shows no friction. Forces and powers follow from what was computed at the point. `factors`:
 /// of the present curve on the set's axes.
-double factorOfMeasured(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
-                        const AxesFactors& factors);
+double measuredFactor(const MeasuredCurve& measured, std::size_t point, const CurveSet& set,
+                      const AxesFactors& factors);
 
-/// Returns the place of a point on the horizontal axis, and the value on the vertical one.
-double placeOf(const CurvePoint& point, const CurveSet& set);
-double valueOf(const CurvePoint& point, const CurveSet& set);
+/// Return the position of a point on the horizontal axis, and its value on the vertical axis.
+double abscissa(const CurvePoint& point, const CurveSet& set);
+double ordinate(const CurvePoint& point, const CurveSet& set);
 
 /// Returns whether the chart shows forces, which its table then has, too.
 bool showsForces(const CurveSet& set);
@@ -98,7 +98,7 @@ bool showsForces(const CurveSet& set);
 inline constexpr int kPinColours = 8;
 bool showsLaw(const Scene& scene);
 
-int colourOfPin(int place);
+int pinColour(int place);
 
 /// Returns one row for each point of each curve: the series, all columns of a curve (curve_file.h),
 /// and with a comparison its difference in two more columns. Names of series: the scene's title,

@@ -25,10 +25,11 @@ std::string printed(std::string_view symbol) {
 /// Returns the parameter as text; empty where the row has no symbol, or the effect is not present.
 Message inWords(const Parameter& row, const Scene& scene) {
   if (row.symbol.empty() || !isApplicable(row, scene)) return {};
-  const ParameterValue value = valueOf(row, scene);
+  const ParameterValue value = parameterValue(row, scene);
   const auto* real = std::get_if<double>(&value);
   const auto* whole = std::get_if<std::int64_t>(&value);
-  if (real && *real == 0 && (value == defaultOf(row) || isLeftToProfile(row, scene, 0))) return {};
+  if (real && *real == 0 && (value == defaultValue(row) || isLeftToProfile(row, scene, 0)))
+    return {};
   if (real && row.unit.empty()) return message("{} = {:g}", printed(row.symbol), *real);
   if (real)
     return message("{} = {}", printed(row.symbol), PrintedNumber{printedQuantity(*real, row.unit)});
@@ -44,8 +45,8 @@ bool isShiftIdle(const Parameter& row, const Scene& scene) {
 
 /// Returns the value, or the automatic choice where the scene leaves it open.
 ParameterValue valueInCurve(const Parameter& row, const Scene& scene) {
-  if (row.key == "accuracy.oversampling") return pointsPerElementOfCurve(scene);
-  return valueOf(row, scene);
+  if (row.key == "accuracy.oversampling") return curvePointsPerElement(scene);
+  return parameterValue(row, scene);
 }
 
 /// Returns "seed 3", "linear", "local shear = 2 N/m": rows without a symbol.
@@ -81,7 +82,7 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
 
 }  // namespace
 
-Message titleOfKey(std::string_view key) {
+Message parameterTitle(std::string_view key) {
   if (key == kVelocityKey) return "sliding velocity v";
   const Parameter& row = knownParameter(key);
   // "shift C1" names its symbol C_1 already.
@@ -91,14 +92,14 @@ Message titleOfKey(std::string_view key) {
   return message("{} {}", Message(row.label), printed(row.symbol));
 }
 
-Message parameterInWords(std::string_view key, const Scene& scene) {
+Message describeParameter(std::string_view key, const Scene& scene) {
   const Parameter* row = findParameter(key);
   if (!row || isList(*row)) return {};
   const Message words = inWords(*row, scene);
   return words.empty() ? inPlainWords(*row, scene) : words;
 }
 
-Message parametersInWords(const Scene& scene, const std::vector<std::string_view>& without) {
+Message describeParameters(const Scene& scene, const std::vector<std::string_view>& without) {
   std::vector<Message> parts;
   for (const Parameter& row : parameters()) {
     if (isOfNoCurve(row, scene) || isShiftIdle(row, scene)) continue;
@@ -108,18 +109,18 @@ Message parametersInWords(const Scene& scene, const std::vector<std::string_view
   return listed(parts);
 }
 
-Message sceneInWords(const Scene& scene, const std::vector<std::string_view>& without) {
-  const Message parameters = parametersInWords(scene, without);
+Message describeScene(const Scene& scene, const std::vector<std::string_view>& without) {
+  const Message parameters = describeParameters(scene, without);
   if (scene.title.empty()) return parameters;
   const Message name(scene.title);
   return parameters.empty() ? name : message("{}; {}", name, parameters);
 }
 
-Message differencesInWords(const Scene& scene, const Scene& from) {
+Message describeDifferences(const Scene& scene, const Scene& from) {
   std::vector<Message> parts;
   for (const Parameter& row : parameters()) {
     if (!differs(row, scene, from)) continue;
-    Message words = parameterInWords(row.key, scene);
+    Message words = describeParameter(row.key, scene);
     if (words.empty())
       words = row.key == "elastomer.arms" ? Message("other arms") : Message("another shift table");
     parts.push_back(std::move(words));

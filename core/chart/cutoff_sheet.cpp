@@ -29,7 +29,7 @@ DiagramAxis wavelengthAxis() {
 DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points) {
   DiagramSheet sheet;
   sheet.title = "Friction against the short-wave cut-off";
-  sheet.subtitle = sceneInWords(scene);
+  sheet.subtitle = describeScene(scene);
   sheet.columns = 1;
   sheet.sharesAxis = true;
   Diagram friction, share;

@@ -10,8 +10,8 @@
 
 namespace asperity {
 
-/// Friction of the lines without the waves below lambda_c, and below it the part of all friction
-/// that each decade of wavelengths makes.
+/// Returns the friction of the lines without the waves below lambda_c, and below it the part of all
+/// friction that each decade of wavelengths makes.
 DiagramSheet cutoffSheet(const Scene& scene, const std::vector<CutoffPoint>& points);
 
 std::string cutoffCsv(const std::vector<CutoffPoint>& points);

@@ -249,7 +249,7 @@ std::string_view placeOfKey(std::string_view key) {
 std::string_view sentenceElsewhere(std::string_view id) {
   if (const Parameter* row = findParameter(id)) return row->sentence;
   constexpr std::string_view kRegion = "region ";
-  if (id.starts_with(kRegion)) return sentenceOfRegion(id.substr(kRegion.size()));
+  if (id.starts_with(kRegion)) return regionSentence(id.substr(kRegion.size()));
   return {};
 }
 
@@ -259,7 +259,7 @@ std::span<const HoverExplanation> explanations() {
   return kTable;
 }
 
-std::optional<HoverExplanation> explanationOf(std::string_view id) {
+std::optional<HoverExplanation> findExplanation(std::string_view id) {
   HoverExplanation found{id, {}, {}, {}};
   if (const auto row = std::ranges::find(kTable, id, &HoverExplanation::id); row != kTable.end())
     found = *row;
@@ -271,8 +271,8 @@ std::optional<HoverExplanation> explanationOf(std::string_view id) {
   return found;
 }
 
-std::optional<HoverExplanation> explanationOf(const Message& text) {
-  return text.empty() ? std::nullopt : explanationOf(std::string_view(text.text));
+std::optional<HoverExplanation> findExplanation(const Message& text) {
+  return text.empty() ? std::nullopt : findExplanation(std::string_view(text.text));
 }
 
 std::vector<std::string_view> equationsIn(std::string_view text) {

@@ -1,7 +1,7 @@
-// One table of what the window explains under the pointer: symbols, quantities, regions, legend
-// entries and numbered equations, each with its formula, a sentence and its place in the guide.
-// Parameters, regions and theories have their sentences in their own tables, which are used here.
-// Constant; any thread.
+// The table of explanations that the window shows under the pointer: symbols, quantities, regions,
+// legend entries and numbered equations, each with its formula, a sentence and its anchor in the
+// guide. Parameters, regions and theories have their sentences in their own tables, which are used
+// here. Constant; any thread.
 #pragma once
 
 #include <optional>
@@ -21,11 +21,11 @@ struct HoverExplanation {
 };
 
 /// Returns the explanation with this id; nothing where there is none. Every scene key has one.
-std::optional<HoverExplanation> explanationOf(std::string_view id);
+std::optional<HoverExplanation> findExplanation(std::string_view id);
 
 /// Returns the explanation of a text of a chart, by its English template; nothing where there is
 /// none, as for a curve that a user named.
-std::optional<HoverExplanation> explanationOf(const Message& text);
+std::optional<HoverExplanation> findExplanation(const Message& text);
 
 /// Returns the numbers of the equations that a text mentions, as ids: "Eq. (13)".
 std::vector<std::string_view> equationsIn(std::string_view text);

@@ -13,7 +13,6 @@
 #include "core/base/regular_file.h"
 #include "core/base/text.h"
 #include "core/chart/curve_diagram.h"
-#include "core/chart/shipped_styles.h"
 
 namespace asperity {
 namespace {
@@ -25,7 +24,7 @@ constexpr std::size_t kLargestStyle = std::size_t{1} << 20;  // bytes
 template <class Value, std::size_t N>
 using Words = std::array<std::pair<std::string_view, Value>, N>;
 
-/// Sets one of several named values; returns what is wrong with the word.
+/// Sets one of several named values; returns why the word is refused.
 template <class Value, class Target, std::size_t N>
 Message choose(const Words<Value, N>& words, const std::string& word, Target& target) {
   std::array<std::string_view, N> known;
@@ -92,7 +91,7 @@ bool isHex(char c) {
 }
 
 /// Reads "#d55e00" or a name.
-bool readColour(const std::string& word, CurveLook& look) {
+bool readColour(const std::string& word, CurveStyle& look) {
   if (word.size() == 7 && word[0] == '#' && std::all_of(word.begin() + 1, word.end(), isHex)) {
     look.paint = static_cast<std::uint32_t>(std::stoul(word.substr(1), nullptr, 16));
     return true;
@@ -108,7 +107,7 @@ Message addCurve(FigureStyle& style, const std::string& text) {
       number < 1 || number > 1000)
     return message("'{}' is not NUMBER=WORDS with the number of a curve in the legend",
                    shortened(text));
-  CurveLook look;
+  CurveStyle look;
   std::string words = text.substr(equals + 1) + ",";
   for (std::size_t comma = words.find(','); comma != words.npos; comma = words.find(',')) {
     const std::string word = words.substr(0, comma);
@@ -129,7 +128,7 @@ constexpr std::array<FigureOption, 18> kOptions{{
     {"size", "WxH", "Width and height, in pixels or as 86mmx60mm (px, mm, cm, in, pt)",
      FigurePart::Picture,
      [](FigureStyle& style, const std::string& text) -> Message {
-       if (!pictureSizeFrom(text))
+       if (!parsePictureSize(text))
          return message("{} is not WIDTHxHEIGHT in px, mm, cm, in or pt", shortened(text));
        style.size = text;
        return {};
@@ -218,13 +217,13 @@ constexpr std::array<FigureOption, 18> kOptions{{
      }},
 }};
 
-std::string keyOf(const FigureOption& option) {
+std::string optionKey(const FigureOption& option) {
   std::string key(option.word);
   std::ranges::replace(key, '-', '_');
   return key;
 }
 
-std::string textOf(const Json& value) {
+std::string optionText(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -232,11 +231,11 @@ std::string textOf(const Json& value) {
 
 void setFrom(FigureStyle& style, const FigureOption& option, const Json& value,
              const std::string& file) {
-  const Message refusal = option.set(style, textOf(value));
-  if (!refusal.empty()) throw InputError(file, keyOf(option), refusal);
+  const Message refusal = option.set(style, optionText(value));
+  if (!refusal.empty()) throw InputError(file, optionKey(option), refusal);
 }
 
-/// The parts of a text that `sentences` joined.
+/// Returns the parts of a text that `sentences` joined.
 void addParts(const Message& text, std::vector<Message>& parts) {
   if (text.text == "%1 %2" && text.values.size() == 2) {
     addParts(text.values[0], parts);
@@ -256,7 +255,8 @@ void leaveOutRegions(DiagramSheet& sheet) {
   sheet.note = sentences(parts);
 }
 
-/// Names of curves in the order of the legends: data, then theory, of each diagram; each name once.
+/// Returns the names of curves in the order of the legends: data, then theory, of each diagram;
+/// each name once.
 std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   std::vector<std::string> names;
   for (const Diagram& diagram : sheet.diagrams)
@@ -270,7 +270,8 @@ std::vector<std::string> curveNames(const DiagramSheet& sheet) {
   return names;
 }
 
-/// Uses every series with this name, and its nameless companions of the same id.
+/// Calls the function with every series of this name, and with its nameless companions of the same
+/// id.
 template <class Use>
 void forEachNamed(DiagramSheet& sheet, const std::string& name, const Use& use) {
   for (Diagram& diagram : sheet.diagrams)
@@ -318,7 +319,7 @@ void setLetters(DiagramSheet& sheet, PanelLetters form) {
   }
 }
 
-/// Solid lines get different strokes, because greys alone cannot be told apart.
+/// Gives solid lines different strokes, because greys alone cannot be distinguished.
 void cycleStrokes(DiagramSheet& sheet) {
   constexpr std::array kStroke{SeriesStroke::Solid, SeriesStroke::Dashed, SeriesStroke::Dotted};
   for (Diagram& diagram : sheet.diagrams) {
@@ -331,8 +332,8 @@ void cycleStrokes(DiagramSheet& sheet) {
   }
 }
 
-/// The scene's own curve comes first, then the others in the order given; with the window's pointer
-/// it is the last one, over the others.
+/// Orders the curves: that of the scene first, then the others as given. In the window it is the
+/// last one, over the others.
 void putPresentFirst(DiagramSheet& sheet) {
   for (Diagram& diagram : sheet.diagrams) {
     std::vector<DiagramSeries>& series = diagram.series;
@@ -353,7 +354,7 @@ void setScales(DiagramSheet& sheet, const FigureStyle& style) {
 
 }  // namespace
 
-std::optional<PictureSize> pictureSizeFrom(std::string_view text) {
+std::optional<PictureSize> parsePictureSize(std::string_view text) {
   struct PaperUnit {
     std::string_view name;
     double perInch;
@@ -403,17 +404,17 @@ FigureStyle styleFromJson(std::string_view text, const std::string& file) {
     if (!json.is_object()) throw InputError("", "", "a style is an object of options");
     FigureStyle style;
     std::vector<std::string> known{"schema"};
-    for (const FigureOption& option : kOptions) known.push_back(keyOf(option));
+    for (const FigureOption& option : kOptions) known.push_back(optionKey(option));
     for (const auto& [key, value] : json.items()) {
       if (key == "schema") {
         if (value != "asperity-style/1")
           throw InputError("", "schema", "is not asperity-style/1, which a style begins with");
         continue;
       }
-      const auto option = std::ranges::find(kOptions, key, keyOf);
+      const auto option = std::ranges::find(kOptions, key, optionKey);
       if (option == kOptions.end()) {
         const std::vector<std::string_view> words(known.begin(), known.end());
-        const std::string_view nearest = nearestOf(key, words);
+        const std::string_view nearest = nearestWord(key, words);
         throw InputError("", key,
                          nearest.empty()
                              ? Message("is no option of a style")

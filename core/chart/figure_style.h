@@ -1,9 +1,9 @@
-// How a figure looks, as a user asks for it: size, letters, lines, title, legend, axes, colours.
+// The style of a figure as a user chooses it: size, letters, lines, title, legend, axes, colours.
 // Every option stands once in a table, from which the command line, its help and style files are
 // made. A style file is JSON with the same words, {"schema": "asperity-style/1", "font_size": 7,
-// ...}; its values come first, options of the command line replace them. What concerns the content
-// of a chart is applied to its Diagrams here; sizes and places are left to ui/chart. Plain values;
-// any thread. Failure: InputError naming the option, or file and key.
+// ...}; options of the command line replace its values. Options of the content of a chart are
+// applied to its Diagrams here; ui/chart applies sizes and positions. Plain values; any thread.
+// Failure: InputError that names the option, or file and key.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ enum class LegendMode { Automatic, None, Inside, Below };
 enum class TickSide { Inside, Outside, None };
 enum class PanelLetters { None, Small, Capital, Bracketed };
 
-/// The look of one curve; what is not given stays automatic.
-struct CurveLook {
+/// The style of one curve; a value that is not given is automatic.
+struct CurveStyle {
   std::optional<std::uint32_t> paint;  // 0xRRGGBB
   std::optional<SeriesMark> mark;
   std::optional<SeriesStroke> stroke;
@@ -41,7 +41,7 @@ inline constexpr int kSmallestPicture = 160, kLargestPicture = 16384;  // pixels
 
 /// Reads "1200x800", "86mmx60mm", "86x60mm", "3.4inx2.4in"; units: px, mm, cm, in, pt (1/72 in).
 /// Empty where it is none of these.
-std::optional<PictureSize> pictureSizeFrom(std::string_view text);
+std::optional<PictureSize> parsePictureSize(std::string_view text);
 
 struct FigureStyle {
   std::string size{}, theme{};  // as given; empty: automatic
@@ -56,11 +56,11 @@ struct FigureStyle {
   PanelLetters letters = PanelLetters::None;
   std::optional<AxisScale> xScale{}, yScale{};
   std::vector<std::pair<std::string, std::string>> labels{};  // what, text
-  std::vector<std::pair<std::size_t, CurveLook>> curves{};    // number from 1 on, look
+  std::vector<std::pair<std::size_t, CurveStyle>> curves{};   // number from 1 on, look
 };
 
-/// What an option is of: any picture, charts, or friction curves alone. Those of pictures hold for
-/// the picture of the contact, too.
+/// The pictures that an option applies to: any picture, charts, or friction curves only. Options of
+/// any picture also apply to the picture of the contact.
 enum class FigurePart { Picture, Chart, Curve };
 
 struct FigureOption {
@@ -75,7 +75,13 @@ struct FigureOption {
 
 std::span<const FigureOption> figureOptions();
 
-/// Names of the shipped styles (resources/styles).
+/// A shipped style: a file of resources/styles as it is.
+struct ShippedStyle {
+  std::string_view name, json;
+};
+std::span<const ShippedStyle> shippedStyleFiles();
+
+/// Returns the names of the shipped styles.
 std::vector<std::string_view> shippedStyles();
 
 /// Returns the style of a file, or of a shipped name. Throws InputError.

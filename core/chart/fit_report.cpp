@@ -9,11 +9,11 @@
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/chart/comparison.h"
 #include "core/chart/curve_diagram.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/study.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "core/scene/provenance.h"
@@ -32,12 +32,13 @@ std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
   return points;
 }
 
-/// The relative error of computed friction that follows from the errors of the parameters.
+/// Returns the relative error of the computed friction that follows from the errors of the
+/// parameters.
 struct RelativeError {
   double velocity = 0, value = 0;
 };
 
-/// In the order of rising velocities.
+/// Returns the points in the order of rising velocities.
 std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   std::vector<RelativeError> errors;
   std::size_t i = 0;
@@ -60,13 +61,13 @@ Message withRange(const Message& name, const FittedParameter& parameter) {
                  PrintedNumber{printedQuantity(parameter.high, unit)});
 }
 
-/// The value with its range and the name that charts use.
+/// Returns the value with its range and the name that charts use.
 Message labelled(const FittedParameter& parameter) {
   return withRange(Message(std::string(findParameter(parameter.key)->label)), parameter);
 }
 
-/// The tables of points under a few loads, one for each load: away from the scene's load points do
-/// not lie on its curve.
+/// Returns the tables with one table for each load, if there are few loads: points under another
+/// load than that of the scene do not lie on its curve.
 std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables) {
   constexpr std::size_t kFew = 4;
   const auto loadOf = [](const MeasuredPoint& point) {
@@ -97,7 +98,7 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
   return parted;
 }
 
-/// A logarithmic axis of little more than a decade would have one number or none.
+/// A logarithmic axis of little more than a decade would have at most one number.
 AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& profile) {
   constexpr double kWide = 30;
   if (!parameter.isLogarithmic || profile.values.empty()) return AxisScale::Linear;
@@ -105,7 +106,7 @@ AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& prof
   return high > kWide * low ? AxisScale::Logarithmic : AxisScale::Linear;
 }
 
-/// Between two measured velocities, linear in their logarithm; NaN outside of them.
+/// Interpolates between two measured velocities, linearly in their logarithm; NaN outside of them.
 double errorAt(const std::vector<RelativeError>& errors, double velocity) {
   const auto above = std::ranges::lower_bound(errors, velocity, {}, &RelativeError::velocity);
   if (above == errors.end()) return kNotApplicable;
@@ -117,7 +118,7 @@ double errorAt(const std::vector<RelativeError>& errors, double velocity) {
       std::log(velocity / below.velocity) / std::log(above->velocity / below.velocity));
 }
 
-/// The scene with the names of its files as they are seen from another folder.
+/// Returns the scene with the names of its files relative to another folder.
 Scene seenFrom(const std::string& folder, Scene scene) {
   const auto move = [&](std::string& name) {
     const std::filesystem::path file = scene.folder / name;
@@ -196,7 +197,7 @@ std::string fitCsv(const Fit& fit, std::span<const FrictionData> data) {
   return text;
 }
 
-std::vector<Message> fitInWords(const Fit& fit) {
+std::vector<Message> describeFit(const Fit& fit) {
   std::vector<Message> lines;
   for (const FittedParameter& parameter : fit.parameters)
     lines.push_back(withRange(Message::name(parameter.key), parameter));
@@ -266,7 +267,7 @@ DiagramSheet profileSheet(const Fit& fit) {
 
 FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& data,
                          std::span<const VariedParameter> parameters, const FitOptions& options) {
-  needSteadySliding(scene, "a fit");
+  requireSteadySliding(scene, "a fit");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "a fit needs the same lines everywhere, not a target");
@@ -288,7 +289,7 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
 
 Json fitProvenance(const Scene& start, const Fit& fit) {
   Json root = provenance("fit", fit.scene);
-  // The scene that a window opens is the fitted one; what stands behind it is not read.
+  // A window opens the fitted scene; the text behind it is not read.
   Json fitted = std::move(root["scene"]);
   root.erase("scene");
   root["start"] = Json::parse(writeScene(start));

@@ -15,41 +15,41 @@
 
 namespace asperity {
 
-/// Values with their errors, correlations, combinations, profiles and notes.
+/// Returns values with their errors, correlations, combinations, profiles and notes.
 nlohmann::ordered_json fitJson(const Fit& fit);
 
-/// One row for each measured point: what was measured and what the fitted scene says there.
+/// Returns one row for each measured point: the measured friction and that of the fitted scene.
 std::string fitCsv(const Fit& fit, std::span<const FrictionData> data);
 
-/// What a person reads first, line by line: "elastomer.shear_modulus = 1.02e7 Pa, 9.5e6 to 1.1e7",
-/// what these ranges are, how far the points lie from the curve, and the notes.
-std::vector<Message> fitInWords(const Fit& fit);
+/// Returns a summary line by line: "elastomer.shear_modulus = 1.02e7 Pa, 9.5e6 to 1.1e7", the
+/// meaning of these ranges, the distance of the points from the curve, and the notes.
+std::vector<Message> describeFit(const Fit& fit);
 
-/// The fitted curve with its band, the points and their residuals. `set`: the curve of the fitted
-/// scene with the measured tables.
+/// Returns the fitted curve with its band, the points and their residuals. set: the curve of the
+/// fitted scene with the measured tables.
 DiagramSheet fitSheet(const Fit& fit, const CurveSet& set);
 
-/// The least sum of squares over each parameter, in the squares of the points' errors (fit.h: times
-/// errorScale): flat where the data leave it open.
+/// Returns the minimum of the sum of squares over each parameter, in units of the squared errors of
+/// the points (fit.h: times errorScale): flat where the data do not determine it.
 DiagramSheet profileSheet(const Fit& fit);
 
-/// The provenance of a fit: that of the fitted scene, and as "start" the scene that was fitted.
+/// Returns the provenance of the fitted scene, with the original scene as "start".
 nlohmann::ordered_json fitProvenance(const Scene& start, const Fit& fit);
 
-/// The options of the command `asperity fit` that make this fit, for its provenance. varied: as a
-/// user wrote them.
+/// Returns the options of the command `asperity fit` that make this fit, for its provenance.
+/// varied: as a user wrote them.
 nlohmann::ordered_json fitOptions(const std::vector<std::string>& varied, bool hasProfiles);
 
-/// The text of fit.json. varied: as a user wrote them.
+/// Returns the text of fit.json. varied: as a user wrote them.
 std::string fitAnswer(const Scene& start, const Fit& fit, const std::vector<std::string>& varied);
 
-/// A fit with everything that its report shows.
+/// A fit with everything in its report.
 struct FittedCurve {
   Scene start;  // that was fitted
   Fit fit;
   CurveSet set;                     // the curve of the fitted scene with the measured tables
   std::vector<std::string> varied;  // as a user wrote them: "KEY" or "KEY=LOW:HIGH"
-  bool hasProfiles = true;          // were wanted
+  bool hasProfiles = true;          // whether they were requested
 };
 
 /// Fits the scene to the tables that it names (readComparisonData) and computes the curve of the
@@ -60,11 +60,11 @@ FittedCurve fitWithCurve(const Scene& scene, const std::vector<FrictionData>& da
 
 /// The files of a report in one folder.
 struct FitReport {
-  std::vector<std::pair<std::string, std::string>> texts;  // names and bytes; the first says most
+  std::vector<std::pair<std::string, std::string>> texts;  // names and bytes, the summary first
   std::vector<NamedSheet> sheets;                          // each is a picture of several formats
 };
 
-/// `folder`: where the files will stand, from which the fitted scene names its own.
+/// Makes the report. folder: of its files, from which the fitted scene names its own.
 FitReport fitReport(const FittedCurve& fitted, const std::string& folder);
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/number_text.h"
+#include "core/base/statistics.h"
 #include "core/chart/contours.h"
 #include "core/chart/curve_regions.h"
 #include "core/chart/curve_words.h"
@@ -58,11 +59,12 @@ AxisScale scaleOf(const MapAxis& axis) {
 
 DiagramAxis axisOf(const MapAxis& axis) {
   const auto [least, most] = std::ranges::minmax(axis.values);
-  return {titleOfKey(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least, most};
+  return {parameterTitle(axis.key()), std::string(axis.range.row->unit), scaleOf(axis), least,
+          most};
 }
 
-double numberOf(const Scene& scene, const MapAxis& axis) {
-  return numberOf(*axis.range.row, scene);
+double axisNumber(const Scene& scene, const MapAxis& axis) {
+  return parameterNumber(*axis.range.row, scene);
 }
 
 /// Returns the relative standard error that half of the cells are below; 1 where none is known, as
@@ -73,12 +75,10 @@ double noiseOf(const ParameterMap& map) {
     if (std::isfinite(cell.muStandardError) && cell.mu > 0)
       errors.push_back(cell.muStandardError / cell.mu);
   if (errors.empty()) return 1;
-  const auto middle = errors.begin() + std::ssize(errors) / 2;
-  std::ranges::nth_element(errors, middle);
-  return *middle;
+  return upperMedian(std::move(errors));
 }
 
-/// A map with both sides rising.
+/// A map with both sides in ascending order.
 class RisingMap {
  public:
   RisingMap(const ParameterMap& map, std::string_view quantity) : map_(map) {
@@ -91,15 +91,13 @@ class RisingMap {
     for (const std::size_t j : rows_) y.push_back(map.y.values[j]);
   }
 
-  /// The cell in this column and row.
+  /// Returns the cell in this column and row.
   const CurvePoint& cell(std::size_t i, std::size_t j) const {
     return map_.at(columns_[i], rows_[j]);
   }
   /// Returns the usual relative standard error of friction.
   double noise() const { return noiseOf(map_); }
-  Scene scene(std::size_t i, std::size_t j) const {
-    return sceneOfCell(map_, columns_[i], rows_[j]);
-  }
+  Scene scene(std::size_t i, std::size_t j) const { return cellScene(map_, columns_[i], rows_[j]); }
 
   std::vector<double> x, y, values;
 
@@ -121,9 +119,9 @@ std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale)
   return places;
 }
 
-/// Scale and range of the colours.
-DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quantity) {
-  DiagramAxis axis{titleOfMapQuantity(quantity), std::string(unitOfMapQuantity(quantity)),
+/// Returns scale and range of the colours.
+DiagramAxis colourAxis(const std::vector<double>& values, std::string_view quantity) {
+  DiagramAxis axis{mapQuantityTitle(quantity), std::string(mapQuantityUnit(quantity)),
                    AxisScale::Linear};
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const double value : values) {
@@ -145,14 +143,14 @@ DiagramAxis coloursOf(const std::vector<double>& values, std::string_view quanti
 
 std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisScale y) {
   std::vector<DiagramPoint> points;
-  for (const ContourPlace& place : line)
+  for (const ContourPoint& place : line)
     points.push_back({axisValue(x, place.x), axisValue(y, place.y)});
   return points;
 }
 
 /// Adds levels where much of the map lies between two neighbouring ones, as on a plateau: its shape
-/// is then seen although its colours differ little. Steps are as large as the noise asks for, and
-/// no smaller than a hundredth of the value.
+/// then shows although its colours differ little. The steps are as large as the noise requires, and
+/// at least a hundredth of the value.
 std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<double>& values,
                                  double from, double to, double noise) {
   constexpr double kMuch = 0.35;  // part of the map between two levels
@@ -184,10 +182,11 @@ std::vector<double> withPlateaus(std::vector<double> levels, const std::vector<d
   return levels;
 }
 
-/// Contour lines lie where the quantity changes as the colours do: of logarithms where these are.
-DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
+/// Returns the map as colours with contour lines. These are interpolated as the colours are: in the
+/// logarithm of the quantity on a logarithmic scale.
+DiagramField makeField(const RisingMap& map, const Diagram& diagram, std::string_view quantity) {
   DiagramField field;
-  field.colours = coloursOf(map.values, quantity);
+  field.colours = colourAxis(map.values, quantity);
   field.x = map.x;
   field.y = map.y;
   field.values = map.values;
@@ -198,7 +197,7 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
       height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
   const std::vector<double> x = placesOf(map.x, diagram.x.scale);
   const std::vector<double> y = placesOf(map.y, diagram.y.scale);
-  // Over many decades numbers are written as on the axes.
+  // Numbers over many decades are written as on the axes.
   constexpr double kManyDecades = 1e3;
   const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
   const double from = field.colours.from, to = field.colours.to;
@@ -214,7 +213,7 @@ DiagramField fieldOf(const RisingMap& map, const Diagram& diagram, std::string_v
   return field;
 }
 
-/// A region at one value of the other parameter: the velocities between which it is.
+/// A region at one value of the other parameter: its range of velocities.
 struct RegionCut {
   double other = 0, from = 0, to = 0;
 };
@@ -244,7 +243,7 @@ Regions regionsOf(const RisingMap& map, bool velocityIsX) {
     for (std::size_t i = 0; i < velocities.size(); ++i)
       curve.push_back(velocityIsX ? map.cell(i, k) : map.cell(k, i));
     const Scene scene = velocityIsX ? map.scene(0, k) : map.scene(k, 0);
-    const std::vector<CurveRegion> found = regionsOfCurve(scene, curve);
+    const std::vector<CurveRegion> found = findRegions(scene, curve);
     std::array<bool, 3> isThere{};
     for (std::size_t r = 0; r < found.size(); ++r) {
       const std::size_t number = numberOfRegion(found[r].name);
@@ -273,8 +272,9 @@ DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
   return series;
 }
 
-/// Returns where the name of a region has most room: away from its borders, from the edges of the
-/// map and from the lines of the cross; among places with enough room the one nearest the middle.
+/// Returns the position at which the name of a region has the most space: away from the borders of
+/// the region, the edges of the map and the lines of the cross; of several positions with enough
+/// space the one nearest to the middle.
 DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
                          const Diagram& diagram, bool velocityIsX) {
   constexpr std::array kParts{0.5, 0.4, 0.6, 0.3, 0.7};  // of the region's width
@@ -285,8 +285,8 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
     const double from = axisPlace(axis.scale, axis.from), to = axisPlace(axis.scale, axis.to);
     return (axisPlace(axis.scale, value) - from) / (to - from);
   };
-  const double crossAlong = part(along, numberOf(map.scene, velocityIsX ? map.x : map.y));
-  const double crossAcross = part(across, numberOf(map.scene, velocityIsX ? map.y : map.x));
+  const double crossAlong = part(along, axisNumber(map.scene, velocityIsX ? map.x : map.y));
+  const double crossAcross = part(across, axisNumber(map.scene, velocityIsX ? map.y : map.x));
   DiagramPoint best;
   double most = -std::numeric_limits<double>::infinity();
   for (const RegionCut& cut : cuts) {
@@ -334,7 +334,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "
            "of the other parameter.";
   }
-  // Where single summits carry the load: v / v_few = 1, from the cells' own rms heights.
+  // This is where single summits bear the load: v / v_few = 1, from the rms heights of the cells.
   std::vector<double> heights;
   for (std::size_t j = 0; j < map.y.size(); ++j)
     for (std::size_t i = 0; i < map.x.size(); ++i) {
@@ -353,9 +353,9 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
   return "Dashed: F\u2099/(4\u03B7v) = 0.1 h; beyond it few summits carry the load (region IV).";
 }
 
-/// The scene's own state, where it is on the map.
-std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& diagram) {
-  const double x = numberOf(map.scene, map.x), y = numberOf(map.scene, map.y);
+/// Returns a cross at the scene's own state if that is on the map.
+std::optional<DiagramMarker> makeCross(const ParameterMap& map, const Diagram& diagram) {
+  const double x = axisNumber(map.scene, map.x), y = axisNumber(map.scene, map.y);
   if (x < diagram.x.from || x > diagram.x.to || y < diagram.y.from || y > diagram.y.to) return {};
   DiagramMarker cross;
   cross.x = x;
@@ -366,7 +366,7 @@ std::optional<DiagramMarker> crossOf(const ParameterMap& map, const Diagram& dia
 
 }  // namespace
 
-Message titleOfMapQuantity(std::string_view quantity) {
+Message mapQuantityTitle(std::string_view quantity) {
   for (const QuantityTitle& one : kTitles)
     if (one.quantity == quantity) return one.title;
   return Message::name(std::string(quantity));
@@ -376,13 +376,13 @@ DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity) {
   DiagramSheet sheet;
   sheet.title = message("Friction over {} and {}", Message(map.x.range.row->label),
                         Message(map.y.range.row->label));
-  sheet.subtitle = sceneInWords(map.scene, {map.x.key(), map.y.key()});
+  sheet.subtitle = describeScene(map.scene, {map.x.key(), map.y.key()});
   Diagram diagram;
   diagram.x = axisOf(map.x);
   diagram.y = axisOf(map.y);
   const RisingMap rising(map, quantity);
-  diagram.field = fieldOf(rising, diagram, quantity);
-  diagram.marker = crossOf(map, diagram);
+  diagram.field = makeField(rising, diagram, quantity);
+  diagram.marker = makeCross(map, diagram);
   std::vector<Message> notes{addRegionBorders(diagram, map, rising)};
   if (diagram.marker) notes.emplace_back("Cross: the scene's own state.");
   for (const bool alongX : {true, false})
@@ -402,17 +402,17 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const MapAxis& across = alongX ? map.y : map.x;
   const std::vector<double>& places = alongX ? rising.x : rising.y;
   const std::vector<double> others = placesOf(alongX ? rising.y : rising.x, scaleOf(across));
-  // Between the two rows or columns beside the state.
+  // The cut is interpolated between the two rows or columns beside the state.
   const auto [least, most] = std::ranges::minmax(across.values);
   const double at =
-      axisPlace(scaleOf(across), std::clamp(numberOf(map.scene, across), least, most));
+      axisPlace(scaleOf(across), std::clamp(axisNumber(map.scene, across), least, most));
   const auto above = std::ranges::lower_bound(others, at);
   const auto last = static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(above - others.begin(), 1, std::ssize(others) - 1));
   const double part = (at - others[last - 1]) / (others[last] - others[last - 1]);
   Diagram diagram;
   diagram.x = axisOf(along);
-  diagram.y = coloursOf(rising.values, quantity);
+  diagram.y = colourAxis(rising.values, quantity);
   diagram.y.from = diagram.y.to = 0;
   DiagramSeries series;
   series.colour = 0;
@@ -431,7 +431,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   }
   diagram.series = {std::move(series)};
   DiagramMarker marker;
-  marker.x = numberOf(map.scene, along);
+  marker.x = axisNumber(map.scene, along);
   if (marker.x >= diagram.x.from && marker.x <= diagram.x.to) diagram.marker = marker;
   return diagram;
 }

@@ -23,7 +23,7 @@ inline constexpr int kRegionBorder = 1;
 DiagramSheet mapSheet(const ParameterMap& map, std::string_view quantity);
 
 /// Returns "coefficient of friction \u03BC" of a quantity.
-Message titleOfMapQuantity(std::string_view quantity);
+Message mapQuantityTitle(std::string_view quantity);
 
 /// Returns the quantity along one parameter at the scene's own value of the other one, from the
 /// row or column of the map that is nearest to it.

@@ -36,7 +36,7 @@ Message at(double temperature) {
   return message("at {}", celsius(temperature));
 }
 
-/// 0 for the coldest isotherm, 1 for the warmest.
+/// Returns the position of an isotherm on the ramp: 0 for the coldest, 1 for the warmest.
 double rampOf(const Material& material, std::size_t isotherm) {
   const double from = material.isotherms.front().temperature;
   const double to = material.isotherms.back().temperature;
@@ -78,7 +78,7 @@ Diagram isothermDiagram(const Material& material, Message title, const char* uni
   return diagram;
 }
 
-/// The master curve's points in the colours of their temperatures.
+/// Returns the points of the master curve in the colours of their temperatures.
 void addMasterPoints(const Material& material, Diagram& diagram, Reading reading, SeriesMark mark) {
   std::vector<DiagramSeries> series(material.isotherms.size());
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -102,7 +102,7 @@ DiagramSeries fittedSeries(const Material& material, double from, double to, Rea
   return series;
 }
 
-/// What the fit covers: the measured range, or that of the relaxation times.
+/// Returns the range of the fit: the measured range, or that of the relaxation times.
 FrequencyRange fittedRange(const Material& material) {
   if (material.isMeasured())
     return {material.curve.lowestFrequency(), material.curve.highestFrequency()};
@@ -186,7 +186,7 @@ NamedSheet masterSheet(const Material& material) {
     const FrequencyRange range = fittedRange(material);
     sheet.subtitle =
         message("{}, G = {} in equilibrium, rms residual {} % of G' and {} % of G''",
-                armsInWords(material.series.arms.size()),
+                describeArms(material.series.arms.size()),
                 PrintedNumber{printedQuantity(material.series.equilibriumModulus, "Pa")},
                 PrintedNumber{printedNumber(100 * material.series.rmsStorage, 2)},
                 PrintedNumber{printedNumber(100 * material.series.rmsLoss, 2)});
@@ -203,7 +203,7 @@ NamedSheet masterSheet(const Material& material) {
   return {"master_curve", std::move(sheet)};
 }
 
-/// A logarithmic axis of less than a decade has hardly a number on it.
+/// A logarithmic axis of less than a decade has hardly any numbers.
 AxisScale scaleOfPoints(const Diagram& diagram) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const DiagramSeries& series : diagram.series)
@@ -230,7 +230,7 @@ NamedSheet tangentSheet(const Material& material) {
   return {"loss_tangent", std::move(sheet)};
 }
 
-/// A formula over the temperatures of the table.
+/// Returns a formula over the temperatures of the table.
 DiagramSeries formulaSeries(const Material& material, const TemperatureFit& fit, Message name,
                             SeriesStroke stroke) {
   constexpr int kPoints = 100;
@@ -292,7 +292,7 @@ NamedSheet shiftsSheet(const Material& material) {
 
 // ---- In a scene --------------------------------------------------------------------------------
 
-/// What a diagram over frequency shows: the band, what was measured, and a bit more.
+/// Returns the range of a diagram over frequency: the band and the measured range, with a margin.
 FrequencyRange shownRange(const std::optional<FrequencyRange>& measured,
                           const std::optional<ExcitedBand>& band, const ElementLaw& law) {
   FrequencyRange range{1, 1};
@@ -336,7 +336,7 @@ std::vector<NamedSheet> materialSheets(const Material& material) {
 }
 
 DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   const auto measured = measuredFrequencies(scene.elastomer);
   const auto band = excitation.band(scene.sliding.velocity);
   const FrequencyRange range = shownRange(measured, band, law);
@@ -371,7 +371,7 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
   for (Diagram* diagram : {&tangent, &weights})
     for (DiagramSpan& shade : diagram->shades) shade.label = {};
   sheet.title = message("Where the rubber is used at {}", celsius(scene.elastomer.temperature));
-  sheet.subtitle = excitationInWords(scene, excitation);
+  sheet.subtitle = describeExcitation(scene, excitation);
   sheet.diagrams = {std::move(moduli), std::move(tangent), std::move(weights)};
   sheet.columns = 1;
   sheet.sharesAxis = true;
@@ -382,11 +382,11 @@ DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation) {
 }
 
 DiagramSheet excitationSheet(const Scene& scene) {
-  return excitationSheet(scene, excitationOf(scene));
+  return excitationSheet(scene, computeExcitation(scene));
 }
 
 std::string excitationCsv(const Scene& scene, const Excitation& excitation) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   std::string text = joinedColumns({"frequency", "storage_modulus", "loss_modulus", "loss_tangent",
                                     "excitation_weight"}) +
                      "\n";
@@ -411,7 +411,7 @@ nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& exci
           {"share_not_measured", numberOrNull(outside)}};
 }
 
-Message excitationInWords(const Scene& scene, const Excitation& excitation) {
+Message describeExcitation(const Scene& scene, const Excitation& excitation) {
   const double velocity = scene.sliding.velocity;
   const auto band = excitation.band(velocity);
   if (!band) return "the line excites no loss at this velocity";

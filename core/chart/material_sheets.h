@@ -1,5 +1,5 @@
-// A material as charts: what was measured, the master curve with its fit, the shifts; and where a
-// scene uses it: the moduli over frequency with the measured range and the band that the line
+// A material as charts: the measurements, the master curve with its fit, the shifts; and for a
+// scene that uses it the moduli over frequency with the measured range and the band that the line
 // excites at the present velocity. Pure; any thread.
 #pragma once
 
@@ -19,25 +19,25 @@ struct NamedSheet {
   DiagramSheet sheet;
 };
 
-/// "isotherms", "master_curve" (with fit and residuals), "loss_tangent", "shifts"; of a ready
-/// series "master_curve" and "loss_tangent".
+/// Returns "isotherms", "master_curve" (with fit and residuals), "loss_tangent", "shifts"; for a
+/// ready series "master_curve" and "loss_tangent".
 std::vector<NamedSheet> materialSheets(const Material& material);
 
-/// Storage and loss modulus and loss tangent of the scene's elastomer over frequency at its
-/// temperature; the measured range, and the band that the line excites at the scene's velocity,
-/// with its weights. The excitation may be kept while velocity alone changes.
+/// Returns storage modulus, loss modulus and loss tangent of the scene's elastomer over frequency
+/// at its temperature, with the measured range, and the band that the line excites at the scene's
+/// velocity with its weights. The excitation may be kept while only the velocity changes.
 DiagramSheet excitationSheet(const Scene& scene, const Excitation& excitation);
 DiagramSheet excitationSheet(const Scene& scene);
 
-/// frequency, storage_modulus, loss_modulus, loss_tangent, excitation_weight: at the frequencies of
-/// the line's waves.
+/// Returns frequency, storage_modulus, loss_modulus, loss_tangent, excitation_weight at the
+/// frequencies of the line's waves.
 std::string excitationCsv(const Scene& scene, const Excitation& excitation);
 
-/// {"frequency_from", "frequency_median", "frequency_to", "measured_from", "measured_to",
-/// "share_not_measured"}; null where it does not apply.
+/// Returns {"frequency_from", "frequency_median", "frequency_to", "measured_from", "measured_to",
+/// "share_not_measured"}; null where a value does not apply.
 nlohmann::ordered_json excitationJson(const Scene& scene, const Excitation& excitation);
 
-/// "5 % of the loss lies below 3 Hz, ...": what the band says, for explain.
-Message excitationInWords(const Scene& scene, const Excitation& excitation);
+/// Returns the band in words for explain: "5 % of the loss lies below 3 Hz, ...".
+Message describeExcitation(const Scene& scene, const Excitation& excitation);
 
 }  // namespace asperity

@@ -23,10 +23,11 @@ constexpr ColumnName kKey = "key", kValue = "value", kExponent = "mu_exponent",
 
 }  // namespace
 
-std::vector<Exponent> exponentsOf(const Scene& scene, const std::vector<Sensitivity>& all) {
+std::vector<Exponent> sensitivityExponents(const Scene& scene,
+                                           const std::vector<Sensitivity>& all) {
   std::vector<Exponent> exponents;
   for (const Sensitivity& one : all) {
-    const double value = VariedParameter(one.key, scene).of(scene);
+    const double value = VariedParameter(one.key, scene).valueIn(scene);
     const double factor = one.isLogarithmic ? 1 : value;
     exponents.push_back(
         {one.key, value, {one.slope.value * factor, one.slope.standardError * std::abs(factor)}});
@@ -44,13 +45,14 @@ bool isSignificant(const DiagramBar& bar) {
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all) {
   DiagramSheet sheet;
   sheet.title = "What friction depends on";
-  sheet.subtitle = sceneInWords(scene);
+  sheet.subtitle = describeScene(scene);
   Diagram diagram;
   diagram.x = {"exponent d ln \u03BC / d ln p", "", AxisScale::Linear};
   diagram.y = {"", "", AxisScale::Linear};
   for (const Exponent& one : all)
     if (std::isfinite(one.exponent.value))
-      diagram.bars.push_back({titleOfKey(one.key), one.exponent.value, one.exponent.standardError});
+      diagram.bars.push_back(
+          {parameterTitle(one.key), one.exponent.value, one.exponent.standardError});
   // What may be 0 comes last, and the others alone set the axis: a long line of error says little.
   std::ranges::stable_partition(diagram.bars, isSignificant);
   const bool hasSignificant = !diagram.bars.empty() && isSignificant(diagram.bars.front());

@@ -1,5 +1,5 @@
-// How much friction changes with each parameter at a scene's own state (core/fit/derivatives.h), as
-// a picture and as tables, sorted by size. Pure; any thread.
+// The influence of each parameter on friction at a scene's own state (core/fit/derivatives.h), as a
+// picture and as tables, sorted by size. Pure; any thread.
 #pragma once
 
 #include <array>
@@ -12,25 +12,27 @@
 
 namespace asperity {
 
-/// d ln mu / d ln p of one parameter: by how many per cent friction changes where the parameter
-/// changes by one.
+/// d ln mu / d ln p of one parameter: the change of friction in per cent if the parameter changes
+/// by one per cent.
 struct Exponent {
   std::string_view key;
   double value = 0;  // of the parameter, SI
   Estimate exponent;
 };
 
-/// Returns the exponents of a scene with the largest first. Of a parameter whose axis is linear it
-/// is p d ln mu / d p.
-std::vector<Exponent> exponentsOf(const Scene& scene, const std::vector<Sensitivity>& all);
+/// Returns the exponents of a scene, the largest first. For a parameter with a linear axis the
+/// exponent is p d ln mu / d p.
+std::vector<Exponent> sensitivityExponents(const Scene& scene, const std::vector<Sensitivity>& all);
 
 /// Returns whether the value of a bar is larger than its error; true where the error is unknown.
 bool isSignificant(const DiagramBar& bar);
 
-/// A row for each parameter with its exponent and the standard error; those that may be 0 are last.
+/// Returns a row for each parameter with its exponent and the standard error; those that may be 0
+/// come last.
 DiagramSheet sensitivitySheet(const Scene& scene, const std::vector<Exponent>& all);
 
-/// For people: aligned columns below these names of parameter, value, exponent and error.
+/// Returns a table for people: aligned columns below these names of parameter, value, exponent and
+/// error.
 std::string sensitivityText(const std::vector<Exponent>& all,
                             const std::array<std::string, 4>& head);
 std::string sensitivityCsv(const std::vector<Exponent>& all);

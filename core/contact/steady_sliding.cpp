@@ -145,7 +145,7 @@ SteadyResult slideAtDepth(const PreparedProfile& line, const SlidingConditions& 
 }
 
 SlidingConditions slidingConditions(const Scene& scene, double velocity) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   return {law.equilibriumModulus, law.relaxationTime, velocity};
 }
 

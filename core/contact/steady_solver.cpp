@@ -13,12 +13,13 @@ SteadySolver::SteadySolver(const Scene& scene)
     : load_(scene.load),
       interface_(scene.interface),
       temperatureShift_(temperatureShift(scene.elastomer)),
-      hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
-      hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
-      law_(lawOf(scene.elastomer)) {
+      hasInterface_(needsStage(scene, Purpose::Curve, Stage::Interface)),
+      hasArms_(needsStage(scene, Purpose::Curve, Stage::Arms)),
+      law_(elementLaw(scene.elastomer)) {
   checkEffects(scene);
-  needEquilibrium(scene);
-  if (callsFor(scene, Purpose::Curve, Stage::TemperatureShift)) countStage(Stage::TemperatureShift);
+  requireEquilibrium(scene);
+  if (needsStage(scene, Purpose::Curve, Stage::TemperatureShift))
+    countStage(Stage::TemperatureShift);
   if (!hasArms_) return;
   modes_ = retardationModes(law_);
   tables_ = std::make_unique<ArmTables>(law_, modes_);

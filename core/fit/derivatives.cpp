@@ -5,6 +5,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/base/text.h"
 #include "core/scene/range.h"
 #include "core/scene/sweep.h"
@@ -36,7 +37,7 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
     throw InputError(
         "", std::string(key),
         message("{}:{} is no range within {}", plain(low), plain(high), allowedText(*row_)));
-  const double now = of(scene);
+  const double now = valueIn(scene);
   if (now < low || now > high)
     throw InputError(
         "", std::string(key),
@@ -47,7 +48,7 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
     throw InputError("", std::string(key),
                      "is 0, which means none; it needs a value to begin from");
   if (isLogarithmic_) {
-    // A logarithm reaches down to a value that is none for all that slides.
+    // On a logarithmic axis the lowest value is above 0.
     constexpr double kLeastPart = 1e-12;
     low_ = std::max(low_, kLeastPart * now);
   } else {
@@ -55,23 +56,23 @@ VariedParameter::VariedParameter(std::string_view key, const Scene& scene, doubl
   }
 }
 
-double VariedParameter::value(double place) const {
-  return std::clamp(isLogarithmic_ ? std::exp(place) : place, low_, high_);
+double VariedParameter::value(double coordinate) const {
+  return std::clamp(isLogarithmic_ ? std::exp(coordinate) : coordinate, low_, high_);
 }
 
-double VariedParameter::place(double value) const {
+double VariedParameter::coordinate(double value) const {
   return isLogarithmic_ ? std::log(value) : value;
 }
 
-double VariedParameter::of(const Scene& scene) const {
-  return std::get<double>(valueOf(*row_, scene));
+double VariedParameter::valueIn(const Scene& scene) const {
+  return std::get<double>(parameterValue(*row_, scene));
 }
 
-void VariedParameter::set(Scene& scene, double place) const {
-  setValue(*row_, scene, value(place));
+void VariedParameter::set(Scene& scene, double coordinate) const {
+  setValue(*row_, scene, value(coordinate));
 }
 
-VariedParameter variedFrom(const std::string& text, const Scene& scene) {
+VariedParameter parseVariedParameter(const std::string& text, const Scene& scene) {
   const std::size_t equals = text.find('=');
   const std::string key = text.substr(0, equals);
   if (equals == text.npos) return {key, scene};
@@ -80,15 +81,16 @@ VariedParameter variedFrom(const std::string& text, const Scene& scene) {
   if (colon == range.npos)
     throw InputError("", "--vary", message("'{}' is not KEY or KEY=LOW:HIGH", shortened(text)));
   const Parameter& row = numberRow(key);
-  return {key, scene, numberFromText(row, range.substr(0, colon)),
-          numberFromText(row, range.substr(colon + 1))};
+  return {key, scene, parseNumber(row, range.substr(0, colon)),
+          parseNumber(row, range.substr(colon + 1))};
 }
 
-std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, const Scene& scene) {
+std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string>& texts,
+                                                   const Scene& scene) {
   if (texts.empty()) throw InputError("", "--vary", "no key is given");
   std::vector<VariedParameter> varied;
   for (const std::string& text : texts) {
-    varied.push_back(variedFrom(text, scene));
+    varied.push_back(parseVariedParameter(text, scene));
     for (std::size_t i = 0; i + 1 < varied.size(); ++i)
       if (varied[i].key() == varied.back().key())
         throw InputError("", "--vary", message("{} is given more than once", varied.back().key()));
@@ -102,10 +104,10 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
     const std::string_view section = row.key.substr(0, row.key.find('.'));
     const bool isOfTheState = section == "surface" || section == "elastomer" || section == "load" ||
                               section == "interface" || &row == findParameter("sliding.velocity");
-    // What was measured of a rubber says where its moduli are known, not what they are.
+    // The measured range of a rubber tells where its moduli are known, and changes no friction.
     const bool isOfTheMeasurement = row.key.starts_with("elastomer.measured.");
     if (!isOfTheState || isOfTheMeasurement || !std::holds_alternative<RealField>(row.field) ||
-        !whyNotSwept(row, scene).empty() || std::get<double>(valueOf(row, scene)) == 0)
+        !whyNotSwept(row, scene).empty() || std::get<double>(parameterValue(row, scene)) == 0)
       continue;
     active.emplace_back(row.key, scene);
   }
@@ -114,7 +116,7 @@ std::vector<VariedParameter> activeParameters(const Scene& scene) {
 
 void fixResolution(Scene& scene) {
   if (scene.accuracy.scheme != Scheme::Nodal && scene.accuracy.oversampling == 0)
-    scene.accuracy.oversampling = pointsPerElementOfCurve(scene);
+    scene.accuracy.oversampling = curvePointsPerElement(scene);
 }
 
 double totalMu(const CurvePoint& point) {
@@ -124,15 +126,16 @@ double totalMu(const CurvePoint& point) {
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options) {
-  // All states side by side: as given, then those below and those above for each parameter. A
-  // resolution that the program chooses may change with a parameter, which would be a jump.
+  // All states slide side by side: the given ones, then for each parameter those below and those
+  // above. A resolution that the program chooses may change with a parameter, which would be a
+  // jump.
   std::vector<Scene> all(states.begin(), states.end());
   for (Scene& state : all) fixResolution(state);
   std::vector<double> widths;  // [parameter][state]
   for (const VariedParameter& parameter : parameters)
     for (const double side : {-1.0, 1.0})
       for (std::size_t i = 0; i < states.size(); ++i) {
-        const double here = parameter.place(parameter.of(states[i]));
+        const double here = parameter.coordinate(parameter.valueIn(states[i]));
         const double there =
             std::clamp(here + side * parameter.step(), parameter.lowest(), parameter.highest());
         Scene state = all[i];
@@ -143,7 +146,7 @@ FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
   StateOptions keeping = options;
   keeping.keepsLines = true;
   SteadyStates found = slideStates(all, keeping);
-  if (!found.isComplete) throw StudyStopped{};
+  if (!found.isComplete) throw StopRequested{};
 
   FrictionWithDerivatives result;
   const std::size_t n = states.size();
@@ -172,7 +175,8 @@ std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& o
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const std::vector<double>& slopes = found.slopesOfLines[k].front();
     if (std::ranges::all_of(slopes, [](double slope) { return slope == 0; })) continue;
-    // The ratio of two means over the same lines, and its error by leaving out one line at a time.
+    // This is the ratio of two means over the same lines, with its error by leaving out one line at
+    // a time.
     const auto read = [&](int leftOut) {
       double slope = 0, friction = 0;
       for (std::size_t line = 0; line < mu.size(); ++line) {

@@ -1,7 +1,7 @@
-// Derivatives of friction by the parameters of a scene, by central differences on common random
-// lines: the lines of both sides are the same, so that their scatter cancels. One function for
-// fits, sensitivities and whoever else needs them.
-// Failure: as slideStates; a stopped computation throws StudyStopped.
+// Derivatives of friction with respect to the parameters of a scene, by central differences on
+// common random lines: both sides use the same lines, so that their scatter cancels. Fits and
+// sensitivities use the same function.
+// Failure: as slideStates; StopRequested where the computation was stopped.
 #pragma once
 
 #include <span>
@@ -15,12 +15,13 @@
 
 namespace asperity {
 
-/// A parameter of a scene on the axis on which it is varied: its logarithm where its slider is
-/// logarithmic and the value is above 0, else the value itself.
+/// A parameter of a scene on the axis on which it is varied. Its coordinate is its logarithm where
+/// its slider is logarithmic and the value is above 0, else the value itself.
 class VariedParameter {
  public:
   /// low, high: limits of the value, within what the parameter allows. Throws InputError with the
-  /// key where it is no number, has no meaning in the scene, or its value lies outside the limits.
+  /// key where the parameter is no number, has no meaning in the scene, or has a value outside of
+  /// the limits.
   VariedParameter(std::string_view key, const Scene& scene);
   VariedParameter(std::string_view key, const Scene& scene, double low, double high);
 
@@ -28,17 +29,17 @@ class VariedParameter {
   const Parameter& row() const { return *row_; }
   bool isLogarithmic() const { return isLogarithmic_; }
 
-  /// The value from its place on the axis, and back.
-  double value(double place) const;
-  double place(double value) const;
-  double lowest() const { return place(low_); }
-  double highest() const { return place(high_); }
-  /// How far a difference reaches to each side: a thousandth of the value, or of the range of a
-  /// linear slider. Second-order differences are then good to some 1e-6.
+  /// Return the value of a coordinate, and the coordinate of a value.
+  double value(double coordinate) const;
+  double coordinate(double value) const;
+  double lowest() const { return coordinate(low_); }
+  double highest() const { return coordinate(high_); }
+  /// Returns the step of a difference to each side: a thousandth of the value, or of the range of a
+  /// linear slider. Central differences are then accurate to about 1e-6.
   double step() const { return step_; }
 
-  double of(const Scene& scene) const;  // the value in a scene
-  void set(Scene& scene, double place) const;
+  double valueIn(const Scene& scene) const;  // the value in a scene
+  void set(Scene& scene, double coordinate) const;
 
  private:
   const Parameter* row_;
@@ -47,48 +48,50 @@ class VariedParameter {
   double step_ = 1e-3;
 };
 
-/// Reads "KEY" or "KEY=LOW:HIGH", whose limits may have units. Throws InputError with the key, or
+/// Reads "KEY" or "KEY=LOW:HIGH"; the limits may have units. Throws InputError with the key, or
 /// with --vary.
-VariedParameter variedFrom(const std::string& text, const Scene& scene);
+VariedParameter parseVariedParameter(const std::string& text, const Scene& scene);
 
-/// Reads several. Throws InputError (--vary) where there is none, or a key stands twice.
-std::vector<VariedParameter> variedFrom(const std::vector<std::string>& texts, const Scene& scene);
+/// Reads several parameters. Throws InputError (--vary) where there is none, or a key occurs twice.
+std::vector<VariedParameter> parseVariedParameters(const std::vector<std::string>& texts,
+                                                   const Scene& scene);
 
-/// Returns the numbers that steady friction at one velocity may depend on, in the table's order.
-/// What is 0 is an effect that is switched off, and left out.
+/// Returns the numbers on which steady friction at one velocity may depend, in the table's order. A
+/// parameter that is 0 is an effect that is switched off, and left out.
 std::vector<VariedParameter> activeParameters(const Scene& scene);
 
-/// States the resolution that the scene leaves to the program, so that it does not change where
-/// other parameters do.
+/// Sets the resolution that the scene leaves to the program, so that it does not change with other
+/// parameters.
 void fixResolution(Scene& scene);
 
-/// Friction as a person measures it: of deformation and interface together.
+/// Returns friction as it is measured: of deformation and interface together.
 double totalMu(const CurvePoint& point);
 
-/// States with the friction of their lines (deformation and interface together), and how it changes
-/// with the place of each parameter.
+/// The friction of states on each of their lines (deformation and interface together), and its
+/// derivative with respect to the coordinate of each parameter.
 struct FrictionWithDerivatives {
   std::vector<CurvePoint> points;                               // [state]
   std::vector<std::vector<double>> muOfLines;                   // [state][line]
   std::vector<std::vector<std::vector<double>>> slopesOfLines;  // [parameter][state][line]
 };
 
-/// `states` are slid with the parameters at their own values, and at a step to each side of them;
-/// where a limit is nearer than a step, to the other side alone. Beyond the limits slopes are 0.
+/// Slides `states` with the parameters at their own values and at a step to each side of them;
+/// where a limit is nearer than a step, to the other side only. Beyond the limits derivatives are
+/// 0.
 FrictionWithDerivatives frictionWithDerivatives(std::span<const Scene> states,
                                                 std::span<const VariedParameter> parameters,
                                                 const StateOptions& options);
 
-/// d ln mu / d ln p at the scene's velocity, or d ln mu / d p for parameters that may be 0 or
-/// negative; of mu with what the interface adds.
+/// The derivative d ln mu / d ln p at the scene's velocity, or d ln mu / d p for parameters that
+/// may be 0 or negative; mu includes the friction of the interface.
 struct Sensitivity {
   std::string_view key;
   bool isLogarithmic = true;
   Estimate slope;  // its error is that of the mean over the lines
 };
 
-/// Returns one for every number that has a meaning in the scene and changes its friction at one
-/// velocity.
+/// Returns the sensitivity to every number that has a meaning in the scene and influences its
+/// friction at one velocity.
 std::vector<Sensitivity> sensitivities(const Scene& scene, const StateOptions& options = {});
 
 }  // namespace asperity

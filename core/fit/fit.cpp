@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/input_error.h"
+#include "core/base/statistics.h"
 #include "core/fit/fit_objective.h"
 
 namespace asperity {
@@ -16,8 +17,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A root of the covariance of the mean over the lines, which all points share, [point][line]: the
-/// covariance is it times its transpose.
+/// Returns a square root of the covariance of the mean over the lines, which all points share,
+/// [point][line]: the covariance is the root times its transpose.
 MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   const auto n = static_cast<Eigen::Index>(found.muOfLines.size());
   std::size_t lines = found.muOfLines.front().size();
@@ -26,19 +27,20 @@ MatrixXd scatterOfLines(const FrictionWithDerivatives& found) {
   MatrixXd about(n, static_cast<Eigen::Index>(lines));
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<double>& mu = found.muOfLines[static_cast<std::size_t>(i)];
-    const double mean = meanOf(mu);
+    const double average = mean(mu);
     for (std::size_t line = 0; line < lines; ++line)
-      about(i, static_cast<Eigen::Index>(line)) = mu[line] - mean;
+      about(i, static_cast<Eigen::Index>(line)) = mu[line] - average;
   }
   return about / std::sqrt(static_cast<double>(lines) * static_cast<double>(lines - 1));
 }
 
-/// What the points know of the parameters, a symmetric matrix, by its principal directions.
+/// The Fisher information of the points about the parameters, a symmetric matrix, by its principal
+/// directions.
 class Information {
  public:
   explicit Information(const MatrixXd& matrix) : directions_(matrix) {}
 
-  /// The inverse; directions of which the points know nothing get a very large value in place of an
+  /// Returns the inverse; directions without information get a very large value instead of an
   /// infinite one.
   MatrixXd inverse() const {
     constexpr double kNothing = 1e-15;
@@ -47,9 +49,9 @@ class Information {
            directions_.eigenvectors().transpose();
   }
 
-  /// The covariance of the directions of which the points know nothing, such as that of force and
-  /// modulus together, whose ratio alone matters: along them the response to the points' errors is
-  /// 0, but their values may be any.
+  /// Returns the covariance of the directions without information, such as force and modulus
+  /// together, of which only the ratio matters. Along them the response to the points' errors is 0,
+  /// but the values may be anything.
   MatrixXd openCovariance() const {
     constexpr double kOpen = 1e-10;
     const MatrixXd& axes = directions_.eigenvectors();
@@ -61,7 +63,8 @@ class Information {
   }
 
  private:
-  /// This share of the best known direction, and never 0.
+  /// The information below which a direction counts as unknown: this share of the best known one,
+  /// and never 0.
   double least(double share) const {
     return std::max(share * directions_.eigenvalues().maxCoeff(),
                     std::numeric_limits<double>::min() * 1e10);
@@ -70,7 +73,7 @@ class Information {
   Eigen::SelfAdjointEigenSolver<MatrixXd> directions_;
 };
 
-/// How far a parameter's place may be wrong before it counts as open.
+/// Returns the error of a coordinate beyond which a parameter counts as not determined.
 double openBeyond(const VariedParameter& parameter) {
   if (parameter.isLogarithmic()) return std::log(2.0);
   const auto& field = std::get<RealField>(parameter.row().field);
@@ -90,7 +93,7 @@ class Fitting {
     std::iota(all_.begin(), all_.end(), 0);
     start_.resize(static_cast<Eigen::Index>(parameters.size()));
     for (std::size_t k = 0; k < parameters.size(); ++k)
-      start_[static_cast<Eigen::Index>(k)] = parameters[k].place(parameters[k].of(scene));
+      start_[static_cast<Eigen::Index>(k)] = parameters[k].coordinate(parameters[k].valueIn(scene));
     const auto points = static_cast<std::int64_t>(objective_.size());
     const auto count = static_cast<std::int64_t>(parameters.size());
     if (count == 0) throw InputError("", "--vary", "no parameter is named");
@@ -107,14 +110,14 @@ class Fitting {
     objective_.addVelocityErrors(start_);
     Minimum best = minimize(objective_, nearer(start_), all_, kIterations);
     if (objective_.hasVelocityErrors()) {
-      objective_.addVelocityErrors(best.places);
-      best = minimize(objective_, best.places, all_, kIterations);
+      objective_.addVelocityErrors(best.coordinates);
+      best = minimize(objective_, best.coordinates, all_, kIterations);
     }
     fit_.hasConverged = best.hasConverged;
     fit_.chiSquared = best.chiSquared;
-    fit_.scene = objective_.sceneAt(best.places);
-    setErrors(best.places);
-    setParameters(best.places);
+    fit_.scene = objective_.sceneAt(best.coordinates);
+    setErrors(best.coordinates);
+    setParameters(best.coordinates);
     setCombinations();
     if (options_.hasProfiles) setProfiles(best);
     fit_.evaluations = objective_.evaluations();
@@ -124,10 +127,11 @@ class Fitting {
 
  private:
   static constexpr int kIterations = 60;
-  /// Beyond this distance of logarithms, a factor of two, a fit has not found the points.
+  /// A fit that is further from the points in the logarithm than a factor of two has not found
+  /// them.
   static constexpr double kFar = std::numbers::ln2;
 
-  /// A table without errors has no weight beside one with them.
+  /// A table without errors has no weight beside a table with errors.
   void refuseMissingErrors() const {
     const auto with = std::ranges::find_if(data_, &FrictionData::hasErrors);
     const auto without = std::ranges::find_if_not(data_, &FrictionData::hasErrors);
@@ -138,19 +142,19 @@ class Fitting {
                                Message::name(without->name), Message::name(with->name)));
   }
 
-  /// The place to begin from: where friction is far from what was measured, the one to which its
-  /// logarithms lead.
+  /// Returns the coordinates from which the fit begins. Where friction is far from the measured
+  /// values, a fit of logarithms comes first.
   VectorXd nearer(const VectorXd& start) const {
     const double distance = objective_.logarithmicDistance(objective_.evaluate(start, {}));
     if (distance < kFar || !std::isfinite(distance)) return start;
-    return minimize(objective_, start, all_, kIterations, Distance::Logarithm).places;
+    return minimize(objective_, start, all_, kIterations, Distance::Logarithm).coordinates;
   }
 
-  /// Errors hold unless chi squared is three of its standard deviations beyond its mean: a fit
-  /// leaves the degrees of freedom of the points' errors, and of the lines' scatter what no
-  /// parameter follows. Errors that do not hold, and the 100 % in place of those that are not
-  /// given, are scaled to what the fit leaves. left: of the scatter of the lines, over the points'
-  /// errors.
+  /// Scales the errors of the points if they do not hold: if chi squared is more than three of its
+  /// standard deviations above its mean. A fit leaves the degrees of freedom of the points' errors,
+  /// and that part of the lines' scatter which no parameter follows. Errors that do not hold, and
+  /// the 100 % that replace missing ones, are scaled to the residuals. left: the remaining part of
+  /// the lines' scatter, over the points' errors.
   void compareWithErrors(const MatrixXd& left) {
     const auto freedom = static_cast<double>(fit_.freedom);
     const double ofLines = left.squaredNorm();
@@ -160,8 +164,8 @@ class Fitting {
     if (!hasErrors_) fit_.errorScale = fit_.relativeScatter = std::sqrt(fit_.chiSquared / freedom);
   }
 
-  void setErrors(const VectorXd& places) {
-    const FrictionWithDerivatives found = objective_.evaluate(places, all_);
+  void setErrors(const VectorXd& coordinates) {
+    const FrictionWithDerivatives found = objective_.evaluate(coordinates, all_);
     fit_.hasFoundPoints = objective_.logarithmicDistance(found) < kFar;
     const auto n = static_cast<Eigen::Index>(objective_.size());
     const auto count = static_cast<Eigen::Index>(parameters_.size());
@@ -172,7 +176,7 @@ class Fitting {
       const double deviation = objective_.deviation(point);
       weights[i] = 1 / (deviation * deviation);
       for (Eigen::Index k = 0; k < count; ++k)
-        slopes(i, k) = meanOf(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
+        slopes(i, k) = mean(found.slopesOfLines[static_cast<std::size_t>(k)][point]);
     }
     const MatrixXd lines = scatterOfLines(found);
     const Information information(slopes.transpose() * weights.asDiagonal() * slopes);
@@ -190,7 +194,7 @@ class Fitting {
     }
   }
 
-  void setParameters(const VectorXd& places) {
+  void setParameters(const VectorXd& coordinates) {
     const auto count = static_cast<Eigen::Index>(parameters_.size());
     fit_.correlation = MatrixXd::Identity(count, count);
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -198,13 +202,13 @@ class Fitting {
       FittedParameter found;
       found.key = parameter.key();
       found.isLogarithmic = parameter.isLogarithmic();
-      found.value = parameter.value(places[k]);
+      found.value = parameter.value(coordinates[k]);
       found.standardError = std::sqrt(covariance_(k, k));
-      found.low = parameter.value(places[k] - found.standardError);
-      found.high = parameter.value(places[k] + found.standardError);
+      found.low = parameter.value(coordinates[k] - found.standardError);
+      found.high = parameter.value(coordinates[k] + found.standardError);
       const double near = 1e-6 * (parameter.highest() - parameter.lowest());
       found.isAtLimit =
-          places[k] - parameter.lowest() < near || parameter.highest() - places[k] < near;
+          coordinates[k] - parameter.lowest() < near || parameter.highest() - coordinates[k] < near;
       found.isDetermined = found.standardError <= openBeyond(parameter);
       fit_.parameters.push_back(found);
       for (Eigen::Index j = 0; j < count; ++j)
@@ -214,7 +218,7 @@ class Fitting {
     }
   }
 
-  /// The principal axes of the error ellipsoid.
+  /// Finds the principal axes of the error ellipsoid.
   void setCombinations() {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(covariance_);
     for (Eigen::Index k = 0; k < covariance_.rows(); ++k) {
@@ -227,8 +231,8 @@ class Fitting {
     }
   }
 
-  /// With one parameter held at some places around the best one, the others follow as their
-  /// covariance says and are then minimized for.
+  /// Holds one parameter at some values around the best one. The others begin where their
+  /// covariance predicts, and are then minimized over.
   void setProfiles(const Minimum& best) {
     constexpr int kFewIterations = 4;
     for (std::size_t k = 0; k < parameters_.size(); ++k) {
@@ -239,20 +243,20 @@ class Fitting {
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
       ObjectiveProfile profile{std::string(parameter.key()), {}, {}};
       for (const double steps : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}) {
-        const double there = best.places[index] + steps * reach;
+        const double there = best.coordinates[index] + steps * reach;
         if (there < parameter.lowest() || there > parameter.highest()) continue;
         Minimum held = best;
         if (steps != 0) {
-          VectorXd start =
-              best.places + covariance_.col(index) * (steps * reach) / covariance_(index, index);
+          VectorXd start = best.coordinates +
+                           covariance_.col(index) * (steps * reach) / covariance_(index, index);
           for (std::size_t j = 0; j < parameters_.size(); ++j) {
-            const auto place = static_cast<Eigen::Index>(j);
-            start[place] =
-                std::clamp(start[place], parameters_[j].lowest(), parameters_[j].highest());
+            const auto other = static_cast<Eigen::Index>(j);
+            start[other] =
+                std::clamp(start[other], parameters_[j].lowest(), parameters_[j].highest());
           }
           start[index] = there;
-          held =
-              others.empty() ? atPlace(start) : minimize(objective_, start, others, kFewIterations);
+          held = others.empty() ? atCoordinates(start)
+                                : minimize(objective_, start, others, kFewIterations);
         }
         profile.values.push_back(parameter.value(there));
         profile.chiSquared.push_back(held.chiSquared);
@@ -261,8 +265,8 @@ class Fitting {
     }
   }
 
-  Minimum atPlace(const VectorXd& places) const {
-    return {places, objective_.chiSquared(objective_.evaluate(places, {})), true};
+  Minimum atCoordinates(const VectorXd& coordinates) const {
+    return {coordinates, objective_.chiSquared(objective_.evaluate(coordinates, {})), true};
   }
 
   void addNotes() {
@@ -277,7 +281,7 @@ class Fitting {
                   "{:.3g} for {} degrees of freedom; the errors of the values are computed from "
                   "errors of the points that are {:.2g} times as large",
                   fit_.chiSquared, fit_.freedom, fit_.errorScale));
-    // What the tables were taken for.
+    // These notes tell how the tables were understood.
     for (const FrictionData& table : data_)
       for (const Message& note : table.notes)
         fit_.notes.push_back(message("{}: {}", Message::name(table.name), note));
@@ -299,7 +303,7 @@ class Fitting {
       fit_.notes.emplace_back("the fit ended before the sum of squares stopped falling");
   }
 
-  /// Whether points are shifted in temperature by constants that nobody gave.
+  /// Returns whether points are shifted in temperature by constants that are only defaults.
   bool shiftsByGeneralConstants() const {
     const Elastomer& elastomer = fit_.scene.elastomer;
     const TemperatureShift &shift = elastomer.shift, general;
@@ -320,7 +324,7 @@ class Fitting {
   bool hasErrors_;
   std::vector<int> all_;
   VectorXd start_;
-  MatrixXd covariance_;  // of the places
+  MatrixXd covariance_;  // of the coordinates
   Fit fit_;
 };
 

@@ -1,15 +1,17 @@
-// Fits parameters of a scene to measured friction: weighted least squares on common random lines,
-// so that the objective is smooth, by Levenberg and Marquardt's method within limits (Ceres
+// Fits parameters of a scene to measured friction by weighted least squares on common random lines,
+// so that the objective is smooth: the method of Levenberg and Marquardt within limits (Ceres
 // Solver), with derivatives by differences (derivatives.h).
 //
-// Errors. With J the derivatives of the computed friction by the parameters' places and W the
-// weights, the estimate moves by (J'WJ)^-1 J'W times whatever the data and the computed means are
-// wrong by. Both have a covariance: that of the measurement, and that of the mean over the fit's
-// own lines, which all points share. So cov = (J'WJ)^-1 J'W (S_data + S_lines) WJ (J'WJ)^-1. Where
-// the tables have no errors, all points have the same relative one, read from what the fit leaves;
-// where their errors do not hold, they are scaled to it.
-// Threading: a function of its arguments, which uses several threads; same bytes for any number.
-// Failure: InputError for what cannot be varied or fitted; StudyStopped where it was stopped.
+// Errors. Let J be the derivatives of the computed friction with respect to the parameters'
+// coordinates, and W the weights. If data and computed means have the errors e, the estimate has
+// the error (J'WJ)^-1 J'W e. The covariance of e has two parts: that of the measurement, and that
+// of the mean over the fit's own lines, which all points share. So cov = (J'WJ)^-1 J'W (S_data +
+// S_lines) WJ (J'WJ)^-1. Where the tables have no errors, all points have the same relative error,
+// which is estimated from the residuals; where their errors do not hold, they are scaled to the
+// residuals.
+// Threading: a function of its arguments, which uses several threads; the bytes are the same for
+// any number of them. Failure: InputError for what cannot be varied or fitted; StopRequested where
+// the computation was stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,14 +38,14 @@ struct FittedParameter {
   std::string key;
   bool isLogarithmic = true;
   double value = 0;          // in the unit of its key
-  double standardError = 0;  // of the value's place: of ln value where that is varied
+  double standardError = 0;  // of the coordinate: of ln value where that is varied
   double low = 0, high = 0;  // value at one standard error to each side
   bool isAtLimit = false;
   bool isDetermined = true;  // false: the data leave it open by more than a factor of two
 };
 
-/// The least sum of squares with one parameter held, over its value: flat where the data say
-/// nothing about it.
+/// The minimum of the sum of squares with one parameter held fixed, over its value: flat where the
+/// data do not determine it.
 struct ObjectiveProfile {
   std::string key;
   std::vector<double> values, chiSquared;
@@ -51,14 +53,14 @@ struct ObjectiveProfile {
 
 /// A product of powers of the parameters (a sum for linear ones) and how well it is determined.
 struct Combination {
-  std::vector<double> exponents;  // of each parameter's place; the largest is 1
-  double standardError = 0;       // of the sum of exponent times place
+  std::vector<double> exponents;  // of each parameter's coordinate; the largest is 1
+  double standardError = 0;       // of the sum of exponent times coordinate
 };
 
 struct Fit {
   Scene scene;  // with the best values
   std::vector<FittedParameter> parameters;
-  Eigen::MatrixXd correlation;            // of the places
+  Eigen::MatrixXd correlation;            // of the coordinates
   std::vector<Combination> combinations;  // best determined first
   std::vector<ObjectiveProfile> profiles;
   std::vector<CurvePoint> computed;    // at the measured points
@@ -66,23 +68,24 @@ struct Fit {
   std::vector<double> bandErrors;      // of the computed friction, by the errors of the parameters
   double chiSquared = 0;
   double relativeScatter = 0;  // of the points about the fit, where the tables have no errors
-  /// The factor of the points' errors in those of the parameters: 1 where they hold. Without errors
+  /// The factor by which the errors of the points are scaled: 1 where they hold. Without errors
   /// theirs are 100 %, and this is the relative scatter.
   double errorScale = 1;
   std::int64_t freedom = 0;  // points minus parameters
   bool hasConverged = false;
-  /// Whether the points lie further from the curve than their errors and the scatter of the lines
-  /// say.
+  /// Whether the points are further from the curve than their errors and the scatter of the lines
+  /// allow.
   bool missesPoints = false;
   /// false: friction differs from the points by more than a factor of two (root mean square of its
-  /// logarithm). Then values and errors are those of no minimum that anyone looks for.
+  /// logarithm), so that values and errors belong to no useful minimum.
   bool hasFoundPoints = true;
   int evaluations = 0;
   std::vector<Message> notes;
 };
 
-/// Throws InputError for what cannot be fitted: no parameters, fewer points than parameters, a
-/// parameter that every point states itself, tables with errors beside some without.
+/// Fits the parameters. Throws InputError for what cannot be fitted: no parameters, fewer points
+/// than parameters, a parameter that every point states itself, tables with errors beside tables
+/// without.
 Fit fitFriction(const Scene& scene, std::span<const FrictionData> data,
                 std::span<const VariedParameter> parameters, const FitOptions& options = {});
 

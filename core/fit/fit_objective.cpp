@@ -13,6 +13,8 @@
 #include <stdexcept>
 
 #include "core/base/input_error.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
 #include "core/friction/study.h"
 
 namespace asperity {
@@ -20,12 +22,14 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Residuals and their derivatives by the free parameters, as Ceres asks for them.
+/// The residuals and their derivatives with respect to the free parameters, as a cost function of
+/// Ceres.
 class Residuals : public ceres::CostFunction {
  public:
-  Residuals(const Objective& objective, VectorXd places, std::vector<int> free, Distance distance)
+  Residuals(const Objective& objective, VectorXd coordinates, std::vector<int> free,
+            Distance distance)
       : objective_(objective),
-        places_(std::move(places)),
+        coordinates_(std::move(coordinates)),
         free_(std::move(free)),
         distance_(distance) {
     set_num_residuals(static_cast<int>(objective_.size()));
@@ -33,38 +37,38 @@ class Residuals : public ceres::CostFunction {
   }
 
   bool Evaluate(const double* const* blocks, double* residuals, double** jacobians) const override {
-    // Beyond a limit friction is that at the limit. Limits of Ceres's own would cost a search along
-    // a line, with derivatives, after every step.
+    // Beyond a limit, friction is that at the limit. Limits of Ceres itself would cost a line
+    // search with derivatives after every step.
     std::vector<bool> isBeyond;
     for (std::size_t j = 0; j < free_.size(); ++j) {
       const VariedParameter& parameter = objective_.parameter(free_[j]);
-      const double place = std::clamp(blocks[0][j], parameter.lowest(), parameter.highest());
-      isBeyond.push_back(place != blocks[0][j]);
-      places_[free_[j]] = place;
+      const double coordinate = std::clamp(blocks[0][j], parameter.lowest(), parameter.highest());
+      isBeyond.push_back(coordinate != blocks[0][j]);
+      coordinates_[free_[j]] = coordinate;
     }
     const bool wantsSlopes = jacobians && jacobians[0];
     try {
       const FrictionWithDerivatives found =
-          objective_.evaluate(places_, wantsSlopes ? free_ : std::vector<int>{});
+          objective_.evaluate(coordinates_, wantsSlopes ? free_ : std::vector<int>{});
       if (distance_ == Distance::Logarithm && !std::isfinite(objective_.logarithmicDistance(found)))
         return false;
       for (std::size_t i = 0; i < objective_.size(); ++i) {
         double perSlope = 1 / objective_.deviation(i);
         residuals[i] = objective_.residual(found, i);
         if (distance_ == Distance::Logarithm) {
-          const double measured = objective_.point(i).mu, computed = meanOf(found.muOfLines[i]);
+          const double measured = objective_.point(i).mu, computed = mean(found.muOfLines[i]);
           residuals[i] = perSlope * measured * std::log(computed / measured);
           perSlope *= measured / computed;
         }
         if (!wantsSlopes) continue;
         for (std::size_t j = 0; j < free_.size(); ++j)
           jacobians[0][i * free_.size() + j] =
-              isBeyond[j] ? 0 : perSlope * meanOf(found.slopesOfLines[j][i]);
+              isBeyond[j] ? 0 : perSlope * mean(found.slopesOfLines[j][i]);
       }
       objective_.report(objective_.chiSquared(found));
       return true;
     } catch (...) {
-      // Ceres knows no exceptions: a state that cannot be is a step that failed.
+      // Ceres does not allow exceptions: an impossible state is a failed step.
       failure_ = std::current_exception();
       return false;
     }
@@ -74,17 +78,13 @@ class Residuals : public ceres::CostFunction {
 
  private:
   const Objective& objective_;
-  mutable VectorXd places_;
+  mutable VectorXd coordinates_;
   std::vector<int> free_;
   Distance distance_;
   mutable std::exception_ptr failure_;
 };
 
 }  // namespace
-
-double meanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 Objective::Objective(const Scene& scene, std::span<const FrictionData> data,
                      std::span<const VariedParameter> parameters, const FitOptions& options)
@@ -96,8 +96,8 @@ Objective::Objective(const Scene& scene, std::span<const FrictionData> data,
   weighWithErrors();
 }
 
-/// A point states a parameter where its state is the same for any value of it, or has another kind
-/// of load.
+/// Finds the points that state a parameter: their state is the same for any value of it, or has
+/// another kind of load.
 void Objective::findStated() {
   for (const VariedParameter& parameter : parameters_) {
     Scene least = scene_, most = scene_;
@@ -105,23 +105,24 @@ void Objective::findStated() {
     parameter.set(most, parameter.highest());
     std::vector<bool>& isStated = isStated_.emplace_back();
     for (const MeasuredPoint& point : points_)
-      isStated.push_back(parameter.of(sceneOf(point, least)) ==
-                             parameter.of(sceneOf(point, most)) ||
-                         !isApplicable(parameter.row(), sceneOf(point, scene_)));
+      isStated.push_back(parameter.valueIn(sceneAtPoint(point, least)) ==
+                             parameter.valueIn(sceneAtPoint(point, most)) ||
+                         !isApplicable(parameter.row(), sceneAtPoint(point, scene_)));
     if (std::ranges::all_of(isStated, std::identity{}))
       throw InputError("", std::string(parameter.key()),
                        "the data state it in each row, so that there is nothing to fit");
   }
 }
 
-FrictionWithDerivatives Objective::evaluate(const VectorXd& places,
+FrictionWithDerivatives Objective::evaluate(const VectorXd& coordinates,
                                             std::span<const int> varied) const {
   ++evaluations_;
   std::vector<VariedParameter> some;
   for (const int k : varied) some.push_back(parameter(k));
-  FrictionWithDerivatives found = frictionWithDerivatives(statesAt(places), some, stateOptions());
+  FrictionWithDerivatives found =
+      frictionWithDerivatives(statesAt(coordinates), some, stateOptions());
   for (std::size_t i = 0; i < size(); ++i)
-    if (!std::isfinite(meanOf(found.muOfLines[i])))
+    if (!std::isfinite(mean(found.muOfLines[i])))
       throw InputError("", "--data",
                        message("the scene has no friction at row {}", points_[i].row));
   for (std::size_t j = 0; j < varied.size(); ++j)
@@ -132,7 +133,7 @@ FrictionWithDerivatives Objective::evaluate(const VectorXd& places,
 }
 
 double Objective::residual(const FrictionWithDerivatives& found, std::size_t i) const {
-  return (meanOf(found.muOfLines[i]) - points_[i].mu) / deviations_[i];
+  return (mean(found.muOfLines[i]) - points_[i].mu) / deviations_[i];
 }
 
 double Objective::chiSquared(const FrictionWithDerivatives& found) const {
@@ -144,7 +145,7 @@ double Objective::chiSquared(const FrictionWithDerivatives& found) const {
 double Objective::logarithmicDistance(const FrictionWithDerivatives& found) const {
   double sum = 0;
   for (std::size_t i = 0; i < size(); ++i) {
-    const double ratio = meanOf(found.muOfLines[i]) / points_[i].mu;
+    const double ratio = mean(found.muOfLines[i]) / points_[i].mu;
     if (!(ratio > 0)) return std::numeric_limits<double>::infinity();
     sum += std::log(ratio) * std::log(ratio);
   }
@@ -156,17 +157,17 @@ bool Objective::hasVelocityErrors() const {
       points_, [](const MeasuredPoint& point) { return !std::isnan(point.velocityError); });
 }
 
-void Objective::addVelocityErrors(const VectorXd& places) {
+void Objective::addVelocityErrors(const VectorXd& coordinates) {
   if (!hasVelocityErrors()) return;
   weighWithErrors();
-  const std::vector<Scene> states = statesAt(places);
+  const std::vector<Scene> states = statesAt(coordinates);
   const VariedParameter velocity("sliding.velocity", states.front());
   const FrictionWithDerivatives found =
       frictionWithDerivatives(states, {&velocity, 1}, stateOptions());
   for (std::size_t i = 0; i < size(); ++i) {
     if (std::isnan(points_[i].velocityError)) continue;
     const double relative = points_[i].velocityError / points_[i].velocity;
-    deviations_[i] = std::hypot(deviations_[i], relative * meanOf(found.slopesOfLines.front()[i]));
+    deviations_[i] = std::hypot(deviations_[i], relative * mean(found.slopesOfLines.front()[i]));
   }
 }
 
@@ -177,10 +178,10 @@ StateOptions Objective::stateOptions() const {
   return options;
 }
 
-std::vector<Scene> Objective::statesAt(const VectorXd& places) const {
-  const Scene here = at(fixed_, places);
+std::vector<Scene> Objective::statesAt(const VectorXd& coordinates) const {
+  const Scene here = at(fixed_, coordinates);
   std::vector<Scene> states;
-  for (const MeasuredPoint& point : points_) states.push_back(sceneOf(point, here));
+  for (const MeasuredPoint& point : points_) states.push_back(sceneAtPoint(point, here));
   return states;
 }
 
@@ -190,9 +191,9 @@ void Objective::weighWithErrors() {
     deviations_.push_back(std::isnan(point.muError) ? point.mu : point.muError);
 }
 
-Scene Objective::at(Scene scene, const VectorXd& places) const {
+Scene Objective::at(Scene scene, const VectorXd& coordinates) const {
   for (std::size_t k = 0; k < parameters_.size(); ++k)
-    parameters_[k].set(scene, places[static_cast<Eigen::Index>(k)]);
+    parameters_[k].set(scene, coordinates[static_cast<Eigen::Index>(k)]);
   return scene;
 }
 
@@ -214,8 +215,7 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
   options.parameter_tolerance = 1e-6;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  // Ceres warns on the standard error stream of a step that failed; the exception behind it says
-  // more.
+  // Ceres would warn about a failed step on the standard error stream; the exception tells more.
   FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
@@ -225,8 +225,8 @@ Minimum minimize(const Objective& objective, const VectorXd& start, const std::v
     throw std::runtime_error("the fit failed: " + summary.message);
   }
   for (std::size_t j = 0; j < free.size(); ++j)
-    minimum.places[free[j]] = std::clamp(values[j], objective.parameter(free[j]).lowest(),
-                                         objective.parameter(free[j]).highest());
+    minimum.coordinates[free[j]] = std::clamp(values[j], objective.parameter(free[j]).lowest(),
+                                              objective.parameter(free[j]).highest());
   minimum.chiSquared = 2 * summary.final_cost;
   minimum.hasConverged = summary.termination_type == ceres::CONVERGENCE;
   return minimum;

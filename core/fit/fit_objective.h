@@ -1,7 +1,8 @@
-// The scene at measured points for any values of its parameters, how far its friction is from what
-// was measured, and the least sum of squares of that (Levenberg and Marquardt's method, Ceres
-// Solver). A part of core/fit/fit.cpp.
-// Failure: InputError for states that cannot slide, StudyStopped where it was stopped.
+// The objective of a fit: the scene at the measured points for any values of its parameters, the
+// residuals of its friction, and the minimum of the sum of their squares (the method of Levenberg
+// and Marquardt, Ceres Solver). It is a part of core/fit/fit.cpp.
+// Failure: InputError for states that cannot slide, StopRequested where the computation was
+// stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +14,6 @@
 #include "core/fit/friction_data.h"
 
 namespace asperity {
-
-double meanOf(const std::vector<double>& values);
 
 class Objective {
  public:
@@ -29,11 +28,11 @@ class Objective {
   int evaluations() const { return evaluations_; }
   const std::stop_token& stop() const { return options_.stop; }
 
-  Scene sceneAt(const Eigen::VectorXd& places) const { return at(scene_, places); }
+  Scene sceneAt(const Eigen::VectorXd& coordinates) const { return at(scene_, coordinates); }
 
-  /// Friction and, for the parameters named, its derivatives; 0 at points that state the parameter
-  /// themselves.
-  FrictionWithDerivatives evaluate(const Eigen::VectorXd& places,
+  /// Returns friction and its derivatives with respect to the parameters `varied`; 0 at points that
+  /// state the parameter themselves.
+  FrictionWithDerivatives evaluate(const Eigen::VectorXd& coordinates,
                                    std::span<const int> varied) const;
 
   /// Returns computed minus measured friction at a point, over the point's error.
@@ -41,8 +40,8 @@ class Objective {
 
   double chiSquared(const FrictionWithDerivatives& found) const;
 
-  /// Root mean square of ln(computed / measured friction); infinite where some friction is not
-  /// above 0.
+  /// Returns the root mean square of ln(computed / measured friction); infinite where some friction
+  /// is not above 0.
   double logarithmicDistance(const FrictionWithDerivatives& found) const;
 
   void report(double chiSquared) const {
@@ -51,16 +50,16 @@ class Objective {
 
   bool hasVelocityErrors() const;
 
-  /// An error of the velocity is one of friction by the slope of the computed curve (effective
-  /// variance).
-  void addVelocityErrors(const Eigen::VectorXd& places);
+  /// Adds the errors of the velocity to those of friction, by the slope of the computed curve
+  /// (effective variance).
+  void addVelocityErrors(const Eigen::VectorXd& coordinates);
 
  private:
   StateOptions stateOptions() const;
-  std::vector<Scene> statesAt(const Eigen::VectorXd& places) const;
+  std::vector<Scene> statesAt(const Eigen::VectorXd& coordinates) const;
   void findStated();
   void weighWithErrors();
-  Scene at(Scene scene, const Eigen::VectorXd& places) const;
+  Scene at(Scene scene, const Eigen::VectorXd& coordinates) const;
 
   const Scene& scene_;
   Scene fixed_;  // with its resolution stated
@@ -73,18 +72,18 @@ class Objective {
 };
 
 struct Minimum {
-  Eigen::VectorXd places;
+  Eigen::VectorXd coordinates;
   double chiSquared = 0;
   bool hasConverged = false;
 };
 
-/// What is squared and summed: the residuals, or for a start that is far away ln(computed /
-/// measured friction) over the point's relative error. Friction is close to a product of powers of
-/// the parameters, so that steps of logarithms lead there from decades away, where those of
-/// differences go beyond all limits.
+/// The residuals that are squared and summed: the differences or, for an initial guess that is far
+/// away, ln(computed / measured friction) over the point's relative error. Friction is close to a
+/// product of powers of the parameters, so steps of logarithms converge from decades away, where
+/// steps of differences exceed all limits.
 enum class Distance { Difference, Logarithm };
 
-/// The least sum of squares over the free parameters, the others held.
+/// Minimizes the sum of squares over the free parameters; the others are held fixed.
 Minimum minimize(const Objective& objective, const Eigen::VectorXd& start,
                  const std::vector<int>& free, int iterations,
                  Distance distance = Distance::Difference);

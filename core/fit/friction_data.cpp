@@ -51,7 +51,7 @@ const std::array<QuantityNames, 8>& knownNames() {
   return known;
 }
 
-/// Letters and digits in lower case; signs and blanks go.
+/// Returns the letters and digits of a name in lower case, without signs and blanks.
 std::string plainWord(std::string_view text) {
   std::string word;
   for (const unsigned char letter : text)
@@ -59,18 +59,18 @@ std::string plainWord(std::string_view text) {
   return word;
 }
 
-/// What is left of a word without one of the ways to say that it is an error; nothing where there
-/// is none.
+/// Returns the rest of a word without the part that marks an error; nothing where there is no such
+/// part.
 std::optional<std::string> withoutError(std::string word) {
   for (const std::string_view sign :
        {"standarderror", "standarddeviation", "uncertainty", "error", "stdev", "stddev", "sigma",
         "unsicherheit", "abweichung", "fehler", "err", "std", "dev", "sd", "se", "\u00B1", "\u03C3",
         "delta", "\u0394"}) {
-    const std::size_t place = word.find(sign);
-    // Two letters at the end of a word mean it only there: "sets" has no error.
-    if (place == std::string::npos) continue;
-    if (sign.size() == 2 && sign[0] < 'z' && place != 0 && place + 2 != word.size()) continue;
-    word.erase(place, sign.size());
+    const std::size_t index = word.find(sign);
+    // Two letters mark an error only at the beginning or end of a word: "sets" has no error.
+    if (index == std::string::npos) continue;
+    if (sign.size() == 2 && sign[0] < 'z' && index != 0 && index + 2 != word.size()) continue;
+    word.erase(index, sign.size());
     if (word.ends_with("of")) word.resize(word.size() - 2);
     if (word.starts_with("of")) word.erase(0, 2);
     if (word.starts_with("in")) word.erase(0, 2);
@@ -79,13 +79,13 @@ std::optional<std::string> withoutError(std::string word) {
   return {};
 }
 
-/// A letter that stands for several things, such as t for temperature and time, has a meaning with
-/// its unit alone.
+/// Returns whether a letter has several meanings, such as t for temperature and time, so that it
+/// needs a unit.
 bool isAmbiguous(const std::string& word) {
   return word == "t" || word == "n" || word == "w";
 }
 
-std::optional<Quantity> quantityOf(const std::string& name, const std::string& unit) {
+std::optional<Quantity> findMeaning(const std::string& name, const std::string& unit) {
   const std::string word = plainWord(name);
   if (unit.empty() && isAmbiguous(word)) return {};
   for (const QuantityNames& known : knownNames())
@@ -101,21 +101,21 @@ std::optional<Quantity> quantityOf(const std::string& name, const std::string& u
   return {};
 }
 
-std::optional<Quantity> quantityOf(const TextColumn& column) {
-  return quantityOf(column.name, column.unit);
+std::optional<Quantity> findMeaning(const TextColumn& column) {
+  return findMeaning(column.name, column.unit);
 }
 
 bool isOfFriction(const TextBlock& block) {
   bool hasVelocity = false, hasMu = false;
   for (const TextColumn& column : block.columns) {
-    const std::optional<Quantity> quantity = quantityOf(column);
+    const std::optional<Quantity> quantity = findMeaning(column);
     hasVelocity = hasVelocity || quantity == Quantity::Velocity;
     hasMu = hasMu || quantity == Quantity::Mu;
   }
   return hasVelocity && hasMu;
 }
 
-/// How the numbers of a column become those of SI.
+/// The conversion of the numbers of a column to SI units.
 struct Conversion {
   Unit unit{};
   bool isShare = false;  // of the quantity that it is the error of
@@ -138,7 +138,7 @@ class Reader {
  private:
   struct Column {
     Quantity quantity;
-    std::size_t place;
+    std::size_t index;
     Conversion conversion;
     Message note;
   };
@@ -164,7 +164,7 @@ class Reader {
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      if (const auto quantity = quantityOf(block_.columns[i]))
+      if (const auto quantity = findMeaning(block_.columns[i]))
         add(*quantity, i);
       else
         refuseUnknownUnit(block_.columns[i]);
@@ -177,23 +177,23 @@ class Reader {
       refuse("has both a normal force and a nominal pressure; one of them says the load");
   }
 
-  /// "load (stone)": a quantity that is known, in a unit that is not.
+  /// Throws InputError for a known quantity in an unknown unit, such as "load (stone)".
   void refuseUnknownUnit(const TextColumn& column) const {
     const std::size_t open = column.name.find_last_of("([");
     if (!column.unit.empty() || open == std::string::npos || open == 0) return;
     const std::string unit = column.name.substr(open);
     TextColumn known{column.name.substr(0, open), std::string(withoutBrackets(unit)), false};
-    if (const auto quantity = quantityOf(known)) conversionOf(*quantity, known);
+    if (const auto quantity = findMeaning(known)) conversionOf(*quantity, known);
   }
 
-  /// What the columns were taken for, and which were left out.
+  /// Adds notes on how the columns were understood, and which ones were ignored.
   std::vector<Message> notes() const {
     std::vector<Message> notes{columns_.front().note};
     for (std::size_t i = 1; i < columns_.size(); ++i)
       notes.front() = message("{}; {}", notes.front(), columns_[i].note);
     std::string unused;
     for (std::size_t i = 0; i < block_.columns.size(); ++i)
-      if (std::ranges::find(columns_, i, &Column::place) == columns_.end())
+      if (std::ranges::find(columns_, i, &Column::index) == columns_.end())
         unused += (unused.empty() ? "" : ", ") + (block_.columns[i].name.empty()
                                                       ? std::to_string(i + 1)
                                                       : shortened(block_.columns[i].name));
@@ -217,25 +217,25 @@ class Reader {
     return found == columns_.end() ? nullptr : &*found;
   }
 
-  void add(Quantity quantity, std::size_t place) {
-    const TextColumn& column = block_.columns[place];
+  void add(Quantity quantity, std::size_t index) {
+    const TextColumn& column = block_.columns[index];
     if (const Column* other = find(quantity))
       refuse(message("has two columns of the {}: {} and {}", Message(meaningOf(quantity)),
-                     shortened(block_.columns[other->place].name), shortened(column.name)));
+                     shortened(block_.columns[other->index].name), shortened(column.name)));
     if (column.isText && quantity != Quantity::Label)
       refuse(message("column {} has texts where numbers are expected", shortened(column.name)));
     if (!column.isText && quantity == Quantity::Label) return;  // numbers of samples
     const Conversion conversion = conversionOf(quantity, column);
     const std::string unit = column.unit.empty() ? std::string(conversion.unit.si) : column.unit;
-    const int number = static_cast<int>(place) + 1;
+    const int number = static_cast<int>(index) + 1;
     const Message meaning(meaningOf(quantity));
-    columns_.push_back({quantity, place, conversion,
+    columns_.push_back({quantity, index, conversion,
                         unit.empty()
                             ? message("column {}: {}", number, meaning)
                             : message("column {}: {} ({})", number, meaning, Message::name(unit))});
   }
 
-  /// A column that states no unit is in SI.
+  /// Finds the conversion of a column; one without a unit is in SI units.
   Conversion conversionOf(Quantity quantity, const TextColumn& column) const {
     const auto unitOf = [&](std::string_view si, const char* known) {
       if (column.unit.empty()) return Conversion{Unit{si}};
@@ -246,7 +246,7 @@ class Reader {
                        shortened(column.unit), std::string_view(known)));
       return Conversion{*unit};
     };
-    const Conversion share{*unitNamed("%"), true};
+    const Conversion share{*findUnit("%"), true};
     switch (quantity) {
       case Quantity::Velocity:
         return unitOf("m/s", "m/s, mm/s, um/s, cm/s, km/h, m/min");
@@ -271,11 +271,11 @@ class Reader {
     return unit.empty() || unit == "1" || unit == "-" || unit == "N/N";
   }
 
-  /// NaN where the column or the value is missing.
+  /// Returns a value of a row; NaN where the column or the value is missing.
   double valueAt(std::size_t row, Quantity quantity, double whole = 1) const {
     const Column* column = find(quantity);
     if (!column) return kNotApplicable;
-    const double number = block_.at(row, column->place);
+    const double number = block_.at(row, column->index);
     if (std::isnan(number)) return kNotApplicable;
     const Conversion& in = column->conversion;
     return in.unit.toSi(number) * (in.isShare ? whole : 1);
@@ -302,14 +302,14 @@ class Reader {
         !(point.velocityError >= 0))
       refuseRow(point.row, "the error of the velocity is below 0");
     if (const Column* temperature = find(Quantity::Temperature)) {
-      constexpr double kColdest = 120;  // K; no elastomer is one any more
-      if (block_.columns[temperature->place].unit.empty() && point.temperature < kColdest)
+      constexpr double kColdest = 120;  // K; below it no elastomer is rubbery
+      if (block_.columns[temperature->index].unit.empty() && point.temperature < kColdest)
         refuseRow(point.row,
                   message("a temperature of {} K is too cold for rubber; name the unit, as in "
                           "\"temperature (C)\"",
                           plain(point.temperature)));
     }
-    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->place][row];
+    if (const Column* label = find(Quantity::Label)) point.label = block_.texts[label->index][row];
     return point;
   }
 
@@ -355,8 +355,8 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   options.keepsTexts = true;
   options.textColumns = {"label", "sample", "name", "set", "series", "specimen"};
   TextTable table = readTextTable(bytes, name, options);
-  undoLogarithms(table,
-                 [](const std::string& quantity) { return quantityOf(quantity, "?").has_value(); });
+  undoLogarithms(
+      table, [](const std::string& quantity) { return findMeaning(quantity, "?").has_value(); });
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!isOfFriction(block)) continue;
@@ -378,7 +378,7 @@ FrictionData readFrictionData(const std::filesystem::path& file, const std::stri
   return data;
 }
 
-Scene sceneOf(const MeasuredPoint& point, const Scene& scene) {
+Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene) {
   Scene at = scene;
   at.sliding.kind = SlidingKind::Steady;
   at.sliding.velocity = point.velocity;

@@ -1,6 +1,6 @@
-// Measured coefficients of friction, as a person brings them in a table: columns of velocity and
-// mu, and where there are some of their errors, the normal force or the nominal pressure, the
-// temperature and a label, recognized by name and unit.
+// Measured coefficients of friction from a table of a user: columns of velocity and mu and, where
+// present, of their errors, the normal force or the nominal pressure, the temperature and a label.
+// The columns are recognized by name and unit.
 // Pure; any thread. Failure: InputError that names the file and the row.
 #pragma once
 
@@ -17,7 +17,8 @@ namespace asperity {
 
 struct TextTable;
 
-/// One row. What the table does not give is NaN, and the scene's own value is meant.
+/// One row of the table. A value that the table does not have is NaN: the scene's own value
+/// applies.
 struct MeasuredPoint {
   double velocity = 0;  // m/s, above 0
   double mu = 0;        // above 0; of deformation and interface together
@@ -33,22 +34,22 @@ struct MeasuredPoint {
 struct FrictionData {
   std::string name{};  // for legends: as it was given, or the file's
   std::vector<MeasuredPoint> points{};
-  std::vector<Message> notes{};  // what the columns were taken for
+  std::vector<Message> notes{};  // how the columns were understood
 
   bool hasErrors() const { return !points.empty() && !std::isnan(points.front().muError); }
 };
 
-/// At least two rows. The columns need names unless there are two (velocity and mu) or three (with
-/// the error of mu). Units: those of SI and their usual multiples; km/h; % for errors; degrees
-/// Celsius or Fahrenheit with their unit. `label` replaces the file's name.
+/// Read a table of at least two rows. The columns need names unless there are two (velocity and mu)
+/// or three (with the error of mu). Units: those of SI with their usual prefixes; km/h; % for
+/// errors; degrees Celsius or Fahrenheit if stated. label: replaces the file's name.
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label = {});
 FrictionData parseFrictionData(std::string_view bytes, const std::string& name);
 
-/// Whether the table has named columns of a velocity and of a coefficient of friction.
+/// Returns whether the table has named columns of a velocity and of a coefficient of friction.
 bool isFrictionTable(const TextTable& table);
 
-/// The scene as it was when the point was measured: steady, at its velocity, and with the force,
-/// pressure and temperature that the table gives.
-Scene sceneOf(const MeasuredPoint& point, const Scene& scene);
+/// Returns the scene at a measured point: in steady sliding at its velocity, with the force,
+/// pressure and temperature of the table.
+Scene sceneAtPoint(const MeasuredPoint& point, const Scene& scene);
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ class Side {
  public:
   Side(Scene scene, std::vector<double> velocities)
       : scene_(std::move(scene)),
-        source_(scene_, pointsPerElementOfCurve(scene_)),
+        source_(scene_, curvePointsPerElement(scene_)),
         sweep_{scene_.load, std::move(velocities)},
         total_(source_.lines()) {}
 
@@ -53,7 +53,7 @@ class Side {
   std::int64_t total_, done_ = 0;
 };
 
-DifferencePoint pointOf(double velocity, const PairedMeans& means) {
+DifferencePoint differencePoint(double velocity, const PairedMeans& means) {
   const PairedMeans::Ratio ratio = means.ratio();
   return {velocity, means.meanB(), means.standardErrorB(), ratio.value - 1, ratio.standardError};
 }
@@ -86,7 +86,7 @@ PairedMeans::Ratio PairedMeans::ratio() const {
   return ratio;
 }
 
-Message nameOf(const CurveSetting& setting) {
+Message settingName(const CurveSetting& setting) {
   const auto choices = std::get<ChoiceField>(findParameter("accuracy.scheme")->field).choices;
   const Message scheme(choices[static_cast<std::size_t>(setting.scheme)]);
   const Message lines =
@@ -104,7 +104,7 @@ Scene withSetting(Scene scene, const CurveSetting& setting) {
 
 CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
                                 const DifferenceOptions& options) {
-  needSteadySliding(scene, "a comparison of curves");
+  requireSteadySliding(scene, "a comparison of curves");
   if (choosesAccuracy(scene))
     throw InputError("", "accuracy.target_relative_error",
                      "a comparison needs the same resolution at every velocity, not a target");
@@ -130,7 +130,7 @@ CurveDifference curveDifference(const Scene& scene, const CurveSetting& setting,
     difference.done = own.done() + other.done();
     difference.points.clear();
     for (std::size_t i = 0; i < means.size(); ++i)
-      difference.points.push_back(pointOf(velocities[i], means[i]));
+      difference.points.push_back(differencePoint(velocities[i], means[i]));
     if (options.progress) options.progress(difference);
   }
   return difference;

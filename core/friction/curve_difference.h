@@ -26,7 +26,7 @@ struct CurveSetting {
 };
 
 /// Returns "cubic x8, 20 lines"; nodal has no oversampling.
-Message nameOf(const CurveSetting& setting);
+Message settingName(const CurveSetting& setting);
 
 /// Returns the scene with this setting; its target accuracy, if any, is dropped.
 Scene withSetting(Scene scene, const CurveSetting& setting);

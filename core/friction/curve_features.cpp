@@ -38,7 +38,7 @@ struct Peak {
   double step = 1;  // ratio of neighbouring velocities
 };
 
-Peak peakOf(std::span<const double> velocities, std::span<const double> values) {
+Peak findPeak(std::span<const double> velocities, std::span<const double> values) {
   const std::size_t top = highest(values);
   if (top == 0 || top + 1 == values.size()) return {{velocities[top], values[top]}};
   const double bend = values[top - 1] - 2 * values[top] + values[top + 1];
@@ -76,13 +76,13 @@ LineFit fitPower(std::span<const double> x, std::span<const double> y) {
 }
 
 CurveMaximum curveMaximum(std::span<const double> velocities, std::span<const double> values) {
-  return peakOf(velocities, values).maximum;
+  return findPeak(velocities, values).maximum;
 }
 
 RegionBorders regionBorders(std::span<const double> velocities, std::span<const double> values,
                             const BorderRule& rule) {
   const double perVelocity = values[0] / velocities[0];
-  const Peak peak = peakOf(velocities, values);
+  const Peak peak = findPeak(velocities, values);
   const double reached = rule.ofMaximum * peak.maximum.value;
   const std::size_t top = highest(values);
   const auto overLine = [&](std::size_t i) { return values[i] / (perVelocity * velocities[i]); };

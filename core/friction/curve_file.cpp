@@ -39,7 +39,7 @@ constexpr ColumnName kRealizations = "realizations";
 struct ExtraColumn {
   ColumnName name;
   double (*value)(const CurvePoint& point);
-  /// Where forces are asked for, a column may apply to more rows.
+  /// Where forces are requested, a column may apply to more rows.
   double (*withForces)(const CurvePoint& point) = nullptr;
 };
 constexpr std::array<ExtraColumn, 14> kExtraColumns{{
@@ -74,7 +74,7 @@ constexpr ColumnName kNotesColumn = "notes";
 
 bool hasNotes(const std::vector<CurvePoint>& points) {
   return std::ranges::any_of(points,
-                             [](const CurvePoint& point) { return !notesOf(point).empty(); });
+                             [](const CurvePoint& point) { return !pointNotes(point).empty(); });
 }
 
 }  // namespace
@@ -93,31 +93,32 @@ std::string curveRow(const CurvePoint& point) {
 
 namespace {
 
-/// Whether more than half of the friction by Eq. (4) is what the elastic pressure does.
+/// Returns whether more than half of the friction by Eq. (4) is the work of the elastic pressure.
 bool isUnresolved(const CurvePoint& point) {
   if (point.mu == 0) return false;
-  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, and that
-  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part is never
-  // more than 0.45 of the first; where a contact has only a few elements it is their sum's error.
+  // Eq. (4) is the work of the damping, 4 eta v times the squared slope over the contact, plus that
+  // of the elastic pressure. On resolved lines at H = 0.7 and 1e-4 to 1 N the second part never
+  // exceeds 0.45 of the first; where a contact has only a few elements it is the error of their
+  // sum.
   const double slope = point.mu / point.normalizedMu;  // rms, of the whole line
   const double damping = 4 * std::sqrt(2.0) * point.dimensionlessVelocity / slope /
                          point.dimensionlessForce * point.rmsSlopeContact * point.rmsSlopeContact *
                          point.contactFraction;
-  // Of what does not apply nothing is said.
+  // A value that does not apply gives no note.
   return std::isgreater(std::abs(point.mu - damping), damping);
 }
 
 }  // namespace
 
-NoteSet noteSetOf(const CurvePoint& point) {
+NoteSet pointNoteSet(const CurvePoint& point) {
   NoteSet notes = point.notes;
   notes.add(Note::UnresolvedFriction, isUnresolved(point));
   return notes;
 }
 
-std::string notesOf(const CurvePoint& point) {
+std::string pointNotes(const CurvePoint& point) {
   NoteSet said;
-  for (const Note note : noteSetOf(point).list())
+  for (const Note note : pointNoteSet(point).list())
     said.add(note, note != Note::FewContacts || point.listsContacts);
   return said.words();
 }
@@ -149,7 +150,7 @@ CurveColumns columnsFor(const Scene& scene, bool hasForces) {
 CurveTable::CurveTable(std::span<const std::vector<CurvePoint>* const> curves, CurveColumns columns)
     : columns_(std::move(columns)) {
   for (std::size_t i = 0; i < kExtraColumns.size(); ++i) {
-    // The axis may be what a further column says.
+    // The axis may be one of the further columns.
     if (!isOfVelocity() && columns_.sweptColumn() == std::string_view(kExtraColumns[i].name))
       continue;
     if (std::ranges::any_of(curves, [&](const std::vector<CurvePoint>* points) {
@@ -195,7 +196,7 @@ std::string CurveTable::row(const CurvePoint& point) const {
     if (!isLeftOut(column.name)) text += csvNumber(point.*column.member) + ",";
   text += point.realizations > 0 ? fmt::format("{}", point.realizations) : std::string();
   for (const std::size_t i : extra_) text += "," + csvNumber(extraValue(i, point));
-  return hasNotes_ ? text + "," + notesOf(point) : text;
+  return hasNotes_ ? text + "," + pointNotes(point) : text;
 }
 
 nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
@@ -207,7 +208,7 @@ nlohmann::ordered_json CurveTable::json(const CurvePoint& point) const {
   row[kRealizations.text()] = point.realizations;
   for (const std::size_t i : extra_)
     row[kExtraColumns[i].name.text()] = numberOrNull(extraValue(i, point));
-  if (hasNotes_) row[kNotesColumn.text()] = notesOf(point);
+  if (hasNotes_) row[kNotesColumn.text()] = pointNotes(point);
   return row;
 }
 

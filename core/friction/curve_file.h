@@ -19,17 +19,17 @@ namespace asperity {
 std::string curveHeader();
 std::string curveRow(const CurvePoint& point);
 
-/// What a reader of a point has to know, in words of the column `notes` (core/scene/notes.h),
-/// separated by blanks; empty for most.
-/// `unresolved_friction`: of the friction by Eq. (4) more than half is what the elastic pressure
-/// does, which gives back what it takes: too few of the paper's elements carry the load, and mu is
-/// the error of their sum, with either sign. `extrapolated_material`: it rests on frequencies at
+/// Return the notes on a point, in words of the column `notes` (core/scene/notes.h) separated by
+/// blanks; empty for most points.
+/// `unresolved_friction`: more than half of the friction by Eq. (4) is the work of the elastic
+/// pressure, which should cancel: too few of the paper's elements bear the load, and mu is the
+/// error of their sum, with either sign. `extrapolated_material`: friction rests on frequencies at
 /// which the elastomer was not measured; `extrapolated_temperature`: on such a temperature.
-/// `few_contacts` stands in tables of scenes that list contacts; in the set it stands for all.
-std::string notesOf(const CurvePoint& point);
-NoteSet noteSetOf(const CurvePoint& point);
+/// `few_contacts` occurs only in tables of scenes that list contacts; the set has it for all.
+std::string pointNotes(const CurvePoint& point);
+NoteSet pointNoteSet(const CurvePoint& point);
 
-/// The names of all columns of a curve that are numbers, in the order of the tables.
+/// Returns the names of all columns of a curve that are numbers, in the order of the tables.
 std::vector<std::string_view> curveColumns();
 /// Returns the number in a column; NaN where it does not apply.
 double curveValue(const CurvePoint& point, std::string_view column);
@@ -53,8 +53,9 @@ class CurveTable {
  public:
   explicit CurveTable(std::span<const std::vector<CurvePoint>* const> curves,
                       CurveColumns columns = {});
-  /// Of rows that are no curve, because they differ in more than one key: a further column is there
-  /// where any of them has it, forces included. Columns of these names are left out.
+  /// Makes the columns for rows that are no curve, because they differ in more than one key: a
+  /// further column is there where any row has it, forces included. Columns with these names are
+  /// left out.
   CurveTable(const std::vector<CurvePoint>& rows, std::vector<std::string> without);
 
   /// Return names and cells of one row, separated by commas, without a line end.

@@ -54,19 +54,19 @@ bool listsContacts(const Scene& scene) {
          measuredFrequencies(scene.elastomer).has_value();
 }
 
-LawLines lawLines(const LineSource& source, const Elastomer& elastomer) {
-  LawLines lines;
+LineProperties lineProperties(const LineSource& source, const Elastomer& elastomer) {
+  LineProperties lines;
   lines.rmsHeight = source.statistics().rmsHeight;
   lines.rmsSlope = source.statistics().rmsSlope;
   lines.length = source.length();
   lines.slopesDiffer = source.slopesDiffer();
-  lines.notes = notesOf(source);
+  lines.notes = lineNotes(source);
   if (measuredFrequencies(elastomer)) lines.waves = excitedWaves(source);
   return lines;
 }
 
-LawLines LawLines::scaled(double factor) const {
-  LawLines lines = *this;
+LineProperties LineProperties::scaled(double factor) const {
+  LineProperties lines = *this;
   lines.rmsHeight *= factor;
   lines.rmsSlope *= factor;
   // The slope is noted for the lines as they are now.
@@ -77,9 +77,9 @@ LawLines LawLines::scaled(double factor) const {
 }
 
 LawColumns::LawColumns(const Scene& scene, const LineSource& source)
-    : LawColumns(scene, lawLines(source, scene.elastomer)) {}
+    : LawColumns(scene, lineProperties(source, scene.elastomer)) {}
 
-LawColumns::LawColumns(const Scene& scene, const LawLines& lines)
+LawColumns::LawColumns(const Scene& scene, const LineProperties& lines)
     : scene_(scene),
       excitation_(lines.waves && measuredFrequencies(scene.elastomer)
                       ? std::make_shared<const Excitation>(scene.elastomer, lines.waves)
@@ -88,12 +88,12 @@ LawColumns::LawColumns(const Scene& scene, const LawLines& lines)
       length_(lines.length),
       rmsSlope_(lines.rmsSlope),
       hasLaw_(scene.surface.kind == SurfaceKind::SelfAffine),
-      hasArms_(callsFor(scene, Purpose::Curve, Stage::Arms)),
-      hasInterface_(callsFor(scene, Purpose::Curve, Stage::Interface)),
+      hasArms_(needsStage(scene, Purpose::Curve, Stage::Arms)),
+      hasInterface_(needsStage(scene, Purpose::Curve, Stage::Interface)),
       slopesDiffer_(lines.slopesDiffer),
       isRough_(scene.surface.kind == SurfaceKind::SelfAffine || hasSurfaceFile(scene.surface)),
       notes_(lines.notes) {
-  notes_.add(notesOf(scene.elastomer, lines.rmsSlope, kNotApplicable));
+  notes_.add(elastomerNotes(scene.elastomer, lines.rmsSlope, kNotApplicable));
 }
 
 /// Returns the mean of the lines' own ratios, for a mean `mu` that may include other lines.

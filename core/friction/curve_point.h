@@ -16,7 +16,7 @@ namespace asperity {
 
 class Excitation;
 class LineSource;
-struct WaveStretch;
+struct WaveBand;
 struct SteadyResult;
 
 /// Not applicable: empty in CSV, null in JSON, not drawn.
@@ -70,15 +70,15 @@ struct CurvePoint {
   NoteSet notes{};  // of the line and the scene; more in core/friction/curve_file.h
 };
 
-/// Whether so few separate stretches carry the load that friction is that of single summits: fewer
-/// than kFewContacts in a period that is less than half in contact. Beyond half of it stretches are
-/// few because they have grown together. With four of them friction scatters by about half its
-/// value from line to line, and on the lines of Fig. 2 of Li et al. it begins to leave its plateau,
-/// as it does in region IV (core/chart/curve_regions.h).
+/// Returns whether so few separate stretches bear the load that friction is that of single summits:
+/// fewer than kFewContacts in a period that is less than half in contact. Beyond half of it
+/// stretches are few because they have grown together. With four of them friction scatters by about
+/// half its value from line to line, and on the lines of Fig. 2 of Li et al. it begins to leave its
+/// plateau, as it does in region IV (core/chart/curve_regions.h).
 inline constexpr double kFewContacts = 4;
 bool areContactsFew(double contactSpots, double contactFraction);
 
-/// Whether tables of the scene's curves have a column `contact_spots`.
+/// Returns whether tables of the scene's curves have a column `contact_spots`.
 bool listsContacts(const Scene& scene);
 
 /// Mean and variance of a stream of numbers (Welford's recurrence).
@@ -126,27 +126,27 @@ struct CurveAverages {
   CurvePoint point(double velocity) const;
 };
 
-/// What the columns of a state need to know of its lines; found once for many states on the same
-/// lines.
-struct LawLines {
+/// The properties of the lines that the columns of a state need; computed once for many states on
+/// the same lines.
+struct LineProperties {
   double rmsHeight = 0, rmsSlope = 0;  // m, of the lines
   double length = 0;                   // m
   bool slopesDiffer = false;           // from line to line
   NoteSet notes{};                     // of the lines
   /// Empty where it is not known at which frequencies the elastomer was measured.
-  std::shared_ptr<const std::vector<WaveStretch>> waves{};
+  std::shared_ptr<const std::vector<WaveBand>> waves{};
 
-  /// The same lines `factor` times as high.
-  LawLines scaled(double factor) const;
+  /// Returns the properties of the same lines with `factor` times the height.
+  LineProperties scaled(double factor) const;
 };
-LawLines lawLines(const LineSource& source, const Elastomer& elastomer);
+LineProperties lineProperties(const LineSource& source, const Elastomer& elastomer);
 
 /// Eqs. (5) to (14) for the lines of a scene. Pure after construction.
 class LawColumns {
  public:
   LawColumns(const Scene& scene, const LineSource& source);
-  /// Lines that several states share; waves may be empty where the elastomer needs none.
-  LawColumns(const Scene& scene, const LawLines& lines);
+  /// Uses lines that several states share; waves may be empty where the elastomer needs none.
+  LawColumns(const Scene& scene, const LineProperties& lines);
 
   /// Adds muLaw, normalizedMu, the dimensionless numbers, the columns of a nominal pressure and the
   /// notes. Removes muInterface where the scene has no local friction, muRatioOfMeans where it

@@ -29,11 +29,11 @@ std::span<const QuantityEntry> quantityEntries() {
   return kEntries;
 }
 
-const QuantityEntry& entryOf(CurveQuantity quantity) {
+const QuantityEntry& quantityEntry(CurveQuantity quantity) {
   return kEntries[static_cast<std::size_t>(quantity)];
 }
 
-std::optional<CurveQuantity> quantityNamed(std::string_view word) {
+std::optional<CurveQuantity> findQuantity(std::string_view word) {
   for (const QuantityEntry& entry : kEntries)
     if (std::string_view(entry.word) == word) return entry.quantity;
   return std::nullopt;

@@ -1,5 +1,5 @@
-// What the vertical axis of a friction curve may show: quantities of a point, each with the word of
-// its column in tables. Constant; any thread.
+// The quantities that the vertical axis of a friction curve may show, each with the word of its
+// column in tables. Constant; any thread.
 #pragma once
 
 #include <cmath>
@@ -34,25 +34,26 @@ struct QuantityEntry {
   bool isFriction;  // proportional to mu at one state: it has error bars, and Eq. (11) gives it
 };
 
-/// All of them, in the order of a menu; mu is the first.
+/// Returns all of them in the order of a menu; mu is the first.
 std::span<const QuantityEntry> quantityEntries();
-const QuantityEntry& entryOf(CurveQuantity quantity);
+const QuantityEntry& quantityEntry(CurveQuantity quantity);
 
 /// Returns the quantity with this word; empty where there is none.
-std::optional<CurveQuantity> quantityNamed(std::string_view word);
+std::optional<CurveQuantity> findQuantity(std::string_view word);
 std::vector<std::string_view> quantityWords();
 
 /// Returns the quantity of a point.
-inline double valueOf(CurveQuantity quantity, const CurvePoint& point) {
-  return point.*entryOf(quantity).value;
+inline double quantityValue(CurveQuantity quantity, const CurvePoint& point) {
+  return point.*quantityEntry(quantity).value;
 }
 
 /// Returns the factor from the friction of a point to the quantity; NaN where they are not
 /// proportional, or the point has no friction.
 inline double perFriction(CurveQuantity quantity, const CurvePoint& point) {
   if (quantity == CurveQuantity::Mu) return 1;
-  if (!entryOf(quantity).isFriction || std::isnan(point.mu) || point.mu == 0) return kNotApplicable;
-  return valueOf(quantity, point) / point.mu;
+  if (!quantityEntry(quantity).isFriction || std::isnan(point.mu) || point.mu == 0)
+    return kNotApplicable;
+  return quantityValue(quantity, point) / point.mu;
 }
 
 }  // namespace asperity

@@ -16,7 +16,7 @@ class Averaging {
   Averaging(const Scene& scene, const CurveOptions& options)
       : scene_(scene),
         options_(options),
-        source_(scene, pointsPerElementOfCurve(scene)),
+        source_(scene, curvePointsPerElement(scene)),
         velocities_(sweepVelocities(scene.sweep)),
         total_(source_.lines()),
         columns_(scene, source_),
@@ -90,12 +90,12 @@ Curve frictionCurve(const Scene& scene, const CurveOptions& options) {
 }
 
 std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose) {
-  std::vector<PlanStage> stages = planOf(scene, purpose);
+  std::vector<PlanStage> stages = planStages(scene, purpose);
   PlanStage& search = stages[static_cast<std::size_t>(Stage::ContactSearch)];
   if (!search.runs || scene.accuracy.scheme == Scheme::Nodal) return stages;
   const SteadySolver sliding(scene);
   const std::int64_t points =
-      purpose == Purpose::Curve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
+      purpose == Purpose::Curve ? curvePointsPerElement(scene) : pointsPerElement(scene);
   // A sweep of another parameter has other lines, loads or elastomers.
   if (purpose != Purpose::Picture && !scene.sweep.isOfVelocity()) return stages;
   // For a long line, this information costs as much as sliding it.

@@ -47,9 +47,9 @@ struct Curve {
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// Returns the plan of the scene (planOf) with one of its lines made. Only then is it known whether
-/// contact is complete and the search for its edges is left out. It costs a line and a few passes.
-/// Failure: as SteadySolver and LineSource.
+/// Returns the plan of the scene (planStages) with one of its lines made. Only then is it known
+/// whether contact is complete and the search for its edges is left out. It costs a line and a few
+/// passes. Failure: as SteadySolver and LineSource.
 std::vector<PlanStage> planOnLine(const Scene& scene, Purpose purpose);
 
 }  // namespace asperity

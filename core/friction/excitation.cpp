@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kStretchesPerDecade = 32;
 
-double frequencyOf(double waveNumber, double velocity) {
+double excitedFrequency(double waveNumber, double velocity) {
   return waveNumber * velocity / (2 * std::numbers::pi);
 }
 
@@ -33,7 +33,7 @@ bool isAtForeignTemperature(const Elastomer& elastomer) {
   if (elastomer.rheology != Rheology::Prony || !(range.temperatureTo > 0)) return false;
   // Isotherms are a few tenths of a kelvin off what was set.
   constexpr double kNear = 0.5;  // K
-  return elastomer.temperature < range.temperatureFrom - kNear ||
+  return elastomer.temperature < range.parseTemperature - kNear ||
          elastomer.temperature > range.temperatureTo + kNear;
 }
 
@@ -41,7 +41,7 @@ bool isExtrapolated(double shareNotMeasured) {
   return !std::isnan(shareNotMeasured) && shareNotMeasured > kMostNotMeasured;
 }
 
-NoteSet notesOf(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured) {
+NoteSet elastomerNotes(const Elastomer& elastomer, double rmsSlope, double shareNotMeasured) {
   NoteSet notes;
   notes.add(Note::ExtrapolatedMaterial, isExtrapolated(shareNotMeasured));
   notes.add(Note::ExtrapolatedTemperature, isAtForeignTemperature(elastomer));
@@ -51,8 +51,9 @@ NoteSet notesOf(const Elastomer& elastomer, double rmsSlope, double shareNotMeas
   return notes;
 }
 
-NoteSet notesOf(const Elastomer& elastomer, const LineSource& source, double shareNotMeasured) {
-  return notesOf(elastomer, source.statistics().rmsSlope, shareNotMeasured);
+NoteSet elastomerNotes(const Elastomer& elastomer, const LineSource& source,
+                       double shareNotMeasured) {
+  return elastomerNotes(elastomer, source.statistics().rmsSlope, shareNotMeasured);
 }
 
 ExcitedWaves excitedWaves(const LineSource& source) {
@@ -73,26 +74,28 @@ ExcitedWaves excitedWaves(const LineSource& source) {
     sum.logWave += strength * std::log(lowest * number);
     ++sum.count;
   }
-  std::vector<WaveStretch> stretches;
+  std::vector<WaveBand> stretches;
   for (const auto& [place, sum] : sums) {
     const double wave = std::exp(sum.logWave / sum.strength);
     // A single mode of the long waves covers the distance to its neighbours.
     const double decades = static_cast<double>(sum.count) * lowest / wave / std::numbers::ln10;
     stretches.push_back({wave, sum.strength, decades});
   }
-  return std::make_shared<const std::vector<WaveStretch>>(std::move(stretches));
+  return std::make_shared<const std::vector<WaveBand>>(std::move(stretches));
 }
 
 Excitation::Excitation(const Scene& scene, const LineSource& source)
     : Excitation(scene.elastomer, excitedWaves(source)) {}
 
 Excitation::Excitation(const Elastomer& elastomer, ExcitedWaves waves)
-    : waves_(std::move(waves)), law_(lawOf(elastomer)), measured_(measuredFrequencies(elastomer)) {}
+    : waves_(std::move(waves)),
+      law_(elementLaw(elastomer)),
+      measured_(measuredFrequencies(elastomer)) {}
 
 std::optional<ExcitedBand> Excitation::band(double velocity) const {
   double total = 0;
   std::vector<double> sums;
-  for (const WaveStretch& stretch : *waves_) {
+  for (const WaveBand& stretch : *waves_) {
     total += stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
     sums.push_back(total);
   }
@@ -100,7 +103,7 @@ std::optional<ExcitedBand> Excitation::band(double velocity) const {
   const auto at = [&](double share) {
     const auto found = std::ranges::lower_bound(sums, share * total);
     const auto i = std::min<std::ptrdiff_t>(found - sums.begin(), std::ssize(sums) - 1);
-    return frequencyOf((*waves_)[static_cast<std::size_t>(i)].waveNumber, velocity);
+    return excitedFrequency((*waves_)[static_cast<std::size_t>(i)].waveNumber, velocity);
   };
   return ExcitedBand{at(0.05), at(0.5), at(0.95)};
 }
@@ -109,10 +112,10 @@ double Excitation::shareNotMeasured(double velocity) const {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   if (!measured_) return kUnknown;
   double total = 0, outside = 0;
-  for (const WaveStretch& stretch : *waves_) {
+  for (const WaveBand& stretch : *waves_) {
     const double weight =
         stretch.strength * complexModulus(law_, stretch.waveNumber * velocity).loss;
-    const double frequency = frequencyOf(stretch.waveNumber, velocity);
+    const double frequency = excitedFrequency(stretch.waveNumber, velocity);
     total += weight;
     if (frequency < measured_->from || frequency > measured_->to) outside += weight;
   }
@@ -122,10 +125,10 @@ double Excitation::shareNotMeasured(double velocity) const {
 std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
   std::vector<Weight> weights;
   double largest = 0;
-  for (const WaveStretch& stretch : *waves_) {
+  for (const WaveBand& stretch : *waves_) {
     const double loss = complexModulus(law_, stretch.waveNumber * velocity).loss;
-    weights.push_back(
-        {frequencyOf(stretch.waveNumber, velocity), stretch.strength * loss / stretch.decades});
+    weights.push_back({excitedFrequency(stretch.waveNumber, velocity),
+                       stretch.strength * loss / stretch.decades});
     largest = std::max(largest, weights.back().weight);
   }
   if (!(largest > 0)) return {};
@@ -133,7 +136,7 @@ std::vector<Excitation::Weight> Excitation::weights(double velocity) const {
   return weights;
 }
 
-Excitation excitationOf(const Scene& scene) {
+Excitation computeExcitation(const Scene& scene) {
   return {scene, LineSource(scene, 1)};
 }
 

@@ -57,7 +57,7 @@ double frictionLaw(const LawInput& in, double beta) {
 }
 
 double frictionLaw(const LawInput& in) {
-  return frictionLaw(in, betaOf(in.hurst));
+  return frictionLaw(in, lawPrefactor(in.hurst));
 }
 
 double dimensionlessFriction(double velocity, double force, double hurst) {
@@ -73,7 +73,7 @@ double dimensionlessForce(const LawInput& in) {
   return in.normalForce / (in.shearModulus * in.rmsHeight * in.length);
 }
 
-double betaOf(double hurst) {
+double lawPrefactor(double hurst) {
   const double place = std::clamp(hurst, 0.0, 1.0) * (kBeta.size() - 1);
   const std::size_t below = std::min(static_cast<std::size_t>(place), kBeta.size() - 2);
   const double part = place - static_cast<double>(below);

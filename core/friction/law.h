@@ -44,7 +44,7 @@ double onesidedFriction(std::span<const double> slopesInContact);
 /// Eq. (11) with alpha from Eq. (7).
 double frictionLaw(const LawInput& in, double beta);
 
-/// Eq. (11) with the measured beta(H) of betaOf.
+/// Eq. (11) with the measured beta(H) of lawPrefactor.
 double frictionLaw(const LawInput& in);
 
 /// Eq. (12): mu / (sqrt(2) grad_cont) from Eqs. (13) and (14); beta = 1.
@@ -60,6 +60,6 @@ double dimensionlessForce(const LawInput& in);
 /// 5000 elements in the limit of low velocity: the mean of ln(mu ...) over 1e-3 <= F_N / G h L <=
 /// 1, interpolated in H. It has a standard error of 0.3 %; inside the window Eq. (5) itself is
 /// accurate to 10 %.
-double betaOf(double hurst);
+double lawPrefactor(double hurst);
 
 }  // namespace asperity

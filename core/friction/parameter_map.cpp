@@ -27,7 +27,7 @@ constexpr ColumnName kExponent = "exponent";
 constexpr std::int64_t kFewLines = 10;  // of a stage before many lines
 constexpr std::size_t kCoarse = 16;     // points along a side of the first stage
 
-/// At most kCoarse values of a side, with both ends.
+/// Returns at most kCoarse values of a side, with both ends.
 MapAxis coarse(const MapAxis& axis) {
   const std::size_t count = axis.values.size();
   if (count <= kCoarse) return axis;
@@ -37,7 +37,7 @@ MapAxis coarse(const MapAxis& axis) {
   return few;
 }
 
-/// The scene with both parameters set.
+/// Returns the scene with both parameters set.
 Scene cellScene(const Scene& scene, const MapAxis& x, double xValue, const MapAxis& y,
                 double yValue) {
   Scene cell = scene;
@@ -46,9 +46,9 @@ Scene cellScene(const Scene& scene, const MapAxis& x, double xValue, const MapAx
   return cell;
 }
 
-/// Computes one stage. lines: 1 for a preview; 0: all, as the scene says.
-ParameterMap stageOf(const Scene& scene, const MapAxis& x, const MapAxis& y, std::int64_t lines,
-                     const StateOptions& options) {
+/// Computes one stage. lines: 1 for a preview; 0: all lines of the scene.
+ParameterMap computeStage(const Scene& scene, const MapAxis& x, const MapAxis& y,
+                          std::int64_t lines, const StateOptions& options) {
   ParameterMap map{scene, x, y, {}, 0, lines, false, true};
   std::vector<Scene> states;
   states.reserve(x.values.size() * y.values.size());
@@ -56,14 +56,14 @@ ParameterMap stageOf(const Scene& scene, const MapAxis& x, const MapAxis& y, std
     for (const double xValue : x.values) {
       states.push_back(cellScene(scene, x, xValue, y, yValue));
       Scene& state = states.back();
-      // Titles and lists beside the curve mean nothing for friction, but are copied with a scene.
+      // Titles and comparisons do not influence friction, but would be copied with every scene.
       state.title.clear();
       state.description.clear();
       state.comparison = {};
       if (lines == 0) continue;
-      // A preview has the resolution of the map that it goes before.
+      // A preview has the resolution of the final map.
       if (state.accuracy.scheme != Scheme::Nodal)
-        state.accuracy.oversampling = pointsPerElementOfCurve(state);
+        state.accuracy.oversampling = curvePointsPerElement(state);
       state.ensemble.realizations = lines;
     }
   SteadyStates found = slideStates(states, options);
@@ -73,7 +73,7 @@ ParameterMap stageOf(const Scene& scene, const MapAxis& x, const MapAxis& y, std
   return map;
 }
 
-/// Throws InputError where there is no map of these sides.
+/// Throws InputError where a map of these sides is impossible.
 void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
   if (x.range.row == y.range.row)
     throw InputError("", std::string(y.key()),
@@ -89,14 +89,14 @@ void checkMap(const Scene& scene, const MapAxis& x, const MapAxis& y) {
                      "ensemble.realizations instead of a target");
 }
 
-StateOptions workOf(const MapOptions& options) {
+StateOptions stateOptions(const MapOptions& options) {
   StateOptions work;
   work.threads = options.threads;
   work.stop = options.stop;
   return work;
 }
 
-/// The slope at t of the parabola through three points.
+/// Returns the slope at t of the parabola through three points.
 double parabolaSlope(const std::array<double, 3>& x, const std::array<double, 3>& y, double t) {
   const double first = (y[1] - y[0]) / (x[1] - x[0]);
   const double second = (y[2] - y[1]) / (x[2] - x[1]);
@@ -104,7 +104,7 @@ double parabolaSlope(const std::array<double, 3>& x, const std::array<double, 3>
   return first + curvature * (2 * t - x[0] - x[1]);
 }
 
-/// d ln mu / d ln x along one row; NaN where a logarithm does not exist.
+/// Returns d ln mu / d ln x along one row; NaN where a logarithm does not exist.
 std::vector<double> exponents(const std::vector<double>& x, std::vector<double> mu) {
   std::vector<double> places;
   for (const double value : x) places.push_back(value > 0 ? std::log(value) : kNotApplicable);
@@ -129,15 +129,15 @@ std::string lastWord(std::string_view key) {
   return std::string(key.substr(key.rfind('.') + 1));
 }
 
-/// The names of the two first columns.
+/// Returns the names of the first two columns.
 std::array<std::string, 2> keyColumns(const ParameterMap& map) {
   std::array<std::string, 2> names{lastWord(map.x.key()), lastWord(map.y.key())};
   if (names[0] == names[1]) names = {std::string(map.x.key()), std::string(map.y.key())};
   return names;
 }
 
-/// The table's own columns, without those that the keys give already.
-CurveTable tableOf(const ParameterMap& map) {
+/// Returns the columns of the table without those that the keys have already.
+CurveTable makeCurveTable(const ParameterMap& map) {
   const auto names = keyColumns(map);
   return {map.points, {names.begin(), names.end()}};
 }
@@ -166,7 +166,7 @@ MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const Parameter
     throw InputError(
         "", key,
         message("a map has 2 to {} points along each side, not {}", kMostMapPoints, range.points));
-  MapAxis axis{range, valuesOf(range)};
+  MapAxis axis{range, rangeValues(range)};
   if (axis.values.size() < 2 || axis.values.front() == axis.values.back())
     throw InputError("", key,
                      message("{} to {} is only one value; a side of a map needs two",
@@ -177,7 +177,7 @@ MapAxis mapAxis(const Scene& scene, const ParameterRange& range, const Parameter
 ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points) {
   constexpr double kFactor = 100;  // two decades to each side
   const AllowedRange allowed = *allowedRange(row);
-  const double now = numberOf(row, scene);
+  const double now = parameterNumber(row, scene);
   ParameterRange range{&row, 0, 0, points, hasLogarithmicSlider(row) && now > 0};
   std::visit(
       [&](const auto& field) {
@@ -210,17 +210,18 @@ ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, cons
   const std::int64_t all = scene.ensemble.realizations;  // 0: every row of a measured surface
   std::int64_t lines = 1;
   if (stage == MapStage::FewLines) lines = all == 0 ? kFewLines : std::min(kFewLines, all);
-  return stageOf(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, lines, workOf(options));
+  return computeStage(scene, isCoarse ? coarse(x) : x, isCoarse ? coarse(y) : y, lines,
+                      stateOptions(options));
 }
 
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options) {
   checkMap(scene, x, y);
-  StateOptions work = workOf(options);
+  StateOptions work = stateOptions(options);
   const bool hasManyLines = mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
   const auto show = [&](const MapAxis& alongX, const MapAxis& alongY, std::int64_t lines) {
     if (!options.preview || options.stop.stop_requested()) return;
-    ParameterMap stage = stageOf(scene, alongX, alongY, lines, work);
+    ParameterMap stage = computeStage(scene, alongX, alongY, lines, work);
     if (stage.isComplete) options.preview(std::move(stage));
   };
   const MapAxis fewX = coarse(x), fewY = coarse(y);
@@ -229,7 +230,7 @@ ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y
   if (hasManyLines) show(x, y, 1);
   if (hasManyLines && scene.ensemble.realizations > 2 * kFewLines) show(x, y, kFewLines);
   work.progress = options.progress;
-  ParameterMap map = stageOf(scene, x, y, 0, work);
+  ParameterMap map = computeStage(scene, x, y, 0, work);
   map.isFinal = map.isComplete;
   return map;
 }
@@ -238,7 +239,7 @@ Scene sceneAt(const ParameterMap& map, double x, double y) {
   return cellScene(map.scene, map.x, x, map.y, y);
 }
 
-Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j) {
+Scene cellScene(const ParameterMap& map, std::size_t i, std::size_t j) {
   return cellScene(map.scene, map.x, map.x.values[i], map.y, map.y.values[j]);
 }
 
@@ -251,7 +252,7 @@ bool isWithoutEffect(const ParameterMap& map, bool alongX) {
       const auto differs = [](double a, double b) {
         return std::isnan(a) ? !std::isnan(b) : a != b;
       };
-      // Along velocities the column of velocities itself differs, which is no effect.
+      // Along the velocity the column of velocities itself differs, which is no effect.
       if (differs(first.mu, here.mu) || differs(first.muInterface, here.muInterface)) return false;
     }
   return true;
@@ -268,7 +269,7 @@ std::vector<std::string_view> mapQuantities() {
   return names;
 }
 
-std::string_view unitOfMapQuantity(std::string_view name) {
+std::string_view mapQuantityUnit(std::string_view name) {
   for (const Column& column : kColumns)
     if (column.name == name && column.tables.starts_with("curve")) return column.unit;
   return {};
@@ -293,22 +294,22 @@ std::vector<double> mapValues(const ParameterMap& map, std::string_view quantity
 
 nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view quantity) {
   Json root = provenance("map", map.scene);
-  // Each cell has the resolution of its own curve: a number where all have the same.
+  // Each cell has the resolution of its own curve; one number stands for all where they are equal.
   Json used;
   bool isFirst = true;
   for (std::size_t j = 0; j < map.y.values.size(); ++j)
     for (std::size_t i = 0; i < map.x.values.size(); ++i) {
-      const Json points = pointsPerElementOfCurve(sceneOfCell(map, i, j));
+      const Json points = curvePointsPerElement(cellScene(map, i, j));
       if (isFirst) used = points;
       isFirst = false;
       if (used != points) used = nullptr;
     }
   root["oversampling_used"] = used;
   root["keys"] = {axisJson(map.x), axisJson(map.y)};
-  // What makes the map again stands first, in one order, whatever of it was given.
+  // The options that reproduce the map come first and always in the same order.
   Json options = Json::object();
   for (const auto& [word, axis] : {std::pair{"x", &map.x}, {"y", &map.y}})
-    options[word] = fmt::format("{}={}", axis->range.key(), textOf(axis->range));
+    options[word] = fmt::format("{}={}", axis->range.key(), formatRange(axis->range));
   options["show"] = quantity;
   if (Json& given = root["options"]; given.is_object())
     for (const auto& [word, value] : given.items())
@@ -319,7 +320,7 @@ nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view q
 
 std::string mapCsv(const ParameterMap& map, std::string_view quantity) {
   const auto names = keyColumns(map);
-  const CurveTable table = tableOf(map);
+  const CurveTable table = makeCurveTable(map);
   const bool hasExponent = quantity == kExponent;
   const std::vector<double> exponent =
       hasExponent ? mapValues(map, quantity) : std::vector<double>();
@@ -337,7 +338,7 @@ std::string mapCsv(const ParameterMap& map, std::string_view quantity) {
 
 std::string mapJson(const ParameterMap& map, std::string_view quantity) {
   const auto names = keyColumns(map);
-  const CurveTable table = tableOf(map);
+  const CurveTable table = makeCurveTable(map);
   const bool hasExponent = quantity == kExponent;
   const std::vector<double> exponent =
       hasExponent ? mapValues(map, quantity) : std::vector<double>();

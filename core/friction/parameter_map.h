@@ -4,12 +4,13 @@
 // resolution that the scene leaves open is therefore chosen for each cell, as its own curve would
 // choose it, and not once for the map; it can change by a factor of two somewhere in the map, where
 // friction then has a step below half of its standard error (core/scene/resolution.cpp). Work is
-// shared as slideStates shares it.
+// shared as in slideStates.
 //
-// A map may be shown while it is computed: a coarse one of few points on one line comes first, then
-// all points on one line, on ten lines where there are far more, and on all of them.
-// Threading: a function of its arguments, which uses several threads; same bytes for any number.
-// Failure: InputError for a key or range that makes no sense; as slideStates.
+// A map may be shown while it is computed: first a coarse map on one line, then all points on one
+// line, on ten lines where there are far more, and finally on all lines.
+// Threading: a function of its arguments, which uses several threads; the bytes are the same for
+// any number of them. Failure: InputError for a key or range that has no meaning; else as
+// slideStates.
 #pragma once
 
 #include <cstdint>
@@ -38,18 +39,18 @@ struct MapAxis {
 inline constexpr std::int64_t kMostMapPoints = 1000;  // along a side
 inline constexpr std::int64_t kMostMapCells = 100000;
 
-/// Whether the row is a number that friction in this scene depends on (whyNotSwept of
+/// Returns whether the row is a number on which friction in this scene depends (whyNotSwept of
 /// core/scene/sweep.h).
 bool isMapParameter(const Parameter& row, const Scene& scene);
 
 /// Returns the values of a range. Throws InputError that names the key where it is no such number,
-/// or the range has fewer than 2 different values. other: of the other side, at whose ends friction
-/// may depend on this parameter though it does not in the scene; may be null.
+/// or where the range has fewer than 2 different values. other: the range of the other side, or
+/// null. Friction may depend on this parameter only at the ends of the other range.
 MapAxis mapAxis(const Scene& scene, const ParameterRange& range,
                 const ParameterRange* other = nullptr);
 
-/// Returns a range for a row where none is asked for: that part of its slider around the scene's
-/// value that people look at, and for the velocity that of the curve.
+/// Returns the default range of a row: the part of its slider around the scene's value, and for the
+/// velocity the range of the curve.
 ParameterRange usualMapRange(const Scene& scene, const Parameter& row, std::int64_t points);
 
 struct ParameterMap {
@@ -75,36 +76,39 @@ struct MapOptions {
   std::function<void(ParameterMap stage)> preview;
 };
 
-/// Throws InputError where the axes have the same key, or more cells than are allowed, or the scene
-/// asks for a target accuracy, which would need another number of lines in each cell.
+/// Computes the map. Throws InputError where the axes have the same key, or more cells than are
+/// allowed, or the scene has a target accuracy, which would need another number of lines in each
+/// cell.
 ParameterMap parameterMap(const Scene& scene, const MapAxis& x, const MapAxis& y,
                           const MapOptions& options = {});
 
-/// Parts of the work: at most 16 x 16 of the cells on one line; all cells on one line; all cells on
-/// ten lines, or on those of the scene where they are fewer.
+/// The preliminary stages: at most 16 x 16 of the cells on one line; all cells on one line; all
+/// cells on ten lines, or on those of the scene where they are fewer.
 enum class MapStage { Coarse, OneLine, FewLines };
 
-/// Computes such a part, at the resolution of the whole map. Throws as parameterMap.
+/// Computes such a stage at the resolution of the whole map. Throws as parameterMap.
 ParameterMap mapStage(MapStage stage, const Scene& scene, const MapAxis& x, const MapAxis& y,
                       const MapOptions& options = {});
 
-/// The map's scene with other values of its two parameters; whole numbers are rounded. Throws
-/// InputError where a value is not allowed.
+/// Returns the map's scene with other values of its two parameters; whole numbers are rounded.
+/// Throws InputError where a value is not allowed.
 Scene sceneAt(const ParameterMap& map, double x, double y);
 
-/// The scene of a cell, as one would give it to a curve of one velocity.
-Scene sceneOfCell(const ParameterMap& map, std::size_t i, std::size_t j);
+/// Returns the scene of a cell, as for a curve of one velocity.
+Scene cellScene(const ParameterMap& map, std::size_t i, std::size_t j);
 
-/// Whether friction is the same along a side everywhere: its key does nothing here.
+/// Returns whether friction is constant along a side everywhere, so that its key has no effect
+/// here.
 bool isWithoutEffect(const ParameterMap& map, bool alongX);
 
 // ---- what a map shows
 
-/// Returns whether a map can show it: a number among the columns of a curve, or `exponent`.
+/// Returns whether a map can show this quantity: a number among the columns of a curve, or
+/// `exponent`.
 bool isMapQuantity(std::string_view name);
 std::vector<std::string_view> mapQuantities();
 /// Returns the unit of a quantity; empty for a pure number.
-std::string_view unitOfMapQuantity(std::string_view name);
+std::string_view mapQuantityUnit(std::string_view name);
 
 /// Returns the quantity in each cell, x fastest; NaN where it does not apply. `exponent` is
 /// d ln mu / d ln x, by a parabola in ln x through a cell and its neighbours
@@ -113,11 +117,12 @@ std::vector<double> mapValues(const ParameterMap& map, std::string_view quantity
 
 // ---- files
 
-/// Columns: the two keys' last words (whole keys if these are equal), then those of a curve; one
-/// row a cell, x fastest; with the quantity `exponent` its column last.
+/// Returns a table with one row for each cell, x fastest. Its columns are the last words of the two
+/// keys (the whole keys if these are equal), then those of a curve; for the quantity `exponent` its
+/// column is the last one.
 std::string mapCsv(const ParameterMap& map, std::string_view quantity);
 std::string mapJson(const ParameterMap& map, std::string_view quantity);
-/// Provenance with "keys" and "options".
+/// Returns the provenance with "keys" and "options".
 nlohmann::ordered_json mapProvenance(const ParameterMap& map, std::string_view quantity);
 
 }  // namespace asperity

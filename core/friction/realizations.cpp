@@ -33,7 +33,7 @@ struct Buffers {
   }
 };
 
-std::size_t statesOf(const RealizationPart& part) {
+std::size_t stateCount(const RealizationPart& part) {
   std::size_t count = 0;
   for (const LoadCase& one : part.cases) count += one.velocities.size();
   return count;
@@ -54,7 +54,7 @@ class Realizations {
       if (part.beginsChunk || chunks_.empty()) chunks_.push_back({i, i, states_});
       chunks_.back().end = i + 1;
       solverOf_.push_back(solvers_.size() - 1);
-      states_ += statesOf(part);
+      states_ += stateCount(part);
     }
   }
 
@@ -112,7 +112,7 @@ class Realizations {
         return std::pair{rows, other};
       };
       if (part.sharesForces) {
-        const auto [rows, other] = takeRows(statesOf(part));
+        const auto [rows, other] = takeRows(stateCount(part));
         std::vector<double> forces;
         for (const LoadCase& one : part.cases)
           forces.push_back(loadOn(one.load, profile->length).normalForce);

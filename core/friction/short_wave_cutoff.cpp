@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/input_error.h"
+#include "core/base/stop.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
 #include "core/surface/spectrum.h"
@@ -14,8 +15,8 @@ namespace {
 constexpr double kStepsPerDecade = 4;
 constexpr std::size_t kFewestModes = 4;  // of a line that is still rough
 
-/// The rms height of the waves that are left, over that of all. The same waves are meant, while a
-/// scene's rms height is that of its whole spectrum.
+/// Returns the rms height of the remaining waves over that of all. The waves stay the same, while
+/// the rms height of a scene is that of its whole spectrum.
 double heightOfModes(const Scene& scene, std::size_t modes) {
   const Surface& surface = scene.surface;
   const double rollOff =
@@ -27,7 +28,7 @@ double heightOfModes(const Scene& scene, std::size_t modes) {
   return std::sqrt(square);
 }
 
-/// The scene with its waves down to this mode alone.
+/// Returns the scene with its waves up to this mode alone.
 Scene cutAt(const Scene& scene, std::size_t modes, double wavelength) {
   Scene cut = scene;
   switch (scene.surface.kind) {
@@ -43,7 +44,7 @@ Scene cutAt(const Scene& scene, std::size_t modes, double wavelength) {
   return cut;
 }
 
-/// The mean of b - a over the lines, times a factor.
+/// Returns the mean of b - a over the lines, times a factor.
 Estimate meanDifference(const std::vector<double>& a, const std::vector<double>& b, double factor) {
   RunningMean mean;
   for (std::size_t line = 0; line < a.size(); ++line) mean.add(factor * (b[line] - a[line]));
@@ -73,7 +74,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
   // The resolution that the program chooses must not change from cut to cut.
   Scene whole = scene;
   if (whole.accuracy.scheme != Scheme::Nodal)
-    whole.accuracy.oversampling = pointsPerElementOfCurve(scene);
+    whole.accuracy.oversampling = curvePointsPerElement(scene);
   std::size_t last = all + 1;
   for (int step = 0;; ++step) {
     const auto modes = static_cast<std::size_t>(
@@ -82,7 +83,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
     if (modes == last) continue;
     last = modes;
     const double wavelength = extent.length / static_cast<double>(std::max<std::size_t>(modes, 1));
-    // The scene's own cut hides all shorter ones.
+    // The scene's own cut-off removes all shorter waves.
     if (step > 0 && wavelength <= before) continue;
     CutoffPoint point;
     point.wavelength = step == 0 ? std::max(wavelength, before) : wavelength;
@@ -94,7 +95,7 @@ std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptio
   StateOptions keeping = options;
   keeping.keepsLines = true;
   const SteadyStates found = slideStates(states, keeping);
-  if (!found.isComplete) throw StudyStopped{};
+  if (!found.isComplete) throw StopRequested{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].state = found.points[i];
     const double full = found.points.back().mu;

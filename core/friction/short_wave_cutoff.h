@@ -18,12 +18,13 @@ struct CutoffPoint {
   double wavelength = 0;  // m, lambda_c: waves shorter than it are removed
   CurvePoint state;
   /// d mu / d log10(1/lambda_c) over the friction of the whole line: the part of all friction that
-  /// one decade of wavelengths makes; from the step before, in whose middle it belongs.
+  /// one decade of wavelengths makes. It is the difference from the previous step and belongs to
+  /// the middle between the two.
   Estimate shareOfDecade;
 };
 
 /// Returns the points from long to short wavelengths; the last one is the scene itself. A cancelled
-/// computation throws StudyStopped.
+/// computation throws StopRequested.
 std::vector<CutoffPoint> frictionOverCutoff(const Scene& scene, const StateOptions& options = {});
 
 }  // namespace asperity

@@ -15,20 +15,21 @@
 namespace asperity {
 namespace {
 
-/// Values closer than this differ by rounding only: two ways to the same product.
+/// Values with a smaller relative difference are equal up to rounding: products computed in two
+/// orders.
 constexpr double kRounding = 1e-13;
 
 bool areEqual(double a, double b) {
   return a == b || std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// How much larger the moduli and the relaxation times of a law are than those of another one.
+/// The factors between the moduli and the relaxation times of two laws.
 struct LawRatio {
   double modulus = 1, time = 1;
 };
 
-/// None where the two are not the same law in other units.
-std::optional<LawRatio> ratioOf(const ElementLaw& law, const ElementLaw& reference) {
+/// Returns the factors; nothing where the two are not the same law in other units.
+std::optional<LawRatio> lawRatio(const ElementLaw& law, const ElementLaw& reference) {
   if (law.kind() != reference.kind() || law.arms.size() != reference.arms.size()) return {};
   if (!(law.equilibriumModulus > 0) || !(reference.equilibriumModulus > 0)) return {};
   LawRatio ratio;
@@ -45,8 +46,8 @@ std::optional<LawRatio> ratioOf(const ElementLaw& law, const ElementLaw& referen
   return ratio;
 }
 
-/// The surface without what only scales its heights.
-Surface shapeOf(const Surface& surface) {
+/// Returns the surface without the parameters that only scale its heights.
+Surface unscaledShape(const Surface& surface) {
   Surface shape = surface;
   if (surface.kind == SurfaceKind::SelfAffine && surface.rmsHeight > 0) shape.rmsHeight = 1;
   return shape;
@@ -68,7 +69,7 @@ struct Member {
   std::size_t result = 0;        // place among the group's results
 };
 
-/// States of the same law on the same lines, but for units.
+/// States of the same law on the same lines, except for units.
 struct Group {
   Scene scene;  // the first state, whose moduli and times are the units
   ElementLaw law;
@@ -77,8 +78,8 @@ struct Group {
   std::size_t firstResult = 0;  // place of its results among those of its lines
 };
 
-/// Groups whose lines are the same, but for the scale of their heights. The unit of height is that
-/// of the first state.
+/// Groups on the same lines, except for the scale of their heights. The unit of height is that of
+/// the first state.
 struct Lines {
   Surface shape;
   std::int64_t points;  // per element
@@ -86,19 +87,20 @@ struct Lines {
   std::size_t members = 0;
 };
 
-double amountOf(const Load& load) {
+double loadAmount(const Load& load) {
   return load.kind == LoadKind::Force ? load.normalForce : load.depth;
 }
 
-/// Gathers the members into cases of one load with ascending velocities, equal ones once, and tells
-/// each member its place. Returns the number of different ones.
+/// Combines the members into cases of one load with ascending velocities, equal ones once, and
+/// gives each member its index. Returns the number of different states.
 std::size_t setCases(Group& group) {
   std::vector<Member*> order;
   for (Member& member : group.members) order.push_back(&member);
-  std::ranges::stable_sort(order, {}, [](const Member* m) { return amountOf(m->load); });
+  std::ranges::stable_sort(order, {}, [](const Member* m) { return loadAmount(m->load); });
   std::size_t results = 0;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    while (end < order.size() && areEqual(amountOf(order[end]->load), amountOf(order[begin]->load)))
+    while (end < order.size() &&
+           areEqual(loadAmount(order[end]->load), loadAmount(order[begin]->load)))
       ++end;
     const std::span<Member*> same(order.data() + begin, end - begin);
     std::ranges::stable_sort(same, {}, &Member::velocity);
@@ -114,8 +116,9 @@ std::size_t setCases(Group& group) {
   return results;
 }
 
-/// Cuts the cases of all groups on some lines into pieces that one thread slides on one line. They
-/// do not depend on the number of threads, because guesses go from state to state within a piece.
+/// Divides the cases of all groups on some lines into pieces, each of which one thread slides on
+/// one line. The pieces do not depend on the number of threads, because guesses go from state to
+/// state within a piece.
 class Pieces {
  public:
   explicit Pieces(std::span<const Group> groups) {
@@ -125,8 +128,8 @@ class Pieces {
   std::span<const RealizationPart> parts() const { return parts_; }
 
  private:
-  // States that a piece should have: many against the making of a line, few against the time that
-  // the slowest piece takes. Elements with arms cost some ten times as much.
+  // The number of states of a piece: many compared with the making of a line, few compared with the
+  // time of the slowest piece. Elements with arms cost about ten times as much.
   static constexpr std::size_t kStates = 512, kStatesWithArms = 64;
 
   void add(const Group& group) {
@@ -153,7 +156,8 @@ class Pieces {
     }
   }
 
-  /// Whether all forces have the same velocities, so that one leads to the next.
+  /// Returns whether all forces have the same velocities, so that results at one force help at the
+  /// next.
   static bool isTable(std::span<const LoadCase> cases) {
     return std::ranges::all_of(cases, [&](const LoadCase& one) {
       return one.load.kind == LoadKind::Force && one.load.normalForce > 0 &&
@@ -205,11 +209,12 @@ class States {
   }
 
  private:
-  /// Lines and groups to which a state is likely to belong come first: those of its neighbours.
+  /// The lines and groups of neighbouring states come first, because a state is likely to belong to
+  /// them.
   void add(std::size_t index) {
     const Scene& scene = states_[index];
-    const std::int64_t points = pointsPerElementOfCurve(scene);
-    const Surface shape = shapeOf(scene.surface);
+    const std::int64_t points = curvePointsPerElement(scene);
+    const Surface shape = unscaledShape(scene.surface);
     const auto isSame = [&](const Lines& lines) {
       const Scene& first = lines.groups.front().scene;
       return lines.points == points && lines.shape == shape &&
@@ -223,14 +228,14 @@ class States {
       lines_.push_back({shape, points, {}, 0});
       lines = lines_.rbegin();
     }
-    const ElementLaw law = lawOf(scene.elastomer);
+    const ElementLaw law = elementLaw(scene.elastomer);
     for (auto group = lines->groups.rbegin(); group != lines->groups.rend(); ++group) {
       // A pressure may be compared with a force as soon as the length of the line is known.
       const bool isDepth = scene.load.kind == LoadKind::Indentation;
       if (!(group->scene.interface == scene.interface) ||
           (group->scene.load.kind == LoadKind::Indentation) != isDepth)
         continue;
-      const std::optional<LawRatio> ratio = ratioOf(law, group->law);
+      const std::optional<LawRatio> ratio = lawRatio(law, group->law);
       if (!ratio) continue;
       addTo(*lines, *group, index, *ratio);
       return;
@@ -316,18 +321,18 @@ class States {
     return setPoints(lines, source, averages, found);
   }
 
-  /// Makes the rows of the states from the averages over the lines so far. Returns false where it
-  /// was stopped before and nobody wants a part.
+  /// Makes the rows of the states from the averages over the lines so far. Returns false where the
+  /// work was stopped before and no partial result is requested.
   bool setPoints(const Lines& lines, const LineSource& source,
                  const std::vector<CurveAverages>& averages, SteadyStates& found) const {
-    LawLines shared;
+    LineProperties shared;
     const Scene* last = nullptr;
     for (const Group& group : lines.groups)
       for (const Member& member : group.members) {
         if (!options_.partial && options_.stop.stop_requested()) return false;
         const Scene& scene = states_[member.state];
         const bool needsWaves = !shared.waves && measuredFrequencies(scene.elastomer);
-        if (!last || needsWaves) shared = lawLines(source, scene.elastomer);
+        if (!last || needsWaves) shared = lineProperties(source, scene.elastomer);
         last = &scene;
         CurvePoint& point = found.points[member.state];
         point = averages[member.place].point(scene.sliding.velocity);

@@ -9,8 +9,8 @@ namespace asperity {
 
 namespace {
 
-std::vector<LoadCase> casesOf(const std::vector<double>& normalForces,
-                              const std::vector<double>& velocities) {
+std::vector<LoadCase> makeCases(const std::vector<double>& normalForces,
+                                const std::vector<double>& velocities) {
   std::vector<LoadCase> cases;
   for (const double force : normalForces)
     cases.push_back({{LoadKind::Force, force, 0}, velocities});
@@ -21,11 +21,11 @@ std::vector<LoadCase> casesOf(const std::vector<double>& normalForces,
 
 Study::Study(const Scene& scene, const std::vector<double>& normalForces,
              const std::vector<double>& velocities, const StudyOptions& options)
-    : Study(scene, casesOf(normalForces, velocities), options) {}
+    : Study(scene, makeCases(normalForces, velocities), options) {}
 
 Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options)
     : scene_(scene), cases_(std::move(cases)) {
-  const LineSource source(scene_, pointsPerElementOfCurve(scene_));
+  const LineSource source(scene_, curvePointsPerElement(scene_));
   line_ = source.statistics();
   slopesDiffer_ = source.slopesDiffer();
   length_ = source.length();
@@ -41,7 +41,7 @@ Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions
       [&](std::int64_t done) {
         if (options.progress) options.progress(done, realizations_);
       });
-  if (!isWhole) throw StudyStopped{};
+  if (!isWhole) throw StopRequested{};
 }
 
 void Study::add(std::int64_t realization, std::span<const SteadyResult> results) {

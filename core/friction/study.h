@@ -12,6 +12,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/base/stop.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_point.h"
 #include "core/friction/law.h"
@@ -31,12 +32,6 @@ struct StudyOptions {
   std::stop_token stop;
   std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
-
-/// Thrown where `stop` was requested.
-struct StudyStopped {};
-inline void throwIfStopped(const std::stop_token& stop) {
-  if (stop.stop_requested()) throw StudyStopped{};
-}
 
 class Study {
  public:

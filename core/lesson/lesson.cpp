@@ -8,19 +8,19 @@
 
 namespace asperity {
 
-ControlState LessonControls::of(std::string_view key) const {
+ControlState LessonControls::state(std::string_view key) const {
   if (std::ranges::find(free, key) != free.end()) return ControlState::Free;
   if (std::ranges::find(locked, key) != locked.end()) return ControlState::Locked;
   if (std::ranges::find(hidden, key) != hidden.end()) return ControlState::Hidden;
   return others;
 }
 
-int predictionsOf(const Lesson& lesson) {
+int predictionCount(const Lesson& lesson) {
   return static_cast<int>(std::ranges::count_if(
       lesson.steps, [](const LessonStep& step) { return step.prediction.has_value(); }));
 }
 
-std::string_view keyOf(std::string_view assignment) {
+std::string_view assignmentKey(std::string_view assignment) {
   return assignment.substr(0, assignment.find('='));
 }
 
@@ -33,7 +33,8 @@ std::vector<std::string_view> lockedChanges(const LessonControls& controls, cons
                                             const Scene& given) {
   std::vector<std::string_view> keys;
   for (const Parameter& row : parameters())
-    if (controls.of(row.key) != ControlState::Free && valueOf(row, step) != valueOf(row, given))
+    if (controls.state(row.key) != ControlState::Free &&
+        parameterValue(row, step) != parameterValue(row, given))
       keys.push_back(row.key);
   return keys;
 }
@@ -41,13 +42,13 @@ std::vector<std::string_view> lockedChanges(const LessonControls& controls, cons
 Scene withinControls(const LessonControls& controls, const Scene& step, const Scene& given) {
   Scene scene = step;
   for (const Parameter& row : parameters()) {
-    if (controls.of(row.key) != ControlState::Free) continue;
-    const ParameterValue value = valueOf(row, given);
-    if (value == valueOf(row, step)) continue;
+    if (controls.state(row.key) != ControlState::Free) continue;
+    const ParameterValue value = parameterValue(row, given);
+    if (value == parameterValue(row, step)) continue;
     try {
       setValue(row, scene, value);
     } catch (const InputError&) {
-      // A value that belongs to a kind which is locked stays as the step has it.
+      // Where the kind is locked, a value that belongs to another kind stays as in the step.
     }
   }
   return scene;

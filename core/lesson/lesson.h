@@ -1,7 +1,7 @@
-// A lesson: steps of text, scenes, free controls and predictions, with which a person learns at the
-// running program. Expected answers are not written in a lesson: they are computed from its scenes
-// (core/lesson/lesson_answers.h), so that a lesson cannot say what the program does not find. The
-// exception is a choice that no number decides. Plain values; any thread.
+// A lesson: steps of text, scenes, free controls and predictions, with which a person learns in the
+// running program. Expected answers are not written in a lesson but computed from its scenes
+// (core/lesson/lesson_answers.h), so that a lesson cannot contradict the program. The exception is
+// a choice that no number decides. Plain values; any thread.
 #pragma once
 
 #include <limits>
@@ -16,14 +16,14 @@
 namespace asperity {
 
 /// A text in English and German. Paragraphs are separated by an empty line; "*word*" is emphasized,
-/// "**word**" strong, and a line that begins with "- " is an item of a list. In texts that are
-/// shown after the answer, "{name}" stands for a value of the step, "{answer}" and "{given}" for
+/// "**word**" is strong, and a line that begins with "- " is an item of a list. In texts that are
+/// shown after the answer, "{name}" is replaced by a value of the step, "{answer}" and "{given}" by
 /// the expected and the given answer.
 struct LessonText {
   std::string english{}, german{};
 
   bool empty() const { return english.empty() && german.empty(); }
-  /// Returns the text in a language ("de"); in the other one where it has none.
+  /// Returns the text in a language ("de"), or in the other language where it has none in this one.
   const std::string& in(std::string_view language) const {
     const std::string& wanted = language == "de" ? german : english;
     return !wanted.empty() ? wanted : language == "de" ? english : german;
@@ -32,10 +32,10 @@ struct LessonText {
   bool operator==(const LessonText&) const = default;
 };
 
-/// A number that the program computes in steady sliding from the scene of a step with other keys:
-/// a column of the friction curve at `sliding.velocity` (State); the place on the axis of the curve
-/// at which the column is largest (Peak); or d ln column / d ln key between two values of a key
-/// (Exponent). With `over` it is the ratio of two such numbers.
+/// A number that the program computes in steady sliding from the scene of a step with other keys: a
+/// column of the friction curve at `sliding.velocity` (State); the position on the axis of the
+/// curve at which the column is largest (Peak); or d ln column / d ln key between two values of a
+/// key (Exponent). With `over` it is the ratio of two such numbers.
 struct LessonValue {
   enum class Kind { State, Peak, Exponent };
 
@@ -48,7 +48,7 @@ struct LessonValue {
   bool operator==(const LessonValue&) const = default;
 };
 
-/// A value with the name by which texts speak of it.
+/// A value with the name that texts use for it.
 struct NamedLessonValue {
   std::string name;
   LessonValue value;
@@ -56,8 +56,8 @@ struct NamedLessonValue {
   bool operator==(const NamedLessonValue&) const = default;
 };
 
-/// One of the answers to choose from. With a computed answer it is right where that lies in
-/// [above, below).
+/// One of the answers to choose from. Where the answer is computed, the choice is right if the
+/// answer lies in [above, below).
 struct LessonChoice {
   LessonText text;
   bool isRight = false;  // where nothing is computed
@@ -73,19 +73,19 @@ struct LessonChoice {
 
 enum class PredictionKind { Choice, Number, Point };
 
-/// What the student says before it is seen.
+/// A question that the student answers before the result is shown.
 struct LessonPrediction {
   PredictionKind kind = PredictionKind::Choice;
   LessonText question{};
   std::vector<LessonChoice> choices{};  // of a choice
   std::optional<LessonValue> answer{};  // of a number, and of a choice that a number decides
-  /// Relative, above 0: right is what differs by at most this part of the answer; of a point, a
-  /// value up to (1 + tolerance) times as large or small.
+  /// Relative, above 0: an answer is right if it differs by at most this part of the expected one;
+  /// the height of a point is right up to (1 + tolerance) times as large or small.
   double tolerance = 0.1;
-  /// Of a point, which is placed on the friction chart of the step's scene: its place on the axis,
-  /// where only its height is asked; none: the largest value of the curve is asked, at its place.
+  /// Of a point, which is placed on the friction chart of the step's scene: its x where only the
+  /// height is asked for; empty: x and height of the largest value of the curve are asked for.
   std::optional<double> x{};
-  double placeTolerance = 1;  // of the place of a largest value, as `tolerance`
+  double xTolerance = 1;  // of the x of a largest value, as `tolerance`
   LessonText right{}, wrong{};
 
   bool operator==(const LessonPrediction&) const = default;
@@ -93,26 +93,26 @@ struct LessonPrediction {
 
 enum class ControlState { Free, Locked, Hidden };
 
-/// Which controls a step leaves to the student, by the keys of the table of parameters.
+/// The controls that a step leaves to the student, by their keys in the table of parameters.
 struct LessonControls {
   std::vector<std::string> free{}, locked{}, hidden{};
   ControlState others = ControlState::Hidden;
 
-  ControlState of(std::string_view key) const;
+  ControlState state(std::string_view key) const;
   bool operator==(const LessonControls&) const = default;
 };
 
-/// What the window shows in a step.
+/// The appearance of the window in a step.
 struct LessonView {
   std::string tab = "curve";     // a word of lessonTabs()
   std::string quantity = "mu";   // of the vertical axis of the friction curve
   bool isLinearY = false;        // whether that axis is linear
   bool hidesCurve = false;       // until the prediction is made
-  bool hidesCurveAfter = false;  // and then, too; a step to come asks for what it shows
-  /// Ends of the vertical axis while the curve is hidden, which must not give the answer away; a
-  /// linear one may begin at 0.
+  bool hidesCurveAfter = false;  // also afterwards, because a later step asks for what it shows
+  /// Ends of the vertical axis while the curve is hidden, so that the axis does not show the
+  /// answer; a linear axis may begin at 0.
   double hiddenFrom = 1e-4, hiddenTo = 10;
-  /// Curves to compare with: each is the step's scene with other keys, KEY=VALUE.
+  /// Curves to compare with: each one is that of the step's scene with other keys, KEY=VALUE.
   std::vector<std::vector<std::string>> beside{};
 
   bool operator==(const LessonView&) const = default;
@@ -125,8 +125,8 @@ inline constexpr std::string_view kLessonTabs[] = {"curve",      "motion",   "sp
 
 struct LessonStep {
   LessonText title{}, text{};
-  /// Where the step begins anew: the name of a shipped scene or a file, or the scene itself as
-  /// JSON. Both empty: it goes on from the scene of the step before.
+  /// The scene with which the step begins: the name of a shipped scene or of a file, or the scene
+  /// itself as JSON. Both empty: the step continues with the scene of the previous step.
   std::string sceneName{}, sceneJson{};
   std::vector<std::string> set{};    // KEY=VALUE over it
   std::vector<std::string> after{};  // KEY=VALUE, done when the answer is revealed
@@ -136,7 +136,7 @@ struct LessonStep {
   LessonText reveal{};                     // shown when the answer is revealed
   std::vector<NamedLessonValue> values{};  // for texts that are shown then
 
-  // Made by reading: the scene of the step, and the one after its reveal.
+  // Set by the reader: the scene of the step, and the scene after its reveal.
   Scene scene{}, revealedScene{};
 
   bool operator==(const LessonStep&) const = default;
@@ -153,10 +153,10 @@ struct Lesson {
 };
 
 /// Returns how many steps ask for a prediction.
-int predictionsOf(const Lesson& lesson);
+int predictionCount(const Lesson& lesson);
 
 /// Returns the name of the key of an assignment KEY=VALUE.
-std::string_view keyOf(std::string_view assignment);
+std::string_view assignmentKey(std::string_view assignment);
 
 /// Returns the scene with these keys, KEY=VALUE. Throws InputError with the key.
 Scene withKeys(const Scene& scene, const std::vector<std::string>& assignments);

@@ -8,10 +8,10 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/curve_quantity.h"
-#include "core/friction/study.h"
 #include "core/scene/columns.h"
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
@@ -37,7 +37,7 @@ double stateValue(const Scene& scene, const std::string& column, const CurveOpti
     one.sweep.points = 1;
     return computeCurve(one, options);
   }();
-  if (!curve.isComplete) throw StudyStopped{};
+  if (!curve.isComplete) throw StopRequested{};
   return finite(curveValue(curve.points.front(), column), column);
 }
 
@@ -45,11 +45,11 @@ struct Place {
   double x = 0, y = 0;
 };
 
-/// The maximum of the curve: of the parabola through its highest points where the axis is
+/// Returns the maximum of the curve: of the parabola through its highest points where the axis is
 /// logarithmic and all values are positive, else the highest point.
-Place maximumOf(const Scene& scene, const std::string& column, const CurveOptions& options) {
+Place findMaximum(const Scene& scene, const std::string& column, const CurveOptions& options) {
   const Curve curve = computeCurve(scene, options);
-  if (!curve.isComplete) throw StudyStopped{};
+  if (!curve.isComplete) throw StopRequested{};
   std::vector<double> x, y;
   bool isPositive = true;
   for (const CurvePoint& point : curve.points) {
@@ -69,14 +69,14 @@ Place maximumOf(const Scene& scene, const std::string& column, const CurveOption
   return {x[static_cast<std::size_t>(highest)], y[static_cast<std::size_t>(highest)]};
 }
 
-/// The number itself, without what it is divided by.
+/// Returns the number itself, without the one by which it is divided.
 double plainValue(const Scene& scene, const LessonValue& value, const CurveOptions& options) {
   const Scene changed = withKeys(scene, value.set);
   switch (value.kind) {
     case LessonValue::Kind::State:
       return stateValue(changed, value.column, options);
     case LessonValue::Kind::Peak:
-      return maximumOf(changed, value.column, options).x;
+      return findMaximum(changed, value.column, options).x;
     case LessonValue::Kind::Exponent:
       break;
   }
@@ -91,12 +91,12 @@ double plainValue(const Scene& scene, const LessonValue& value, const CurveOptio
   return (logs[1] - logs[0]) / std::log(ends[1] / ends[0]);
 }
 
-/// The answer to a point: the height of the curve at a place, or at its largest value.
+/// Returns the answer to a point: the height of the curve at x, or its largest value.
 void computePoint(const LessonStep& step, const CurveOptions& options, LessonAnswer& answer) {
   const LessonPrediction& prediction = *step.prediction;
-  const std::string column(entryOf(*quantityNamed(step.show.quantity)).word.text());
+  const std::string column(quantityEntry(*findQuantity(step.show.quantity)).word.text());
   if (prediction.x) {
-    answer.place.value = *prediction.x;
+    answer.x.value = *prediction.x;
     const bool isOfVelocity = step.scene.sweep.isOfVelocity();
     Scene state = step.scene;
     if (isOfVelocity)
@@ -105,11 +105,11 @@ void computePoint(const LessonStep& step, const CurveOptions& options, LessonAns
       state = sceneAt(step.scene, *prediction.x);
     answer.number.value = stateValue(state, column, options);
   } else {
-    const Place maximum = maximumOf(step.scene, column, options);
-    answer.place.value = maximum.x;
+    const Place maximum = findMaximum(step.scene, column, options);
+    answer.x.value = maximum.x;
     answer.number.value = maximum.y;
   }
-  answer.place.unit = std::string(sweptParameter(step.scene).unit);
+  answer.x.unit = std::string(sweptParameter(step.scene).unit);
   answer.number.unit = unitOfColumn(column);
 }
 
@@ -135,7 +135,7 @@ bool GivenAnswer::isGiven() const {
   return choice >= 0 || !std::isnan(number);
 }
 
-std::string unitOf(const LessonValue& value, const Scene& scene) {
+std::string lessonValueUnit(const LessonValue& value, const Scene& scene) {
   if (!value.over.empty() || value.kind == LessonValue::Kind::Exponent) return {};
   if (value.kind == LessonValue::Kind::Peak)
     return std::string(sweptParameter(withKeys(scene, value.set)).unit);
@@ -144,7 +144,7 @@ std::string unitOf(const LessonValue& value, const Scene& scene) {
 
 LessonNumber computeLessonValue(const Scene& scene, const LessonValue& value,
                                 const CurveOptions& options) {
-  LessonNumber number{plainValue(scene, value, options), unitOf(value, scene)};
+  LessonNumber number{plainValue(scene, value, options), lessonValueUnit(value, scene)};
   if (value.over.empty()) return number;
   const double under = plainValue(scene, value.over.front(), options);
   if (under == 0) throw InputError("", value.over.front().column, "is 0, so that it has no ratio");
@@ -182,14 +182,14 @@ bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
   if (!std::isfinite(given.number)) return false;
   const bool isHigh = isWithinFactor(given.number, answer.number.value, prediction.tolerance);
   if (prediction.x) return isHigh;
-  return isHigh && std::isfinite(given.place) &&
-         isWithinFactor(given.place, answer.place.value, prediction.placeTolerance);
+  return isHigh && std::isfinite(given.x) &&
+         isWithinFactor(given.x, answer.x.value, prediction.xTolerance);
 }
 
 std::string withValues(const std::string& text, const LessonPrediction& prediction,
                        const LessonAnswer& answer, const GivenAnswer& given,
                        std::string_view language,
-                       const std::function<std::string(const LessonNumber&)>& textOf) {
+                       const std::function<std::string(const LessonNumber&)>& formatNumber) {
   const auto choiceText = [&](int choice) {
     return choice < 0 || choice >= static_cast<int>(prediction.choices.size())
                ? std::string("–")
@@ -197,9 +197,9 @@ std::string withValues(const std::string& text, const LessonPrediction& predicti
   };
   // "{part%}" is the value in per cent.
   const auto said = [&](LessonNumber number, bool inPercent) {
-    if (!inPercent) return textOf(number);
+    if (!inPercent) return formatNumber(number);
     number.value *= 100;
-    return textOf(number) + "\u00A0%";
+    return formatNumber(number) + "\u00A0%";
   };
   const auto valueOf = [&](std::string_view name) -> std::optional<std::string> {
     const bool inPercent = name.ends_with('%');

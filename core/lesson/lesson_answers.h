@@ -1,10 +1,10 @@
-// The answers of a lesson, computed by the program from the scenes of its steps: what a prediction
-// is compared with, and the numbers of which its texts speak.
+// The answers of a lesson, computed by the program from the scenes of its steps: the expected
+// answers to its predictions, and the numbers in its texts.
 //
-// Threading: functions of their arguments; computing uses several threads and gives the same bytes
-// for any number of them. Failure: InputError for a scene that cannot run or an answer that none of
-// the choices covers; std::runtime_error where a force balance is not met; StudyStopped where it
-// was stopped.
+// Threading: functions of their arguments, which use several threads; the bytes are the same for
+// any number of them. Failure: InputError for a scene that cannot run or an answer that none of the
+// choices covers; std::runtime_error where a force balance is not met; StopRequested where the
+// computation was stopped.
 #pragma once
 
 #include <functional>
@@ -27,46 +27,46 @@ struct LessonNumber {
   bool operator==(const LessonNumber&) const = default;
 };
 
-/// What is right in a step.
+/// The right answer of a step.
 struct LessonAnswer {
   LessonNumber number{};  // of a number, of a choice that one decides, height of a point
-  LessonNumber place{};   // of a point
+  LessonNumber x{};       // of a point
   int choice = -1;        // of a choice, from 0
-  std::vector<std::pair<std::string, LessonNumber>> values{};  // of which texts speak
+  std::vector<std::pair<std::string, LessonNumber>> values{};  // for the texts, by name
 
   bool operator==(const LessonAnswer&) const = default;
 };
 
-/// What a student says.
+/// The answer of a student.
 struct GivenAnswer {
   int choice = -1;
   double number = std::numeric_limits<double>::quiet_NaN();  // SI; height of a point
-  double place = std::numeric_limits<double>::quiet_NaN();   // of a point
+  double x = std::numeric_limits<double>::quiet_NaN();       // of a point
 
   bool isGiven() const;
 };
 
-/// Computes a number over the step's scene.
+/// Computes a number from the scene of its step.
 LessonNumber computeLessonValue(const Scene& scene, const LessonValue& value,
                                 const CurveOptions& options = {});
 
-/// Computes what is right in a step that has a prediction, and the values of its texts.
+/// Computes the right answer of a step that has a prediction, and the values of its texts.
 LessonAnswer lessonAnswer(const LessonStep& step, const CurveOptions& options = {});
 
-/// The unit of a number that is asked for, without computing it.
-std::string unitOf(const LessonValue& value, const Scene& scene);
+/// Returns the unit of a number without computing it.
+std::string lessonValueUnit(const LessonValue& value, const Scene& scene);
 
 /// Returns whether an answer is right: the right choice; a number with |given - answer| <=
-/// tolerance |answer|; a point whose height, and place where it is asked, lie within a factor 1 +
-/// tolerance of the answer's.
+/// tolerance |answer|; a point whose height, and x where it is asked for, lie within a factor 1 +
+/// tolerance of the expected ones.
 bool isRight(const LessonPrediction& prediction, const LessonAnswer& answer,
              const GivenAnswer& given);
 
-/// Returns a text with its places "{name}", or "{name%}" in per cent, filled. textOf gives the text
-/// of a number.
+/// Returns a text with the values of its names "{name}", or "{name%}" in per cent. formatNumber
+/// returns a number as text.
 std::string withValues(const std::string& text, const LessonPrediction& prediction,
                        const LessonAnswer& answer, const GivenAnswer& given,
                        std::string_view language,
-                       const std::function<std::string(const LessonNumber&)>& textOf);
+                       const std::function<std::string(const LessonNumber&)>& formatNumber);
 
 }  // namespace asperity

@@ -36,7 +36,7 @@ Lesson readLesson(std::string_view text, const std::string& file,
       refuseMember(
           "", message("is larger than {} bytes, the most that a lesson may have", kLargestLesson));
     const LessonJson root = parseJson(text, kDeepestLesson, "a lesson is JSON in UTF-8");
-    Lesson lesson = lessonFrom(root, folder, readNamed);
+    Lesson lesson = parseLesson(root, folder, readNamed);
     lesson.name = std::filesystem::path(file).stem().string();
     lesson.digest = sha256(writeLesson(lesson));
     return lesson;
@@ -51,7 +51,7 @@ Lesson readLessonFile(const std::filesystem::path& file, const LessonSceneReader
 }
 
 std::string writeLesson(const Lesson& lesson) {
-  return jsonOf(lesson).dump(2, ' ', false, LessonJson::error_handler_t::replace) + "\n";
+  return lessonJson(lesson).dump(2, ' ', false, LessonJson::error_handler_t::replace) + "\n";
 }
 
 bool isLesson(std::string_view text) {
@@ -75,7 +75,7 @@ bool isLessonFile(const std::filesystem::path& file) {
 
 Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed) {
   std::error_code ignored;
-  // A folder may have the name of a shipped lesson.
+  // A folder may have the same name as a shipped lesson.
   if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored))
     return readLessonFile(name, readNamed);
   std::vector<std::string_view> names;

@@ -1,7 +1,7 @@
-// Lessons as files (JSON, "schema": "asperity-lesson/1"). Reading checks everything that can be
+// Lessons as files (JSON, "schema": "asperity-lesson/1"). The reader checks everything that can be
 // checked without a simulation: every scene of every step, every key, every choice.
-// Pure but for reading the scenes that a lesson names. Failure: InputError with file, place
-// ("steps[2].prediction.answer"), what is wrong and what is allowed.
+// Pure except for reading the scenes that a lesson names. Failure: InputError with the file, the
+// path ("steps[2].prediction.answer"), what is wrong and what is allowed.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ inline constexpr std::size_t kMostLessonSteps = 200;
 /// Describes for users what a file may contain.
 extern const char* const kLessonFormat;
 
-/// readNamed: null means files relative to the folder of the lesson.
+/// Reads a lesson. readNamed: null means files relative to the folder of the lesson.
 Lesson readLessonFile(const std::filesystem::path& file, const LessonSceneReader& readNamed = {});
 
 /// Reads the same from a text; `file` is named in errors.
@@ -37,10 +37,11 @@ Lesson readLesson(std::string_view json, const std::string& file,
 /// Returns the canonical text, which reads back to the same lesson.
 std::string writeLesson(const Lesson& lesson);
 
-/// Whether a text is, or is meant to be, a lesson: its outermost object says so, or has steps.
+/// Returns whether a text is, or is meant to be, a lesson: its outermost object has the schema, or
+/// has steps.
 bool isLesson(std::string_view json);
 
-/// Whether that holds for a regular file; false where it cannot be read.
+/// Returns whether that holds for a regular file; false where it cannot be read.
 bool isLessonFile(const std::filesystem::path& file);
 
 /// The shipped lessons: the files of resources/lessons as they are.

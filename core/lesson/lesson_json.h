@@ -1,5 +1,5 @@
-// Lessons as JSON: reading and writing use one set of names. Private to core/lesson. Pure but for
-// reading the scenes that a lesson names.
+// Lessons as JSON: reader and writer share one set of words. Private to core/lesson. Pure except
+// for reading the scenes that a lesson names.
 #pragma once
 
 #include <filesystem>
@@ -18,24 +18,24 @@ inline constexpr NamedChoices<PredictionKind, 3> kPredictionKinds{
 inline constexpr NamedChoices<ControlState, 3> kControlStates{{{"hidden", ControlState::Hidden},
                                                                {"locked", ControlState::Locked},
                                                                {"free", ControlState::Free}}};
-/// When the friction curve of a step is hidden: never, until the prediction is made, throughout.
+/// When the friction curve of a step is hidden: never, until the prediction is made, or throughout.
 enum class CurveHiding { Never, UntilAnswered, Throughout };
 inline constexpr NamedChoices<CurveHiding, 3> kCurveStates{
     {{"shown", CurveHiding::Never},
      {"hidden", CurveHiding::UntilAnswered},
      {"hidden_throughout", CurveHiding::Throughout}}};
 
-/// The members of the three kinds of a value that name its column.
+/// The members that name the column of a value, one for each kind.
 inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
     {{"quantity", LessonValue::Kind::State},
      {"peak", LessonValue::Kind::Peak},
      {"exponent", LessonValue::Kind::Exponent}}};
 
-/// Reads and checks a lesson. Throws InputError with the place ("steps[2].prediction.answer").
-Lesson lessonFrom(const LessonJson& root, const std::filesystem::path& folder,
-                  const LessonSceneReader& readNamed);
+/// Reads and checks a lesson. Throws InputError with the path ("steps[2].prediction.answer").
+Lesson parseLesson(const LessonJson& root, const std::filesystem::path& folder,
+                   const LessonSceneReader& readNamed);
 
-/// Returns what lessonFrom() reads back as the same lesson.
-LessonJson jsonOf(const Lesson& lesson);
+/// Returns the JSON that parseLesson reads back as the same lesson.
+LessonJson lessonJson(const Lesson& lesson);
 
 }  // namespace asperity

@@ -28,13 +28,13 @@ using Json = LessonJson;
 constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMostValues = 30;
 constexpr double kLargestTolerance = 10;
 
-/// Runs `read`; an error about a key is reported as one about the key at this place.
+/// Runs `read`; an error about a key is reported with this path.
 template <class Read>
-auto at(const std::string& place, const Read& read) {
+auto at(const std::string& path, const Read& read) {
   try {
     return read();
   } catch (const InputError& error) {
-    std::string where = place;
+    std::string where = path;
     if (!error.key().empty()) where += "." + error.key();
     throw InputError(
         "", where,
@@ -42,81 +42,82 @@ auto at(const std::string& place, const Read& read) {
   }
 }
 
-/// A text: one of English, {"en", "de"}, or lists of paragraphs in place of a text.
-std::string paragraphsFrom(const Json& json, const std::string& place) {
+/// Returns the paragraphs of a text, which is given as one text or as a list of paragraphs.
+std::string joinParagraphs(const Json& json, const std::string& path) {
   if (json.is_string()) return json.get<std::string>();
-  if (!json.is_array()) refuseMember(place, "needs a text, or a list of paragraphs");
+  if (!json.is_array()) refuseMember(path, "needs a text, or a list of paragraphs");
   std::string text;
   for (const Json& paragraph : json) {
-    if (!paragraph.is_string()) refuseMember(place, "needs a text, or a list of paragraphs");
+    if (!paragraph.is_string()) refuseMember(path, "needs a text, or a list of paragraphs");
     text += (text.empty() ? "" : "\n\n") + paragraph.get<std::string>();
   }
   return text;
 }
 
-LessonText textFrom(const Json& object, const char* member, const std::string& where,
+LessonText readText(const Json& object, const char* member, const std::string& where,
                     bool isRequired = false) {
-  const std::string place = where.empty() ? member : where + "." + member;
+  const std::string path = where.empty() ? member : where + "." + member;
   const auto found = object.find(member);
   if (found == object.end()) {
-    if (isRequired) refuseMember(place, "is missing; it needs a text");
+    if (isRequired) refuseMember(path, "is missing; it needs a text");
     return {};
   }
   LessonText text;
   if (found->is_object()) {
-    checkMembers(*found, place, {"en", "de"});
+    checkMembers(*found, path, {"en", "de"});
     for (const auto& [language, value] : found->items())
       (language == "de" ? text.german : text.english) =
-          paragraphsFrom(value, place + "." + language);
+          joinParagraphs(value, path + "." + language);
   } else {
-    text.english = paragraphsFrom(*found, place);
+    text.english = joinParagraphs(*found, path);
   }
-  if (isRequired && text.empty()) refuseMember(place, "is empty");
+  if (isRequired && text.empty()) refuseMember(path, "is empty");
   return text;
 }
 
-/// An object of keys and values as assignments. Values in JSON are in SI units; texts may have one.
-std::vector<std::string> assignmentsIn(const Json& keys, const std::string& place) {
-  if (!keys.is_object()) refuseMember(place, "needs an object of keys");
+/// Reads an object of keys and values as assignments. Numbers in JSON are in SI units; texts may
+/// have a unit.
+std::vector<std::string> readAssignments(const Json& keys, const std::string& path) {
+  if (!keys.is_object()) refuseMember(path, "needs an object of keys");
   std::vector<std::string> assignments;
   for (const auto& [key, value] : keys.items()) {
-    at(place, [&, &key = key] { knownParameter(key); });
+    at(path, [&, &key = key] { knownParameter(key); });
     if (value.is_object() || value.is_null() || value.is_boolean())
-      refuseMember(place + "." + key,
+      refuseMember(path + "." + key,
                    message("needs a value; allowed is {}", allowedText(knownParameter(key))));
     assignments.push_back(key + "=" + assignedText(value));
   }
   return assignments;
 }
 
-std::vector<std::string> assignmentsIn(const Json& object, const char* member,
-                                       const std::string& where) {
+std::vector<std::string> readAssignments(const Json& object, const char* member,
+                                         const std::string& where) {
   const auto found = object.find(member);
   return found == object.end() ? std::vector<std::string>()
-                               : assignmentsIn(*found, where + "." + member);
+                               : readAssignments(*found, where + "." + member);
 }
 
 Scene withKeysAt(const Scene& scene, const std::vector<std::string>& assignments,
-                 const std::string& place) {
-  return at(place, [&] { return withKeys(scene, assignments); });
+                 const std::string& path) {
+  return at(path, [&] { return withKeys(scene, assignments); });
 }
 
-std::string columnFrom(const std::string& name, const std::string& place) {
+std::string readColumn(const std::string& name, const std::string& path) {
   std::vector<std::string_view> known = curveColumns();
   std::erase_if(known, [](std::string_view column) {
     return column == "mu_low" || column == "mu_high" || column == "realizations";
   });
   if (std::ranges::find(known, name) != known.end()) return name;
-  const std::string_view nearest = nearestOf(name, known);
-  refuseMember(place, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
-                                                fmt::format("{}", fmt::join(known, ", ")))
-                                      : message("'{}' is unknown; the nearest known one is {}",
-                                                shortened(name), nearest));
+  const std::string_view nearest = nearestWord(name, known);
+  refuseMember(path, nearest.empty() ? message("'{}' is unknown; known are {}", shortened(name),
+                                               fmt::format("{}", fmt::join(known, ", ")))
+                                     : message("'{}' is unknown; the nearest known one is {}",
+                                               shortened(name), nearest));
 }
 
-LessonValue valueFrom(const Json& json, const std::string& place, const Scene& scene,
+LessonValue readValue(const Json& json, const std::string& path, const Scene& scene,
                       bool mayHaveOver = true) {
-  checkMembers(json, place, {"quantity", "peak", "exponent", "key", "from", "to", "set", "over"});
+  checkMembers(json, path, {"quantity", "peak", "exponent", "key", "from", "to", "set", "over"});
   LessonValue value;
   int kinds = 0;
   for (const auto& [member, kind] : kLessonValueKinds) {
@@ -124,33 +125,33 @@ LessonValue valueFrom(const Json& json, const std::string& place, const Scene& s
     if (found == json.end()) continue;
     ++kinds;
     value.kind = kind;
-    const std::string where = place + "." + std::string(member);
+    const std::string where = path + "." + std::string(member);
     if (!found->is_string()) refuseMember(where, "needs the name of a column");
-    value.column = columnFrom(found->get<std::string>(), where);
+    value.column = readColumn(found->get<std::string>(), where);
   }
-  if (kinds != 1) refuseMember(place, "needs one of quantity, peak, exponent");
-  value.set = assignmentsIn(json, "set", place);
-  const Scene changed = withKeysAt(scene, value.set, place + ".set");
-  at(place, [&] { checkEffects(changed); });
+  if (kinds != 1) refuseMember(path, "needs one of quantity, peak, exponent");
+  value.set = readAssignments(json, "set", path);
+  const Scene changed = withKeysAt(scene, value.set, path + ".set");
+  at(path, [&] { checkEffects(changed); });
   const bool isExponent = value.kind == LessonValue::Kind::Exponent;
   for (const char* member : {"key", "from", "to"})
     if (json.contains(member) != isExponent)
-      refuseMember(place + "." + member, isExponent
-                                             ? "is missing; an exponent needs key, from and to"
-                                             : "has no meaning here; it belongs to an exponent");
+      refuseMember(path + "." + member, isExponent
+                                            ? "is missing; an exponent needs key, from and to"
+                                            : "has no meaning here; it belongs to an exponent");
   if (isExponent) {
-    value.key = textIn(json, "key", "", place);
-    value.from = numberIn(json, place, "from");
-    value.to = numberIn(json, place, "to");
-    at(place + ".key", [&] { numberRow(value.key); });
+    value.key = textMember(json, "key", "", path);
+    value.from = numberMember(json, path, "from");
+    value.to = numberMember(json, path, "to");
+    at(path + ".key", [&] { numberRow(value.key); });
     if (!(value.from > 0 && value.to > 0) || value.from == value.to)
-      refuseMember(place, "needs two different values above 0 in from and to");
+      refuseMember(path, "needs two different values above 0 in from and to");
     for (const double end : {value.from, value.to})
-      withKeysAt(changed, {value.key + "=" + plainNumber(end)}, place);
+      withKeysAt(changed, {value.key + "=" + plainNumber(end)}, path);
   }
   if (const auto over = json.find("over"); over != json.end()) {
-    if (!mayHaveOver) refuseMember(place + ".over", "stands only in the outer value");
-    value.over.push_back(valueFrom(*over, place + ".over", scene, false));
+    if (!mayHaveOver) refuseMember(path + ".over", "stands only in the outer value");
+    value.over.push_back(readValue(*over, path + ".over", scene, false));
   }
   return value;
 }
@@ -161,9 +162,9 @@ bool isPlaceName(std::string_view name) {
   });
 }
 
-/// Throws where a text speaks of a value that the step does not have.
+/// Throws InputError where a text contains the name of a value that the step does not have.
 void checkPlaces(const LessonText& text, const std::set<std::string>& known,
-                 const std::string& place) {
+                 const std::string& path) {
   for (const std::string* one : {&text.english, &text.german})
     for (std::size_t open = one->find('{'); open != one->npos; open = one->find('{', open + 1)) {
       const std::size_t close = one->find('}', open);
@@ -171,37 +172,37 @@ void checkPlaces(const LessonText& text, const std::set<std::string>& known,
       std::string name = one->substr(open + 1, close - open - 1);
       if (name.ends_with('%')) name.pop_back();  // in per cent
       if (!isPlaceName(name) || known.contains(name)) continue;
-      refuseMember(place, message("speaks of a value {} that the step does not have; known are {}",
-                                  shortened(name), fmt::format("{}", fmt::join(known, ", "))));
+      refuseMember(path, message("speaks of a value {} that the step does not have; known are {}",
+                                 shortened(name), fmt::format("{}", fmt::join(known, ", "))));
     }
 }
 
 class StepReader {
  public:
-  StepReader(const Json& json, std::string place, const Scene* before,
+  StepReader(const Json& json, std::string path, const Scene* before,
              const std::filesystem::path& folder, const LessonSceneReader& readNamed)
       : json_(json),
-        place_(std::move(place)),
+        path_(std::move(path)),
         before_(before),
         folder_(folder),
         readNamed_(readNamed) {}
 
   LessonStep read() {
-    checkMembers(json_, place_,
+    checkMembers(json_, path_,
                  {"title", "text", "scene", "set", "after", "show", "controls", "prediction",
                   "reveal", "values"});
-    step_.title = textFrom(json_, "title", place_);
-    step_.text = textFrom(json_, "text", place_, true);
-    step_.reveal = textFrom(json_, "reveal", place_);
+    step_.title = readText(json_, "title", path_);
+    step_.text = readText(json_, "text", path_, true);
+    step_.reveal = readText(json_, "reveal", path_);
     readScenes();
     readView();
     readControls();
     readValues();
-    if (json_.contains("prediction")) readPrediction(json_["prediction"], place_ + ".prediction");
+    if (json_.contains("prediction")) readPrediction(json_["prediction"], path_ + ".prediction");
     if (!step_.prediction)
       for (const char* member : {"after", "reveal", "values"})
         if (json_.contains(member))
-          refuseMember(place_ + "." + member, "has no meaning without a prediction");
+          refuseMember(path_ + "." + member, "has no meaning without a prediction");
     checkTexts();
     return std::move(step_);
   }
@@ -210,51 +211,51 @@ class StepReader {
   void readScenes() {
     const auto scene = json_.find("scene");
     if (scene == json_.end()) {
-      if (!before_) refuseMember(place_ + ".scene", "is missing; the first step needs a scene");
+      if (!before_) refuseMember(path_ + ".scene", "is missing; the first step needs a scene");
       step_.scene = *before_;
     } else if (scene->is_string()) {
       step_.sceneName = scene->get<std::string>();
-      step_.scene = at(place_ + ".scene", [&] {
+      step_.scene = at(path_ + ".scene", [&] {
         return readNamed_ ? readNamed_(step_.sceneName, folder_, {})
                           : readSceneFile(folder_ / step_.sceneName);
       });
     } else if (scene->is_object()) {
-      step_.scene = at(place_ + ".scene", [&] { return readScene(scene->dump(), "", folder_); });
+      step_.scene = at(path_ + ".scene", [&] { return readScene(scene->dump(), "", folder_); });
       step_.sceneJson = scene->dump();
     } else {
-      refuseMember(place_ + ".scene", "needs the name of a scene, or a scene");
+      refuseMember(path_ + ".scene", "needs the name of a scene, or a scene");
     }
-    step_.set = assignmentsIn(json_, "set", place_);
-    step_.scene = withKeysAt(step_.scene, step_.set, place_ + ".set");
-    step_.after = assignmentsIn(json_, "after", place_);
-    step_.revealedScene = withKeysAt(step_.scene, step_.after, place_ + ".after");
+    step_.set = readAssignments(json_, "set", path_);
+    step_.scene = withKeysAt(step_.scene, step_.set, path_ + ".set");
+    step_.after = readAssignments(json_, "after", path_);
+    step_.revealedScene = withKeysAt(step_.scene, step_.after, path_ + ".after");
     for (const Scene* one : {&step_.scene, &step_.revealedScene})
-      at(place_, [&] { checkEffects(*one); });
+      at(path_, [&] { checkEffects(*one); });
   }
 
   void readView() {
     const auto show = json_.find("show");
     if (show == json_.end()) return;
-    const std::string place = place_ + ".show";
-    checkMembers(*show, place, {"tab", "quantity", "scale", "curve", "hidden_range", "beside"});
+    const std::string path = path_ + ".show";
+    checkMembers(*show, path, {"tab", "quantity", "scale", "curve", "hidden_range", "beside"});
     LessonView& view = step_.show;
-    view.tab = textIn(*show, "tab", view.tab, place);
+    view.tab = textMember(*show, "tab", view.tab, path);
     if (std::ranges::find(kLessonTabs, view.tab) == std::end(kLessonTabs))
-      refuseMember(place + ".tab", notOneOf(view.tab, kLessonTabs));
-    view.quantity = textIn(*show, "quantity", view.quantity, place);
-    if (!quantityNamed(view.quantity))
-      refuseMember(place + ".quantity", notOneOf(view.quantity, quantityWords()));
-    view.isLinearY = chosen(kAxisScales, textIn(*show, "scale", "log", place), place + ".scale") ==
-                     AxisScale::Linear;
+      refuseMember(path + ".tab", notOneOf(view.tab, kLessonTabs));
+    view.quantity = textMember(*show, "quantity", view.quantity, path);
+    if (!findQuantity(view.quantity))
+      refuseMember(path + ".quantity", notOneOf(view.quantity, quantityWords()));
+    view.isLinearY = chosen(kAxisScales, textMember(*show, "scale", "log", path),
+                            path + ".scale") == AxisScale::Linear;
     const CurveHiding hiding =
-        chosen(kCurveStates, textIn(*show, "curve", "shown", place), place + ".curve");
+        chosen(kCurveStates, textMember(*show, "curve", "shown", path), path + ".curve");
     view.hidesCurve = hiding != CurveHiding::Never;
     view.hidesCurveAfter = hiding == CurveHiding::Throughout;
     if (const auto range = show->find("hidden_range"); range != show->end()) {
-      const std::string where = place + ".hidden_range";
+      const std::string where = path + ".hidden_range";
       checkMembers(*range, where, {"from", "to"});
-      view.hiddenFrom = numberIn(*range, where, "from");
-      view.hiddenTo = numberIn(*range, where, "to");
+      view.hiddenFrom = numberMember(*range, where, "from");
+      view.hiddenTo = numberMember(*range, where, "to");
       const bool canBegin = view.hiddenFrom > 0 || (view.isLinearY && view.hiddenFrom == 0);
       if (!(canBegin && view.hiddenTo > view.hiddenFrom && std::isfinite(view.hiddenTo)))
         refuseMember(where,
@@ -264,11 +265,11 @@ class StepReader {
     }
     if (const auto beside = show->find("beside"); beside != show->end()) {
       if (!beside->is_array() || beside->size() > kMostBeside)
-        refuseMember(place + ".beside",
+        refuseMember(path + ".beside",
                      message("needs a list of at most {} objects of keys", kMostBeside));
       for (std::size_t i = 0; i < beside->size(); ++i) {
-        const std::string where = fmt::format("{}.beside[{}]", place, i);
-        view.beside.push_back(assignmentsIn((*beside)[i], where));
+        const std::string where = fmt::format("{}.beside[{}]", path, i);
+        view.beside.push_back(readAssignments((*beside)[i], where));
         const Scene other = withKeysAt(step_.scene, view.beside.back(), where);
         if (other.sweep.key != step_.scene.sweep.key)
           refuseMember(where, "has another axis than the curve beside which it stands");
@@ -279,14 +280,14 @@ class StepReader {
   void readControls() {
     const auto controls = json_.find("controls");
     if (controls == json_.end()) return;
-    const std::string place = place_ + ".controls";
-    checkMembers(*controls, place, {"free", "locked", "hidden", "others"});
+    const std::string path = path_ + ".controls";
+    checkMembers(*controls, path, {"free", "locked", "hidden", "others"});
     LessonControls& read = step_.controls;
     std::set<std::string> named;
     const auto list = [&](const char* member, std::vector<std::string>& keys) {
       const auto found = controls->find(member);
       if (found == controls->end()) return;
-      const std::string where = place + "." + member;
+      const std::string where = path + "." + member;
       if (!found->is_array()) refuseMember(where, "needs a list of keys");
       for (const Json& key : *found) {
         if (!key.is_string()) refuseMember(where, "needs a list of keys");
@@ -301,40 +302,40 @@ class StepReader {
     list("hidden", read.hidden);
     for (const std::string& key : read.free)
       if (!isApplicable(*findParameter(key), step_.revealedScene))
-        refuseMember(place + ".free", message("{} has no meaning in this scene", key));
+        refuseMember(path + ".free", message("{} has no meaning in this scene", key));
     read.others =
-        chosen(kControlStates, textIn(*controls, "others", "hidden", place), place + ".others");
+        chosen(kControlStates, textMember(*controls, "others", "hidden", path), path + ".others");
   }
 
   void readValues() {
     const auto values = json_.find("values");
     if (values == json_.end()) return;
-    const std::string place = place_ + ".values";
+    const std::string path = path_ + ".values";
     if (!values->is_object() || values->size() > kMostValues)
-      refuseMember(place, message("needs an object of at most {} values", kMostValues));
+      refuseMember(path, message("needs an object of at most {} values", kMostValues));
     for (const auto& [name, value] : values->items()) {
       if (!isPlaceName(name) || name == "answer" || name == "given")
-        refuseMember(place + "." + shortened(name),
+        refuseMember(path + "." + shortened(name),
                      "needs a name of small letters, digits and _, which is not answer or given");
-      step_.values.push_back({name, valueFrom(value, place + "." + name, step_.scene)});
+      step_.values.push_back({name, readValue(value, path + "." + name, step_.scene)});
     }
   }
 
-  void readPrediction(const Json& json, const std::string& place) {
-    checkMembers(json, place,
+  void readPrediction(const Json& json, const std::string& path) {
+    checkMembers(json, path,
                  {"kind", "question", "choices", "answer", "tolerance", "x", "place_tolerance",
                   "right", "wrong"});
     LessonPrediction& prediction = step_.prediction.emplace();
-    prediction.kind = chosen(kPredictionKinds, textIn(json, "kind", "", place), place + ".kind");
-    prediction.question = textFrom(json, "question", place, true);
-    prediction.right = textFrom(json, "right", place);
-    prediction.wrong = textFrom(json, "wrong", place);
+    prediction.kind = chosen(kPredictionKinds, textMember(json, "kind", "", path), path + ".kind");
+    prediction.question = readText(json, "question", path, true);
+    prediction.right = readText(json, "right", path);
+    prediction.wrong = readText(json, "wrong", path);
     const bool isChoice = prediction.kind == PredictionKind::Choice;
     const bool isNumber = prediction.kind == PredictionKind::Number;
     const bool isPoint = prediction.kind == PredictionKind::Point;
     const auto belongs = [&](const char* member, bool holds, const char* to) {
       if (json.contains(member) && !holds)
-        refuseMember(place + "." + member,
+        refuseMember(path + "." + member,
                      message("has no meaning here; it belongs to {}", Message(to)));
     };
     belongs("choices", isChoice, "a choice");
@@ -343,29 +344,29 @@ class StepReader {
     belongs("x", isPoint, "a point");
     belongs("place_tolerance", isPoint && !json.contains("x"), "a point without x");
     if (json.contains("answer"))
-      prediction.answer = valueFrom(json["answer"], place + ".answer", step_.scene);
+      prediction.answer = readValue(json["answer"], path + ".answer", step_.scene);
     if (isNumber && !prediction.answer)
-      refuseMember(place + ".answer", "is missing; a number is computed");
-    prediction.tolerance = tolerance(json, place, "tolerance", prediction.tolerance);
-    prediction.placeTolerance = tolerance(json, place, "place_tolerance", 1);
-    if (isChoice) readChoices(json, place, prediction);
-    if (isPoint) readPoint(json, place, prediction);
+      refuseMember(path + ".answer", "is missing; a number is computed");
+    prediction.tolerance = tolerance(json, path, "tolerance", prediction.tolerance);
+    prediction.xTolerance = tolerance(json, path, "place_tolerance", 1);
+    if (isChoice) readChoices(json, path, prediction);
+    if (isPoint) readPoint(json, path, prediction);
   }
 
-  static double tolerance(const Json& json, const std::string& place, const char* member,
+  static double tolerance(const Json& json, const std::string& path, const char* member,
                           double otherwise) {
     if (!json.contains(member)) return otherwise;
-    const double value = numberIn(json, place, member);
+    const double value = numberMember(json, path, member);
     if (!(value > 0 && value <= kLargestTolerance))
-      refuseMember(place + "." + member,
+      refuseMember(path + "." + member,
                    message("{} is outside {}", plain(value),
                            message("above 0 to {}", plain(kLargestTolerance))));
     return value;
   }
 
-  void readChoices(const Json& json, const std::string& place, LessonPrediction& prediction) {
+  void readChoices(const Json& json, const std::string& path, LessonPrediction& prediction) {
     const auto choices = json.find("choices");
-    const std::string all = place + ".choices";
+    const std::string all = path + ".choices";
     if (choices == json.end() || !choices->is_array() || choices->size() < kFewestChoices ||
         choices->size() > kMostChoices)
       refuseMember(all, message("needs a list of {} to {} choices", kFewestChoices, kMostChoices));
@@ -374,13 +375,13 @@ class StepReader {
       const std::string where = fmt::format("{}[{}]", all, i);
       checkMembers(one, where, {"text", "right", "above", "below"});
       LessonChoice choice;
-      choice.text = textFrom(one, "text", where, true);
+      choice.text = readText(one, "text", where, true);
       if (one.contains("right")) {
         if (!one["right"].is_boolean()) refuseMember(where + ".right", "needs true or false");
         choice.isRight = one["right"].get<bool>();
       }
-      choice.above = optionalNumber(one, where, "above").value_or(choice.above);
-      choice.below = optionalNumber(one, where, "below").value_or(choice.below);
+      choice.above = optionalNumberMember(one, where, "above").value_or(choice.above);
+      choice.below = optionalNumberMember(one, where, "below").value_or(choice.below);
       if (choice.isRange() && !prediction.answer)
         refuseMember(where, "has above or below, which need a computed answer");
       if (one.contains("right") && prediction.answer)
@@ -399,16 +400,16 @@ class StepReader {
       refuseMember(all, message("has {} right choices; it needs one, or a computed answer", right));
   }
 
-  void readPoint(const Json& json, const std::string& place, LessonPrediction& prediction) {
+  void readPoint(const Json& json, const std::string& path, LessonPrediction& prediction) {
     if (step_.show.tab != "curve")
-      refuseMember(place, "needs show.tab curve, on which the point stands");
+      refuseMember(path, "needs show.tab curve, on which the point stands");
     step_.show.hidesCurve = true;
-    prediction.x = optionalNumber(json, place, "x");
-    const ParameterRange axis = at(place, [&] { return sweepRange(step_.scene); });
+    prediction.x = optionalNumberMember(json, path, "x");
+    const ParameterRange axis = at(path, [&] { return sweepRange(step_.scene); });
     const auto [low, high] = std::minmax(axis.from, axis.to);
     if (prediction.x && !(*prediction.x >= low && *prediction.x <= high))
-      refuseMember(place + ".x", message("{} is outside {}, the axis of the curve",
-                                         plain(*prediction.x), rangeText(low, high)));
+      refuseMember(path + ".x", message("{} is outside {}, the axis of the curve",
+                                        plain(*prediction.x), rangeText(low, high)));
   }
 
   void checkTexts() const {
@@ -419,14 +420,14 @@ class StepReader {
         known.insert("answer");
     }
     for (const NamedLessonValue& value : step_.values) known.insert(value.name);
-    checkPlaces(step_.reveal, known, place_ + ".reveal");
+    checkPlaces(step_.reveal, known, path_ + ".reveal");
     if (!step_.prediction) return;
-    checkPlaces(step_.prediction->right, known, place_ + ".prediction.right");
-    checkPlaces(step_.prediction->wrong, known, place_ + ".prediction.wrong");
+    checkPlaces(step_.prediction->right, known, path_ + ".prediction.right");
+    checkPlaces(step_.prediction->wrong, known, path_ + ".prediction.wrong");
   }
 
   const Json& json_;
-  std::string place_;
+  std::string path_;
   const Scene* before_;
   const std::filesystem::path& folder_;
   const LessonSceneReader& readNamed_;
@@ -435,17 +436,18 @@ class StepReader {
 
 }  // namespace
 
-Lesson lessonFrom(const Json& root, const std::filesystem::path& folder,
-                  const LessonSceneReader& readNamed) {
+Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
+                   const LessonSceneReader& readNamed) {
   if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
-  if (textIn(root, "schema") != kLessonSchema)
+  if (textMember(root, "schema") != kLessonSchema)
     refuseMember("schema", message("is not {}", kLessonSchema));
   checkMembers(root, "", {"schema", "title", "goal", "minutes", "notes", "steps"});
   Lesson lesson;
-  lesson.title = textFrom(root, "title", "", true);
-  lesson.goal = textFrom(root, "goal", "");
-  lesson.notes = textFrom(root, "notes", "");
-  if (root.contains("minutes")) lesson.minutes = static_cast<int>(wholeIn(root, "minutes", 1, 600));
+  lesson.title = readText(root, "title", "", true);
+  lesson.goal = readText(root, "goal", "");
+  lesson.notes = readText(root, "notes", "");
+  if (root.contains("minutes"))
+    lesson.minutes = static_cast<int>(integerMember(root, "minutes", 1, 600));
   const auto steps = root.find("steps");
   if (steps == root.end() || !steps->is_array() || steps->empty() ||
       steps->size() > kMostLessonSteps)

@@ -10,6 +10,7 @@
 #include "core/base/json_members.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
+#include "core/lesson/lesson_json.h"
 
 namespace asperity {
 namespace {
@@ -20,53 +21,50 @@ constexpr std::string_view kSchema = "asperity-lesson-results/1";
 constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
 constexpr int kDeepestResults = 6;
 
-constexpr NamedChoices<PredictionKind, 3> kKinds{{{"choice", PredictionKind::Choice},
-                                                  {"number", PredictionKind::Number},
-                                                  {"point", PredictionKind::Point}}};
-
-Json answerJson(PredictionKind kind, int choice, double number, double place) {
+Json answerJson(PredictionKind kind, int choice, double number, double x) {
   if (kind == PredictionKind::Choice) return choice < 0 ? Json(nullptr) : Json(choice + 1);
   if (kind == PredictionKind::Number) return numberOrNull(number);
   if (!std::isfinite(number)) return nullptr;
-  return {{"x", numberOrNull(place)}, {"y", numberOrNull(number)}};
+  return {{"x", numberOrNull(x)}, {"y", numberOrNull(number)}};
 }
 
-double numberOrNone(const Json& json, const std::string& place) {
+double numberOrNone(const Json& json, const std::string& path) {
   if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
-  if (!json.is_number()) refuseMember(place, "needs a number or null");
+  if (!json.is_number()) refuseMember(path, "needs a number or null");
   return json.get<double>();
 }
 
-void readAnswer(const Json& json, const std::string& place, PredictionKind kind, int& choice,
+void readAnswer(const Json& json, const std::string& path, PredictionKind kind, int& choice,
                 double& number, double& x) {
   if (json.is_null()) return;
   if (kind == PredictionKind::Choice) {
     const Json one = {{"choice", json}};
-    choice = static_cast<int>(wholeIn(one, "choice", 1, 9, place)) - 1;
+    choice = static_cast<int>(integerMember(one, "choice", 1, 9, path)) - 1;
   } else if (kind == PredictionKind::Number) {
-    number = numberOrNone(json, place);
+    number = numberOrNone(json, path);
   } else {
-    checkMembers(json, place, {"x", "y"});
-    x = json.contains("x") ? numberOrNone(json["x"], place + ".x") : x;
-    number = json.contains("y") ? numberOrNone(json["y"], place + ".y") : number;
+    checkMembers(json, path, {"x", "y"});
+    x = json.contains("x") ? numberOrNone(json["x"], path + ".x") : x;
+    number = json.contains("y") ? numberOrNone(json["y"], path + ".y") : number;
   }
 }
 
-LessonResult resultFrom(const Json& json, const std::string& place) {
-  checkMembers(json, place, {"step", "kind", "given", "expected", "unit", "right"});
+LessonResult readResult(const Json& json, const std::string& path) {
+  checkMembers(json, path, {"step", "kind", "given", "expected", "unit", "right"});
   for (const char* member : {"step", "kind", "given", "expected", "right"})
-    if (!json.contains(member)) refuseMember(place + "." + member, "is missing");
+    if (!json.contains(member)) refuseMember(path + "." + member, "is missing");
   LessonResult result;
   result.step =
-      static_cast<int>(wholeIn(json, "step", 1, static_cast<std::int64_t>(1) << 20, place)) - 1;
-  result.kind = chosen(kKinds, textIn(json, "kind", "", place), place + ".kind");
+      static_cast<int>(integerMember(json, "step", 1, static_cast<std::int64_t>(1) << 20, path)) -
+      1;
+  result.kind = chosen(kPredictionKinds, textMember(json, "kind", "", path), path + ".kind");
   GivenAnswer& given = result.given;
   LessonAnswer& expected = result.expected;
-  readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number, given.place);
-  readAnswer(json["expected"], place + ".expected", result.kind, expected.choice,
-             expected.number.value, expected.place.value);
-  expected.number.unit = textIn(json, "unit", "", place);
-  if (!json["right"].is_boolean()) refuseMember(place + ".right", "needs true or false");
+  readAnswer(json["given"], path + ".given", result.kind, given.choice, given.number, given.x);
+  readAnswer(json["expected"], path + ".expected", result.kind, expected.choice,
+             expected.number.value, expected.x.value);
+  expected.number.unit = textMember(json, "unit", "", path);
+  if (!json["right"].is_boolean()) refuseMember(path + ".right", "needs true or false");
   result.isRight = json["right"].get<bool>();
   return result;
 }
@@ -78,7 +76,7 @@ void LessonResults::set(const LessonResult& result) {
   results.insert(std::ranges::upper_bound(results, result.step, {}, &LessonResult::step), result);
 }
 
-const LessonResult* LessonResults::of(int step) const {
+const LessonResult* LessonResults::find(int step) const {
   const auto found = std::ranges::find(results, step, &LessonResult::step);
   return found == results.end() ? nullptr : &*found;
 }
@@ -95,12 +93,11 @@ std::string resultsJson(const LessonResults& results) {
   Json json = {{"schema", kSchema},        {"lesson", results.lesson}, {"title", results.title},
                {"sha256", results.digest}, {"right", results.right()}, {"steps", Json::array()}};
   for (const LessonResult& one : results.results) {
-    Json step = {
-        {"step", one.step + 1},
-        {"kind", wordOf(kKinds, one.kind)},
-        {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.place)},
-        {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
-                                one.expected.place.value)}};
+    Json step = {{"step", one.step + 1},
+                 {"kind", choiceWord(kPredictionKinds, one.kind)},
+                 {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.x)},
+                 {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
+                                         one.expected.x.value)}};
     if (!one.expected.number.unit.empty()) step["unit"] = one.expected.number.unit;
     step["right"] = one.isRight;
     json["steps"].push_back(std::move(step));
@@ -108,17 +105,18 @@ std::string resultsJson(const LessonResults& results) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-LessonResults resultsFrom(std::string_view text, const std::string& file) {
+LessonResults parseResults(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
     checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
-    if (textIn(json, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
+    if (textMember(json, "schema") != kSchema)
+      refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{
-        textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"), {}};
+        textMember(json, "lesson"), textMember(json, "title"), textMember(json, "sha256"), {}};
     const auto steps = json.find("steps");
     if (steps == json.end() || !steps->is_array()) refuseMember("steps", "needs a list");
     for (std::size_t i = 0; i < steps->size(); ++i)
-      results.set(resultFrom((*steps)[i], fmt::format("steps[{}]", i)));
+      results.set(readResult((*steps)[i], fmt::format("steps[{}]", i)));
     return results;
   } catch (const InputError& error) {
     throw error.in(file);
@@ -128,7 +126,7 @@ LessonResults resultsFrom(std::string_view text, const std::string& file) {
 LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return emptyResults(lesson);
-  LessonResults results = resultsFrom(readRegularFile(file, kLargestResults), file.string());
+  LessonResults results = parseResults(readRegularFile(file, kLargestResults), file.string());
   if (results.digest != lesson.digest)
     throw InputError(file.string(), "sha256",
                      message("belongs to another lesson, or to another version of it ({}); its "

@@ -1,7 +1,8 @@
-// What a student answered in a lesson, as a file of the student's choice (JSON, "schema":
-// "asperity-lesson-results/1"): for every prediction the answer, what was right, and whether it
-// was. Written whole or not at all; a file that is something else, or belongs to another lesson, is
-// never replaced. No dates and no names: the file is the student's own.
+// The answers of a student in a lesson, as a file of the student's choice (JSON, "schema":
+// "asperity-lesson-results/1"): for every prediction the given answer, the expected one, and
+// whether the given one was right. The file is written completely or not at all. A file with other
+// content, or with results of another lesson, is never replaced. It contains no dates and no names:
+// it belongs to the student.
 // Failure: InputError with the file where it cannot be read or must not be replaced;
 // std::runtime_error where it cannot be written.
 #pragma once
@@ -29,7 +30,7 @@ struct LessonResults {
 
   /// Sets the result of its step.
   void set(const LessonResult& result);
-  const LessonResult* of(int step) const;
+  const LessonResult* find(int step) const;
   int right() const;
 };
 
@@ -37,9 +38,9 @@ struct LessonResults {
 LessonResults emptyResults(const Lesson& lesson);
 
 std::string resultsJson(const LessonResults& results);
-LessonResults resultsFrom(std::string_view json, const std::string& file);
+LessonResults parseResults(std::string_view json, const std::string& file);
 
-/// Returns the results in a file, where it exists, which must be of this lesson; else empty ones.
+/// Returns the results in a file if it exists, which must be of this lesson; else empty ones.
 LessonResults readResults(const std::filesystem::path& file, const Lesson& lesson);
 
 /// Writes the results. The file must be absent or hold results of the same lesson.

@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-/// In small letters, with plain primes, Greek letters as words, and without blanks, "_", "-" and
-/// ".".
+/// Returns the name in lower case, with plain primes, with Greek letters as words, and without
+/// blanks, "_", "-" and ".".
 std::string compact(std::string_view given) {
   std::string text = lowerCase(given);
   constexpr std::array<std::pair<std::string_view, std::string_view>, 24> kReplacements{{
@@ -39,7 +39,7 @@ bool containsAny(std::string_view text, std::initializer_list<std::string_view> 
                              [&](std::string_view word) { return text.find(word) != text.npos; });
 }
 
-ModulusKind kindOf(std::string_view word) {
+ModulusKind modulusKind(std::string_view word) {
   if (containsAny(word, {"shear", "schub", "torsion"})) return ModulusKind::Shear;
   if (containsAny(word, {"young", "tensil", "tension", "zug", "bend", "biege", "compress"}))
     return ModulusKind::Tension;
@@ -53,7 +53,7 @@ ModulusKind kindOf(std::string_view word) {
   return ModulusKind::Unknown;
 }
 
-DmaQuantity quantityOf(std::string_view word) {
+DmaQuantity dmaQuantity(std::string_view word) {
   using enum DmaQuantity;
   if (word.empty()) return None;
   const bool isLossTangent =
@@ -94,7 +94,7 @@ DmaQuantity quantityOf(std::string_view word) {
   return None;
 }
 
-/// A temperature with its unit that begins at this place.
+/// Returns the temperature with its unit that begins at this position.
 struct FoundTemperature {
   double kelvin = 0;
   std::size_t end = 0;
@@ -118,7 +118,7 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
   double value = 0;
   if (!readTextNumber(number, '.', value)) return {};
   while (end < text.size() && (text[end] == ' ' || text[end] == '_')) ++end;
-  // The longest unit first; a letter behind it belongs to another word.
+  // The longest unit is tried first; a letter behind it belongs to another word.
   for (const std::string_view unit :
        {"\u00B0C", "\u00BAC", "\u2103", "degC", "deg C", "\u00B0 C", "\u00B0F", "degF", "Celsius",
         "celsius", "Kelvin", "C", "K", "F"}) {
@@ -130,8 +130,9 @@ std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t
   return {};
 }
 
-/// The first temperature in the text, and where it stands.
-std::optional<std::pair<std::size_t, FoundTemperature>> findTemperature(std::string_view text) {
+/// Returns the first temperature in the text and its position.
+std::optional<std::pair<std::size_t, FoundTemperature>> findFirstTemperature(
+    std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (i > 0 && (isDigit(text[i - 1]) || text[i - 1] == '.')) continue;
     if (const auto found = temperatureAt(text, i)) return std::pair(i, *found);
@@ -145,7 +146,7 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   DmaColumn column;
   std::string word(name);
   for (const std::string_view part : {name, unit})
-    if (const auto found = findTemperature(part)) {
+    if (const auto found = findFirstTemperature(part)) {
       column.temperature = found->second.kelvin;
       if (part.data() == name.data())
         word =
@@ -153,28 +154,28 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
       break;
     }
   const std::string plain = compact(word);
-  column.quantity = quantityOf(plain);
-  column.kind = kindOf(plain);
+  column.quantity = dmaQuantity(plain);
+  column.kind = modulusKind(plain);
   column.isAngular = containsAny(plain, {"omega", "angular", "kreisfreq"}) || plain == "w";
   return column;
 }
 
-std::optional<double> temperatureIn(std::string_view text) {
-  const auto found = findTemperature(text);
+std::optional<double> findTemperature(std::string_view text) {
+  const auto found = findFirstTemperature(text);
   return found ? std::optional(found->second.kelvin) : std::nullopt;
 }
 
-std::vector<double> temperaturesIn(std::string_view text) {
+std::vector<double> findTemperatures(std::string_view text) {
   std::vector<double> all;
-  while (const auto found = findTemperature(text)) {
+  while (const auto found = findFirstTemperature(text)) {
     all.push_back(found->second.kelvin);
     text.remove_prefix(found->second.end);
   }
   return all;
 }
 
-std::optional<double> temperatureFrom(std::string_view text) {
-  const auto quantity = quantityIn(text);
+std::optional<double> parseTemperature(std::string_view text) {
+  const auto quantity = parseQuantity(text);
   if (!quantity) return {};
   if (quantity->unit.empty()) return quantity->number;
   const auto unit = temperatureUnit(quantity->unit);
@@ -187,7 +188,7 @@ std::optional<double> frequencyUnit(std::string_view unit, bool isAngular) {
   const std::string word = lowerCase(unit);
   if (word.starts_with("rad")) return kAngular;
   if (isAngular && isOneOf(word, {"1/s", "s-1", "s^-1", "s\u207B\u00B9"})) return kAngular;
-  return sizeOfUnit(unit, "Hz");
+  return unitSize(unit, "Hz");
 }
 
 std::optional<Unit> temperatureUnit(std::string_view unit) {
@@ -199,7 +200,7 @@ std::optional<Unit> temperatureUnit(std::string_view unit) {
 
 std::optional<double> angleUnit(std::string_view unit) {
   if (lowerCase(unit) == "grad") return std::numbers::pi / 180;
-  return sizeOfUnit(unit, "rad");
+  return unitSize(unit, "rad");
 }
 
 void refuseSoftModulus(const std::string& name, const std::string& key, double largest) {

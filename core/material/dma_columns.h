@@ -33,32 +33,35 @@ struct DmaColumn {
   std::optional<double> temperature{};      // K, where the name states one: "G' (20 \u00B0C)"
 };
 
-/// "G'", "E_storage", "Storage modulus", "tan(delta)", "|E*|", "omega", "Temp.", "G'' @ 20
-/// \u00B0C",
-/// ... The unit helps where the name has a temperature in its brackets.
+/// Returns what a column means: "G'", "E_storage", "Storage modulus", "tan(delta)", "|E*|",
+/// "omega", "Temp.", "G'' @ 20 \u00B0C", ... The unit helps where the brackets of the name contain
+/// a temperature.
 DmaColumn dmaColumn(std::string_view name, std::string_view unit);
 
-/// A temperature amid a text, with its unit: "sweep at 20 \u00B0C", "T = 293 K"; in K.
-std::optional<double> temperatureIn(std::string_view text);
+/// Returns the first temperature in a text, in K; it needs a unit: "sweep at 20 \u00B0C", "T = 293
+/// K".
+std::optional<double> findTemperature(std::string_view text);
 
-/// All of them, in their order.
-std::vector<double> temperaturesIn(std::string_view text);
+/// Returns all temperatures in a text, in their order; K.
+std::vector<double> findTemperatures(std::string_view text);
 
-/// "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a number alone is in K. Nothing where it is
-/// none.
-std::optional<double> temperatureFrom(std::string_view text);
+/// Reads a whole text as a temperature, in K: "20C", "20 \u00B0C", "68F", "293.15", "293.15K"; a
+/// number alone is in K. Nothing where the text is none.
+std::optional<double> parseTemperature(std::string_view text);
 
-/// Hz, of one unit; nothing where it is no unit of frequency. Empty: Hz, or rad/s for omega.
+/// Returns one unit of frequency in Hz; nothing where the text is none. An empty text means Hz, or
+/// rad/s for omega.
 std::optional<double> frequencyUnit(std::string_view unit, bool isAngular);
 
-/// "\u00B0C", "deg. C", "c", "K", "Fahrenheit"; nothing where it is no unit of temperature.
+/// Returns a unit of temperature: "\u00B0C", "deg. C", "c", "K", "Fahrenheit"; nothing where the
+/// text is none.
 std::optional<Unit> temperatureUnit(std::string_view unit);
 
-/// Radians, of one unit; nothing where it is no unit of angle.
+/// Returns one unit of angle in radians; nothing where the text is none.
 std::optional<double> angleUnit(std::string_view unit);
 
-/// Refuses moduli without a unit, the largest of which (`largest`, Pa) is below 1 kPa: read in Pa
-/// they would be those of no rubber. `name` is the file's, `key` the column's. Throws InputError.
+/// Throws InputError for moduli without a unit, the largest of which (`largest`, Pa) is below 1
+/// kPa: no rubber has such moduli in Pa. `name` is the file's, `key` the column's.
 void refuseSoftModulus(const std::string& name, const std::string& key, double largest);
 
 }  // namespace asperity

@@ -38,7 +38,7 @@ class Reader {
   [[noreturn]] void refuseColumns() const {
     std::vector<std::string> names;
     const TextBlock& block = table_.largest();
-    for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+    for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(columnLabel(block, i));
     for (std::size_t i = 0; i < block.columns.size(); ++i)
       if (block.columns[i].isText && !block.texts[i].empty() &&
           dmaColumn(block.columns[i].name, block.columns[i].unit).quantity != None)
@@ -59,50 +59,52 @@ class Reader {
   static bool isSaid(const std::string& choice) { return !choice.empty(); }
 
   bool readBlock(const TextBlock& block) {
-    const std::vector<SweepColumns> sweeps = sweepsOf(block, name_, choices_);
+    const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_);
     for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
     return !sweeps.empty();
   }
 
-  /// Reads the lines in front of a block: "Temperature: 20 °C", "T = 293 K", "sweep at 20 °C".
+  /// Reads the lines in front of a block, such as "Temperature: 20 °C", "T = 293 K", "sweep at 20
+  /// °C".
   std::optional<double> statedTemperature(const TextBlock& block) const {
     const TextBlock* place = &block;
     while (true) {
       for (auto entry = place->header.rbegin(); entry != place->header.rend(); ++entry) {
         const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
         if (isTemperature)
-          if (const auto quantity = quantityIn(entry->value)) {
+          if (const auto quantity = parseQuantity(entry->value)) {
             const std::string unit =
                 isSaid(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
             const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
             if (scale) return scale->toSi(quantity->number);
           }
-        if (const auto found = temperatureIn(entry->value)) return found;
-        if (const auto found = temperatureIn(entry->key)) return found;
+        if (const auto found = findTemperature(entry->value)) return found;
+        if (const auto found = findTemperature(entry->key)) return found;
       }
       if (place == &table_.blocks.front()) return {};
       --place;
     }
   }
 
-  /// "Temperature [°C]: 20", "T/K = 293".
+  /// Reads an entry such as "Temperature [°C]: 20" or "T/K = 293".
   static std::string unitInKey(const std::string& key) { return columnName(key).unit; }
 
-  /// Which unit a column has; the user's word wins over the file's.
+  /// Returns the unit of a column; the user's choice overrides the file.
   DmaColumnFact factOf(const TextBlock& block, std::size_t column,
                        const std::string& choice) const {
     DmaColumnFact fact;
-    fact.name = nameOf(block, column);
+    fact.name = columnLabel(block, column);
     fact.unit = isSaid(choice) ? choice : block.columns[column].unit;
-    // "G' [20 °C]" has a temperature and no unit there.
-    if (!isSaid(choice) && temperatureIn(fact.unit)) fact.unit.clear();
+    // The brackets of "G' [20 °C]" contain a temperature and no unit.
+    if (!isSaid(choice) && findTemperature(fact.unit)) fact.unit.clear();
     if (fact.unit.empty()) fact.unit = unknownUnitIn(block.columns[column].name);
     fact.isUnitAssumed = fact.unit.empty();
     return fact;
   }
 
-  /// "furlongs" of "G' (furlongs)": what stands in brackets, or behind a stroke, at the end of a
-  /// name and is neither a quantity nor a word for the kind of modulus. It is refused as a unit.
+  /// Returns the text in brackets, or behind a stroke, at the end of a name that is neither a
+  /// quantity nor a word for the kind of modulus: "furlongs" of "G' (furlongs)". It is refused as a
+  /// unit.
   static std::string unknownUnitIn(const std::string& name) {
     const std::size_t stroke = name.rfind('/');
     std::size_t begin = name.find_last_of("([");
@@ -132,12 +134,12 @@ class Reader {
   double modulusUnit(const TextBlock& block, std::size_t column, DmaColumnFact& fact) const {
     fact = factOf(block, column, choices_.modulusUnit);
     if (fact.unit.empty()) fact.unit = "Pa";
-    const auto unit = sizeOfUnit(fact.unit, "Pa");
-    if (!unit) refuseUnit(fact, unitsOf("Pa"), "--modulus-unit");
+    const auto unit = unitSize(fact.unit, "Pa");
+    if (!unit) refuseUnit(fact, unitNames("Pa"), "--modulus-unit");
     return *unit;
   }
 
-  /// What the moduli are multiplied by to be of shear.
+  /// Returns the factor that turns the moduli into shear moduli.
   double shearFactor(const TextBlock& block, std::initializer_list<std::size_t> columns) {
     ModulusKind kind = ModulusKind::Unknown;
     for (const std::size_t column : columns) {
@@ -145,7 +147,7 @@ class Reader {
           dmaColumn(block.columns[column].name, block.columns[column].unit).kind;
       if (next == ModulusKind::Unknown) continue;
       if (kind != ModulusKind::Unknown && kind != next)
-        throw InputError(name_, nameOf(block, column),
+        throw InputError(name_, columnLabel(block, column),
                          "is of another kind than the other modulus: one is of shear (G), one of "
                          "tension (E); say with --storage-column and --loss-column which belong "
                          "together");
@@ -153,20 +155,21 @@ class Reader {
     }
     if (choices_.modulus != ModulusKind::Unknown) kind = choices_.modulus;
     if (kind == ModulusKind::Unknown)
-      throw InputError(name_, nameOf(block, *columns.begin()),
+      throw InputError(name_, columnLabel(block, *columns.begin()),
                        "may be of shear (G) or of tension (E); say which with --modulus shear or "
                        "--modulus tension");
     file_.facts.modulus = kind;
     return kind == ModulusKind::Tension ? 1 / (2 * (1 + choices_.poissonRatio)) : 1;
   }
 
-  /// Temperatures without a unit: numbers above 200 are kelvins, no rubber is hotter in °C.
+  /// Decides about temperatures without a unit: numbers above 200 are kelvins, as no rubber is
+  /// hotter in °C.
   Unit temperatureScale(const TextBlock& block, std::size_t column) {
     const DmaColumnFact fact = factOf(block, column, choices_.temperatureUnit);
     file_.facts.temperature = fact.name;
     if (!fact.unit.empty()) {
       const auto unit = temperatureUnit(fact.unit);
-      if (!unit) refuseUnit(fact, unitsOf("K"), "--temperature-unit");
+      if (!unit) refuseUnit(fact, unitNames("K"), "--temperature-unit");
       return *unit;
     }
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -183,7 +186,7 @@ class Reader {
     return *temperatureUnit(lowest >= 200 ? "K" : "C");
   }
 
-  /// Rows of one block, or of one temperature of a wide one.
+  /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const TextBlock& block, const SweepColumns& columns, bool isSideBySide) {
     const bool isReduced = columns.has(ReducedFrequency) && !isSaid(choices_.frequencyColumn);
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
@@ -193,10 +196,10 @@ class Reader {
     const bool isAngular =
         dmaColumn(block.columns[frequencyAt].name, block.columns[frequencyAt].unit).isAngular;
     const auto frequencySize = frequencyUnit(frequency.unit, isAngular);
-    if (!frequencySize) refuseUnit(frequency, "rad/s, " + unitsOf("Hz"), "--frequency-unit");
+    if (!frequencySize) refuseUnit(frequency, "rad/s, " + unitNames("Hz"), "--frequency-unit");
     if (frequency.unit.empty()) frequency.unit = isAngular ? "rad/s" : "Hz";
 
-    // A master curve is at one temperature, whatever its points were measured at.
+    // A master curve belongs to one temperature, whatever the temperatures of its points.
     std::optional<double> oneTemperature = columns.temperature;
     const bool hasColumn = columns.has(Temperature) && !isReduced;
     Unit scale;
@@ -214,7 +217,7 @@ class Reader {
     readRows(block, columns, isSideBySide, frequencyAt, *frequencySize, oneTemperature, scale);
   }
 
-  /// Storage and loss from whichever two columns there are.
+  /// Computes storage and loss modulus from the two columns that there are.
   struct ModulusPair {
     std::size_t first, second;
     double firstSize, secondSize;
@@ -227,7 +230,7 @@ class Reader {
     if (columns.has(Storage) && columns.has(Loss)) {
       double first = modulusUnit(block, at(Storage), facts.storage);
       double second = modulusUnit(block, at(Loss), facts.loss);
-      // A unit that stands once is that of both, where the other column has none.
+      // A unit that occurs once is that of both, where the other column has none.
       if (facts.storage.isUnitAssumed != facts.loss.isUnitAssumed)
         throw InputError(
             name_, facts.storage.isUnitAssumed ? facts.storage.name : facts.loss.name,
@@ -243,7 +246,7 @@ class Reader {
     facts.loss = {};
     if (columns.has(Storage)) {
       const double size = modulusUnit(block, at(Storage), facts.storage);
-      facts.loss.name = nameOf(block, at(LossTangent));
+      facts.loss.name = columnLabel(block, at(LossTangent));
       return {at(Storage), at(LossTangent), size * shearFactor(block, {at(Storage)}), 1,
               [](double storage, double tangent) {
                 return DynamicModulus{0, storage, storage * tangent};
@@ -251,7 +254,7 @@ class Reader {
     }
     if (columns.has(Loss)) {
       const double size = modulusUnit(block, at(Loss), facts.loss);
-      facts.storage.name = nameOf(block, at(LossTangent));
+      facts.storage.name = columnLabel(block, at(LossTangent));
       return {at(Loss), at(LossTangent), size * shearFactor(block, {at(Loss)}), 1,
               [](double loss, double tangent) {
                 return DynamicModulus{0, loss / tangent, loss};
@@ -260,7 +263,7 @@ class Reader {
     const double size = modulusUnit(block, at(Magnitude), facts.storage);
     const double factor = shearFactor(block, {at(Magnitude)});
     const bool hasPhase = columns.has(Phase);
-    facts.loss.name = nameOf(block, at(hasPhase ? Phase : LossTangent));
+    facts.loss.name = columnLabel(block, at(hasPhase ? Phase : LossTangent));
     if (!hasPhase)
       return {at(Magnitude), at(LossTangent), size * factor, 1, [](double magnitude, double tan) {
                 const double storage = magnitude / std::hypot(1, tan);
@@ -272,7 +275,8 @@ class Reader {
             }};
   }
 
-  /// Angles without a unit are degrees where they exceed a right angle in radians.
+  /// Decides about angles without a unit: they are degrees where they exceed a right angle in
+  /// radians.
   double phaseUnit(const TextBlock& block, std::size_t column) const {
     const std::string& unit = block.columns[column].unit;
     if (const auto size = angleUnit(unit)) return *size;
@@ -294,7 +298,7 @@ class Reader {
           oneTemperature ? *oneTemperature : scale.toSi(block.at(row, columns[Temperature]));
       if (!std::isfinite(frequency) || !std::isfinite(first) || !std::isfinite(second) ||
           !std::isfinite(temperature)) {
-        // Of sweeps side by side some end before the others.
+        // Some of the sweeps side by side may end before the others.
         const bool isBehindEnd = !std::isfinite(first) && !std::isfinite(second);
         file_.facts.leftOut += isSideBySide && isBehindEnd ? 0 : 1;
         continue;
@@ -321,7 +325,7 @@ class Reader {
     if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
   }
 
-  /// NaN where the row states none.
+  /// Returns the temperature of a row; NaN where it states none.
   static double strainOf(const TextBlock& block, std::size_t row, std::size_t column) {
     const double value = block.at(row, column);
     if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();
@@ -352,7 +356,7 @@ std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const
   if (readNumber(wanted, number) && number >= 1 && number <= block.columns.size())
     return number - 1;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(nameOf(block, i));
+  for (std::size_t i = 0; i < block.columns.size(); ++i) names.push_back(columnLabel(block, i));
   const std::vector<std::string_view> known(names.begin(), names.end());
   throw InputError("", option, notOneOf(wanted, known));
 }

@@ -1,6 +1,7 @@
 // Reads tables of dynamic moduli: frequency sweeps at several temperatures (one table with a column
-// of temperatures, a block for each temperature, or a column for each), and ready master curves.
-// Whatever the reader finds out by itself stands in the facts and can be overridden by a choice.
+// of temperatures, one block for each temperature, or one column for each), and ready master
+// curves. The facts list what the reader found out by itself; a choice overrides each of these
+// guesses.
 // Pure; any thread. Failure: InputError that names the file and the line or column.
 #pragma once
 
@@ -15,7 +16,8 @@
 
 namespace asperity {
 
-/// What a user says about a file; empty: found. A column is its name, or its number from 1 on.
+/// What a user states about a file; what is empty is found by the reader. A column is given by its
+/// name, or by its number from 1 on.
 struct DmaChoices {
   std::string frequencyColumn, temperatureColumn, storageColumn, lossColumn, lossTangentColumn,
       magnitudeColumn, phaseColumn, strainColumn;
@@ -45,10 +47,11 @@ struct DmaFile {
   DmaFacts facts;
 };
 
-/// `name` stands for the file in errors.
+/// Reads the moduli. name: of the file, in errors.
 DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& choices);
 
-/// As DmaChoices::...Column say it; throws InputError (option) where the block has no such column.
+/// Returns the index of the column that a member of DmaChoices names. Throws InputError (option)
+/// where the block has no such column.
 std::size_t columnNamed(const TextBlock& block, const std::string& wanted, const char* option);
 
 }  // namespace asperity

@@ -12,7 +12,7 @@ namespace {
 
 using enum DmaQuantity;
 
-/// Whether a column of moduli is of the kind that the user wants, or may be.
+/// Returns whether a column of moduli is, or may be, of the kind that the user wants.
 bool isOfKind(const DmaColumn& column, ModulusKind wanted) {
   return wanted == ModulusKind::Unknown || column.kind == ModulusKind::Unknown ||
          column.kind == wanted;
@@ -22,12 +22,12 @@ bool isModulus(DmaQuantity quantity) {
   return quantity == Storage || quantity == Loss || quantity == Magnitude;
 }
 
-/// What belongs to one temperature in a table of several.
+/// The columns of one temperature in a table of several.
 bool isMeasured(DmaQuantity quantity) {
   return isModulus(quantity) || quantity == LossTangent || quantity == Phase;
 }
 
-/// Where a table has both, the shear moduli are read unless the user wants the others.
+/// Chooses the shear moduli where a table has both kinds, unless the user wants the others.
 ModulusKind kindToRead(const std::vector<DmaColumn>& found, const DmaChoices& choices) {
   if (choices.modulus != ModulusKind::Unknown) return choices.modulus;
   const auto hasBoth = [&](ModulusKind kind) {
@@ -42,7 +42,7 @@ ModulusKind kindToRead(const std::vector<DmaColumn>& found, const DmaChoices& ch
   return ModulusKind::Unknown;
 }
 
-/// The columns that the user names win over those that are found.
+/// Applies the columns that the user names, which override those that were found.
 void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& columns) {
   const auto add = [&](DmaQuantity quantity, const std::string& choice, const char* option) {
     if (!choice.empty()) columns.places[quantity] = columnNamed(block, choice, option);
@@ -58,8 +58,9 @@ void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& 
   if (!choices.frequencyColumn.empty()) columns.places.erase(ReducedFrequency);
 }
 
-/// A column belongs to the first sweep of its temperature that has none of its quantity yet.
-std::vector<SweepColumns> sweepsIn(const std::vector<DmaColumn>& found) {
+/// Distributes the columns: each belongs to the first sweep of its temperature that has no column
+/// of its quantity yet.
+std::vector<SweepColumns> assignToSweeps(const std::vector<DmaColumn>& found) {
   std::vector<SweepColumns> sweeps(1);  // what stands without a temperature is the first
   for (std::size_t i = 0; i < found.size(); ++i) {
     const DmaColumn& column = found[i];
@@ -82,8 +83,9 @@ std::vector<double> withoutRepeats(std::vector<double> values) {
   return values;
 }
 
-/// Sweeps that follow each other have a row of temperatures above their names: one for each column,
-/// or one for each sweep, wherever it stands. False where there is no such row.
+/// Reads the temperatures of sweeps that follow each other from a row above their names: one for
+/// each column, or one for each sweep at any of its columns. Returns false where there is no such
+/// row.
 bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
                       std::vector<SweepColumns>& sweeps) {
   std::vector<std::size_t> measured, known;
@@ -95,12 +97,12 @@ bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
       static_cast<std::size_t>(std::ranges::count_if(sweeps, &SweepColumns::hasModuli));
   std::size_t stated = 0;
   for (auto entry = block.header.rbegin(); entry != block.header.rend(); ++entry) {
-    const std::vector<double> all = temperaturesIn(entry->key + " " + entry->value);
+    const std::vector<double> all = findTemperatures(entry->key + " " + entry->value);
     stated += all.size();
     for (const auto* columns : {&measured, &known}) {
       if (all.size() != columns->size()) continue;
       for (std::size_t i = 0; i < columns->size(); ++i) found[(*columns)[i]].temperature = all[i];
-      sweeps = sweepsIn(found);
+      sweeps = assignToSweeps(found);
       return true;
     }
     for (const std::vector<double>& temperatures : {all, withoutRepeats(all)}) {
@@ -114,11 +116,11 @@ bool giveTemperatures(const TextBlock& block, std::vector<DmaColumn>& found,
   return stated == 1;  // one temperature for all, which were measured several times
 }
 
-std::string listOf(const TextBlock& block, const std::vector<std::size_t>& columns) {
+std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& columns) {
   constexpr std::size_t kMost = 8;
   std::string list;
   for (std::size_t i = 0; i < std::min(columns.size(), kMost); ++i)
-    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(nameOf(block, columns[i])),
+    list += fmt::format("{}{} ({})", i > 0 ? ", " : "", shortened(columnLabel(block, columns[i])),
                         columns[i] + 1);
   return columns.size() > kMost ? list + ", \u2026" : list;
 }
@@ -134,10 +136,11 @@ std::string listOf(const TextBlock& block, const std::vector<std::size_t>& colum
                    message("is not stated for each of the sweeps side by side in the columns {}; "
                            "write it into the names, as in \"G' 20C (MPa)\", or once for each "
                            "sweep into a row above them",
-                           listOf(block, columns)));
+                           listColumns(block, columns)));
 }
 
-/// Whoever measured a modulus wants it used, or at least to know that it is not.
+/// Throws InputError where a column of moduli would be ignored: its owner wants it used, or at
+/// least wants to know that it is not.
 void refuseLeftovers(const TextBlock& block, const std::string& fileName,
                      const std::vector<DmaColumn>& found, const std::vector<SweepColumns>& sweeps) {
   std::vector<std::size_t> unused;
@@ -153,7 +156,7 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
                      message("has columns of moduli that belong to no sweep with a frequency and "
                              "both moduli: {}; take them out, or say with --storage-column and "
                              "--loss-column which are meant",
-                             listOf(block, unused)));
+                             listColumns(block, unused)));
 }
 
 }  // namespace
@@ -167,13 +170,13 @@ bool SweepColumns::isComplete() const {
   return hasModuli() && (has(Frequency) || has(ReducedFrequency));
 }
 
-std::string nameOf(const TextBlock& block, std::size_t column) {
+std::string columnLabel(const TextBlock& block, std::size_t column) {
   const std::string& name = block.columns[column].name;
   return name.empty() ? fmt::format("column {}", column + 1) : name;
 }
 
-std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
-                                   const DmaChoices& choices) {
+std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
+                                     const DmaChoices& choices) {
   std::vector<DmaColumn> found;
   for (const TextColumn& column : block.columns)
     found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
@@ -186,7 +189,7 @@ std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fi
   const bool hasTemperatures = std::ranges::any_of(found, [](const DmaColumn& column) {
     return column.temperature || column.quantity == Temperature;
   });
-  std::vector<SweepColumns> sweeps = sweepsIn(found);
+  std::vector<SweepColumns> sweeps = assignToSweeps(found);
   const auto isWide = [&] {
     return !isChosen && std::ranges::count_if(sweeps, &SweepColumns::hasModuli) > 1;
   };

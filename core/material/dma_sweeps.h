@@ -1,4 +1,4 @@
-// Which columns of a table belong together: one sweep, or several side by side, each with its
+// Finds which columns of a table belong together: one sweep, or several side by side, each with its
 // temperature in the names, in a row above them or in a column of its own. Pure; any thread.
 #pragma once
 
@@ -13,7 +13,8 @@
 
 namespace asperity {
 
-/// The columns of one sweep, or of all where the rows state the temperature; kNone: none.
+/// The columns of one sweep, or of all sweeps where the rows state the temperature; kNone: there is
+/// none.
 struct SweepColumns {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::map<DmaQuantity, std::size_t> places{};
@@ -28,12 +29,13 @@ struct SweepColumns {
   bool isComplete() const;  // has a frequency, too
 };
 
-/// The sweeps of a block that can be read; none where it is no table of moduli. Throws InputError
-/// where columns of moduli would be left over, or sweeps side by side have no temperature.
-std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
-                                   const DmaChoices& choices);
+/// Returns the sweeps of a block that can be read; none where it is no table of moduli. Throws
+/// InputError where columns of moduli would be left over, or where sweeps side by side have no
+/// temperature.
+std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
+                                     const DmaChoices& choices);
 
-/// The column's name, or "column 3".
-std::string nameOf(const TextBlock& block, std::size_t column);
+/// Returns the column's name, or "column 3".
+std::string columnLabel(const TextBlock& block, std::size_t column);
 
 }  // namespace asperity

@@ -17,12 +17,13 @@ namespace {
 
 constexpr double kSmallestModulus = 1e-6;  // Pa, that is not 0
 
-/// In a shorter time nothing slides as far as 1e-130 of an element at any velocity, and what an arm
-/// or a dashpot then carries is below 1e-80 of the load. Ratios and squares of longer times stay
+/// In a shorter time the line slides less than 1e-130 of an element at any velocity, and the load
+/// of such an arm or dashpot is below 1e-80 of the whole. Ratios and squares of longer times are
 /// within the range of a double.
 constexpr double kShortestTime = 1e-150;  // s
 
-/// Arms of no modulus never carry, arms of (nearly) no time never remember.
+/// Returns the arms that matter: those without a modulus bear nothing, those with (nearly) no
+/// relaxation time remember nothing.
 std::vector<Arm> withStrength(const std::vector<Arm>& given, double shift) {
   std::vector<Arm> arms;
   for (const Arm& arm : given)
@@ -136,7 +137,7 @@ double temperatureShift(const Elastomer& elastomer) {
              : shiftFactor(elastomer.shift, elastomer.temperature);
 }
 
-ElementLaw lawOf(const Elastomer& elastomer) {
+ElementLaw elementLaw(const Elastomer& elastomer) {
   ElementLaw law;
   if (elastomer.rheology == Rheology::Elastic) {
     law.equilibriumModulus = elastomer.shearModulus;
@@ -153,7 +154,7 @@ ElementLaw lawOf(const Elastomer& elastomer) {
   law.equilibriumModulus = elastomer.equilibriumModulus;
   law.arms = withStrength(elastomer.arms, shift);
   if (elastomer.rheology == Rheology::Prony) law.viscosity = elastomer.viscosity * shift;
-  // Beside arms, a dashpot that creeps under their springs in no time carries nothing.
+  // Beside arms, a dashpot whose creep under their springs takes no time bears nothing.
   if (!law.arms.empty() && law.viscosity < kShortestTime * law.springModulus()) law.viscosity = 0;
   if (law.viscosity > 0)
     law.relaxationTime = law.equilibriumModulus > 0 ? law.viscosity / law.equilibriumModulus

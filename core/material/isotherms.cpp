@@ -12,7 +12,7 @@
 namespace asperity {
 namespace {
 
-/// Frequencies of one sweep that differ by a smaller part than this count as one.
+/// Frequencies of one sweep with a smaller relative difference count as one.
 constexpr double kSameFrequency = 1e-4;
 
 void checkRow(const MeasuredModulus& row) {
@@ -22,7 +22,7 @@ void checkRow(const MeasuredModulus& row) {
                              "the column",
                              plain(value), celsius(row.temperature), row.modulus.frequency));
   };
-  // Beyond these limits nothing is measured, and sums would lose their digits.
+  // Nothing is measured beyond these limits, and sums would lose their digits.
   constexpr double kLowest = 1e-9, kHighest = 1e12;            // Hz
   constexpr double kLeastModulus = 1e-3, kMostModulus = 1e13;  // Pa
   const DynamicModulus& modulus = row.modulus;
@@ -41,7 +41,7 @@ void checkRow(const MeasuredModulus& row) {
   if (!(row.modulus.loss > 0)) refuse("loss modulus", row.modulus.loss);
 }
 
-/// One sweep: sorted by frequency, equal frequencies as their geometric mean.
+/// Makes one sweep: it is sorted by frequency, and equal frequencies become their geometric mean.
 Isotherm gathered(std::vector<MeasuredModulus> rows) {
   std::ranges::stable_sort(rows, {},
                            [](const MeasuredModulus& row) { return row.modulus.frequency; });
@@ -73,7 +73,7 @@ Isotherm gathered(std::vector<MeasuredModulus> rows) {
                                                 std::exp(storage / count), std::exp(loss / count)});
     i = end;
   }
-  // A sum of equal temperatures over their number need not be that temperature.
+  // Rounding may make the mean of equal temperatures another number.
   const auto [coldest, warmest] = std::ranges::minmax(rows, {}, &MeasuredModulus::temperature);
   sweep.temperature = coldest.temperature == warmest.temperature
                           ? coldest.temperature
@@ -93,14 +93,14 @@ Message celsius(double kelvin) {
   return message("{} \u00B0C", PrintedNumber{printedDecimals(kelvin - kZeroCelsius, 1)});
 }
 
-std::vector<Isotherm> isothermsOf(std::vector<MeasuredModulus> rows, double tolerance) {
+std::vector<Isotherm> groupIsotherms(std::vector<MeasuredModulus> rows, double tolerance) {
   if (rows.empty()) throw InputError("", "", "holds no row of frequency and moduli");
   for (const MeasuredModulus& row : rows) checkRow(row);
   std::ranges::stable_sort(rows, {}, &MeasuredModulus::temperature);
   std::vector<Isotherm> isotherms;
   for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i) {
     if (i < rows.size() && rows[i].temperature - rows[i - 1].temperature <= tolerance) continue;
-    // A slow ramp has no gaps: its sweeps would become one.
+    // A slow temperature ramp has no gaps, and all its sweeps would become one.
     const double width = rows[i - 1].temperature - rows[begin].temperature;
     if (width > 6 * tolerance)
       throw InputError(

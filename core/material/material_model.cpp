@@ -25,9 +25,10 @@ constexpr std::size_t kMostRows = 20000;  // of measurements; the fit takes a fe
 constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
 constexpr const char* kShiftNames[]{"wlf", "arrhenius", "table"};
 
-/// A file that is no table may still be one of a finite-element program.
-std::optional<TextTable> tableIn(std::string_view bytes, const std::string& name,
-                                 std::optional<InputError>& failure) {
+/// Reads a ready Prony series; a file that is no table may still be one of a finite-element
+/// program.
+std::optional<TextTable> readTable(std::string_view bytes, const std::string& name,
+                                   std::optional<InputError>& failure) {
   try {
     TextTableOptions options;
     options.keepsTexts = true;
@@ -38,8 +39,8 @@ std::optional<TextTable> tableIn(std::string_view bytes, const std::string& name
   }
 }
 
-std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table,
-                                  const std::string& name, const MaterialChoices& choices) {
+std::optional<PronyFile> readReadySeries(std::string_view bytes, const TextTable* table,
+                                         const std::string& name, const MaterialChoices& choices) {
   if (bytes.size() > kLargestSeries) return {};
   const DecodedText decoded(bytes, name);
   PronyChoices series;
@@ -53,7 +54,7 @@ std::optional<PronyFile> seriesIn(std::string_view bytes, const TextTable* table
   return readPronyFile(decoded.text, table, name, series);
 }
 
-/// Without a shift of its own a material has its one temperature alone.
+/// A material without a shift of its own is known at one temperature only.
 TemperatureShift shiftAt(double temperature) {
   TemperatureShift shift;
   shift.kind = ShiftKind::Table;
@@ -101,11 +102,11 @@ void leaveOut(std::vector<Isotherm>& isotherms, const MaterialChoices& choices) 
   if (isotherms.empty()) throw InputError("", "--leave-out", "leaves no isotherm");
 }
 
-MeasuredRange rangeOf(const Material& material) {
+MeasuredRange measuredRange(const Material& material) {
   MeasuredRange range;
   range.frequencyFrom = material.curve.lowestFrequency();
   range.frequencyTo = material.curve.highestFrequency();
-  range.temperatureFrom = material.isotherms.front().temperature;
+  range.parseTemperature = material.isotherms.front().temperature;
   range.temperatureTo = material.isotherms.back().temperature;
   if (std::isfinite(material.strainAmplitude)) range.strainAmplitude = material.strainAmplitude;
   return range;
@@ -184,7 +185,7 @@ Json measurementJson(const Material& material) {
           {"shifts", std::move(shifts)}};
 }
 
-/// A scene has to be at the one temperature that such a material has.
+/// Such a material fixes the temperature of the scene.
 void addOneTemperature(const Material& material, std::vector<Message>& lines) {
   if (material.shift.kind != ShiftKind::Table || material.shift.table.size() > 1) return;
   const double kelvin = material.shift.table.front().temperature;
@@ -197,7 +198,7 @@ void addOneTemperature(const Material& material, std::vector<Message>& lines) {
                 plain(kelvin)));
 }
 
-/// Whether vertical shifts would let one horizontal shift serve both moduli.
+/// Returns whether vertical shifts would let one horizontal shift serve both moduli.
 bool isSimpleWithVertical(std::span<const Isotherm> isotherms, double reference,
                           const std::stop_token& stop) {
   try {
@@ -232,19 +233,19 @@ Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& cho
   material.wlf = fitWlf(table, material.referenceTemperature);
   material.arrhenius = fitArrhenius(table, material.referenceTemperature);
   material.shift = chosenShift(material, choices.shift);
-  material.measured = rangeOf(material);
+  material.measured = measuredRange(material);
   return material;
 }
 
-Message armsInWords(std::size_t count) {
+Message describeArms(std::size_t count) {
   return count == 1 ? Message("one arm") : message("{} arms", count);
 }
 
 Material makeMaterial(std::string_view bytes, const std::string& fileName,
                       const MaterialChoices& choices) {
   std::optional<InputError> failure;
-  const std::optional<TextTable> table = tableIn(bytes, fileName, failure);
-  const auto series = seriesIn(bytes, table ? &*table : nullptr, fileName, choices);
+  const std::optional<TextTable> table = readTable(bytes, fileName, failure);
+  const auto series = readReadySeries(bytes, table ? &*table : nullptr, fileName, choices);
   Material material;
   if (series) {
     material = readySeries(*series, fileName, choices);
@@ -259,13 +260,13 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
         chooseStrain(file.rows, choices.strainAmplitude, choices.temperatureTolerance, fileName);
     try {
       material =
-          fitMaterial(isothermsOf(std::move(file.rows), choices.temperatureTolerance), choices);
+          fitMaterial(groupIsotherms(std::move(file.rows), choices.temperatureTolerance), choices);
     } catch (const InputError& error) {
       throw error.isOfOption() ? error : error.in(fileName);
     }
     material.facts = file.facts;
     material.strainAmplitude = strain;
-    material.measured = rangeOf(material);
+    material.measured = measuredRange(material);
   }
   material.fileName = std::filesystem::path(fileName).filename().string();
   material.fileDigest = sha256(bytes);
@@ -280,7 +281,7 @@ Json materialOrigin(const Material& material) {
   Json options = Json::object();
   for (const auto& [option, value] : material.options) {
     Json& place = options[option];
-    // An option that was repeated has a list.
+    // A repeated option has a list.
     if (place.is_string()) place = Json::array({place});
     if (place.is_array())
       place.push_back(value);
@@ -307,7 +308,7 @@ std::string materialJson(const Material& material) {
   root["shift"] = shiftJson(material.shift);
   root["measured"] = {{"frequency_from", range.frequencyFrom},
                       {"frequency_to", range.frequencyTo},
-                      {"temperature_from", range.temperatureFrom},
+                      {"temperature_from", range.parseTemperature},
                       {"temperature_to", range.temperatureTo},
                       {"strain_amplitude", range.strainAmplitude}};
   if (!material.isMeasured()) {
@@ -334,7 +335,7 @@ std::vector<Message> materialSummary(const Material& material) {
   std::vector<Message> lines;
   if (!material.isMeasured()) {
     lines.push_back(message(
-        "{}: {}, G = {} in equilibrium, at {}", material.format, armsInWords(series.arms.size()),
+        "{}: {}, G = {} in equilibrium, at {}", material.format, describeArms(series.arms.size()),
         quantity(series.equilibriumModulus, "Pa"), celsius(material.referenceTemperature)));
     lines.push_back(
         "which frequencies were measured is not known: friction on it is not marked as "
@@ -381,7 +382,7 @@ std::vector<Message> materialSummary(const Material& material) {
   lines.push_back(message(
       "Prony series: {} from {} relaxation times, G = {} in equilibrium; "
       "rms residual {} % of G', {} % of G''",
-      armsInWords(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
+      describeArms(series.arms.size()), series.terms, quantity(series.equilibriumModulus, "Pa"),
       percent(series.rmsStorage), percent(series.rmsLoss)));
   if (material.wlf.isDefined)
     lines.push_back(message("Williams, Landel and Ferry: C1 = {}, C2 = {} K, {} decades rms",

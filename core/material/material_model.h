@@ -1,7 +1,7 @@
-// A material from a file of measurements, and how it is written: material.json
-// (asperity-material/1), which a scene names as elastomer.material. Its tables:
-// core/scene/material_tables.h; its pictures: core/chart/material_sheets.h.
-// Pure; any thread; the same bytes and choices give the same material to the last bit.
+// Makes a material from a file of measurements and writes it: material.json (asperity-material/1),
+// which a scene names as elastomer.material. core/scene/material_tables.h has its tables,
+// core/chart/material_sheets.h its charts.
+// Pure; any thread; equal bytes and choices give the same material to the last bit.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,8 @@
 
 namespace asperity {
 
-/// Everything that a user may say about the file and the fit. The defaults leave it to the program.
+/// Everything that a user may choose about the file and the fit. The defaults leave it to the
+/// program.
 struct MaterialChoices {
   DmaChoices columns{};
   double temperatureTolerance = kIsothermTolerance;  // K, within which rows are one isotherm
@@ -35,7 +36,7 @@ struct MaterialChoices {
   double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, of relative series
   std::optional<ShiftKind> shift{};  // none: the formula that is good enough, or else the table
   std::string name{};                // of the material; empty: that of the file
-  std::string source{};              // a sentence that a reader can look up
+  std::string source{};              // a sentence: where the measurements come from
   std::vector<std::pair<std::string, std::string>> options{};  // as written, for the origin
   std::stop_token stop{};                                      // of the fits
 };
@@ -43,7 +44,7 @@ struct MaterialChoices {
 struct Material {
   std::string name, source;
   std::string fileName, fileDigest;  // of the measurements, without folder; its SHA-256
-  std::vector<std::pair<std::string, std::string>> options;  // that it was made with
+  std::vector<std::pair<std::string, std::string>> options;  // with which it was made
   double referenceTemperature = 298.15;                      // K
   PronySeries series;
   double viscosity = 0;  // Pa s
@@ -56,7 +57,8 @@ struct Material {
   TemperatureFit wlf, arrhenius;
   DmaFacts facts;
   double strainAmplitude = std::numeric_limits<double>::quiet_NaN();  // median; NaN: not stated
-  bool isSimpleWithVertical = false;  // where it is not simple: vertical shifts would make it so
+  // whether vertical shifts would make a material simple that is not thermorheologically simple
+  bool isSimpleWithVertical = false;
   bool isVertical = false;
   double poissonRatio = 0.5;
   Message format;              // of a ready series: "keywords of Abaqus"
@@ -65,24 +67,24 @@ struct Material {
   bool isMeasured() const { return !isotherms.empty(); }
 };
 
-/// Throws InputError that names the file, a line, a column or an option, and MaterialStopped where
-/// the fit was stopped.
+/// Makes the material of a file. Throws InputError that names the file, a line, a column or an
+/// option, and StopRequested where the fit was stopped.
 Material makeMaterial(std::string_view bytes, const std::string& fileName,
                       const MaterialChoices& choices);
 
-/// The same from sweeps that are read already.
+/// Makes the material of sweeps that have been read.
 Material fitMaterial(std::vector<Isotherm> isotherms, const MaterialChoices& choices);
 
-/// {"schema", "verb", "version", "origin": {"file", "sha256", "options"}}: how it came about.
+/// Returns {"schema", "verb", "version", "origin": {"file", "sha256", "options"}}.
 nlohmann::ordered_json materialOrigin(const Material& material);
 
-/// The text of material.json.
+/// Returns the text of material.json.
 std::string materialJson(const Material& material);
 
-/// "one arm", "12 arms".
-Message armsInWords(std::size_t count);
+/// Returns "one arm" or "12 arms".
+Message describeArms(std::size_t count);
 
-/// What was measured and how good the fit is, one sentence each.
+/// Returns what was measured and how good the fit is, one sentence each.
 std::vector<Message> materialSummary(const Material& material);
 
 }  // namespace asperity

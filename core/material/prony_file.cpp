@@ -18,7 +18,8 @@ namespace {
 
 // ---- A table -----------------------------------------------------------------------------------
 
-/// "G_inf", "g∞", "Equilibrium modulus", "E0" and the like, without marks.
+/// Returns whether a name without marks is one of the equilibrium modulus: "G_inf", "g∞",
+/// "Equilibrium modulus", "E0" and the like.
 std::string plainWord(std::string_view text) {
   std::string word = lowerCase(text);
   for (const std::string_view infinity : {"\u221E", "infinity", "infty"})
@@ -62,7 +63,7 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
       weightAt = i;
   }
   if (timeAt == kNone && weightAt == kNone) return {};
-  // A relaxation time, and a modulus with an index, stand in no table of dynamic moduli.
+  // No table of dynamic moduli has a relaxation time or a modulus with an index.
   if (timeAt == kNone || weightAt == kNone) {
     const std::string& known = block.columns[timeAt == kNone ? weightAt : timeAt].name;
     const std::string word = plainWord(known);
@@ -80,15 +81,15 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
   RawSeries series;
   series.format = "a table of relaxation times and moduli";
   const TextColumn& weights = block.columns[weightAt];
-  const auto pressure = sizeOfUnit(weights.unit, "Pa");
+  const auto pressure = unitSize(weights.unit, "Pa");
   series.isUnitKnown = pressure.has_value();
   if (pressure) series.unit = *pressure;
-  const double timeSize = sizeOfUnit(block.columns[timeAt].unit, "s").value_or(1);
+  const double timeSize = unitSize(block.columns[timeAt].unit, "s").value_or(1);
 
   ModulusKind kind = choices.modulus;
   if (kind == ModulusKind::Unknown)
     kind = plainWord(weights.name).starts_with("e") ? ModulusKind::Tension : ModulusKind::Shear;
-  const double shear = kind == ModulusKind::Tension ? shearOf(1, choices.poissonRatio) : 1;
+  const double shear = kind == ModulusKind::Tension ? shearFromYoungs(1, choices.poissonRatio) : 1;
 
   // A row without a relaxation time, or with an infinite one, is the equilibrium modulus.
   double sum = 0, largest = 0;
@@ -104,9 +105,9 @@ std::optional<RawSeries> tableSeries(const TextTable& table, const std::string& 
     largest = std::max(largest, weight);
   }
   for (const TextEntry& entry : block.header)
-    if (const auto quantity = quantityIn(entry.value)) {
+    if (const auto quantity = parseQuantity(entry.value)) {
       const std::string word = plainWord(entry.key);
-      const double size = sizeOfUnit(quantity->unit, "Pa").value_or(series.unit) / series.unit;
+      const double size = unitSize(quantity->unit, "Pa").value_or(series.unit) / series.unit;
       if (isEquilibrium(word)) series.equilibrium = quantity->number * size * shear;
       if (isInstantaneous(word)) series.instantaneous = quantity->number * size * shear;
     }
@@ -150,7 +151,7 @@ PronyFile finished(const RawSeries& series, const std::string& name, const Prony
   checkTerms(series, name);
   double unit = series.unit;
   if (!choices.modulusUnit.empty()) {
-    const auto chosen = sizeOfUnit(choices.modulusUnit, "Pa");
+    const auto chosen = unitSize(choices.modulusUnit, "Pa");
     if (!chosen)
       throw InputError(
           "", "--modulus-unit",

@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-/// What a user says about a file; NaN and empty: as the file has it.
+/// What a user states about a file; NaN and empty values leave it to the file.
 struct PronyChoices {
   double instantaneousModulus = std::numeric_limits<double>::quiet_NaN();  // Pa, shear
   double equilibriumModulus = std::numeric_limits<double>::quiet_NaN();    // Pa, shear
@@ -36,9 +36,9 @@ struct PronyFile {
   std::vector<Message> notes{};  // what was assumed, and what was left out
 };
 
-/// Nothing where the text is none of these; throws where it is a Prony series in a form that is not
-/// read. `table`: the same text, read; null where it holds no
-/// table.
+/// Reads a Prony series; returns nothing where the text is none of these, and throws where it is a
+/// Prony series in a form that is not read. table: the same text as a table; null where it holds
+/// none.
 std::optional<PronyFile> readPronyFile(std::string_view text, const TextTable* table,
                                        const std::string& name, const PronyChoices& choices);
 

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 
 namespace asperity {
 namespace {
@@ -19,8 +20,8 @@ constexpr double kGoodEnough = 0.002;    // relative; no instrument measures bet
 constexpr double kMostOfSmallest = 1.1;  // that scatter lets an equilibrium modulus exceed
 constexpr double kNothing = 1e-9;        // of the smallest storage modulus
 
-/// The least squares of |A x - b| with x >= 0, by the active sets of Lawson and Hanson, Solving
-/// Least Squares Problems, ch. 23.
+/// Returns the x >= 0 that minimizes |A x - b|, by the active-set method of Lawson and Hanson,
+/// Solving Least Squares Problems, ch. 23.
 Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   const Eigen::Index n = a.cols();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
@@ -46,7 +47,7 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& a, const Eigen::V
         best = i;
     if (best < 0) break;
     isFree[static_cast<std::size_t>(best)] = true;
-    // Unknowns that would fall below 0 stop there and are fixed again.
+    // Unknowns that would become negative stop at 0 and are fixed again.
     while (true) {
       const Eigen::VectorXd wanted = solveFree();
       double step = 1;
@@ -75,7 +76,7 @@ double angular(double frequency) {
   return 2 * std::numbers::pi * frequency;
 }
 
-/// Evenly spaced in the logarithm, falling.
+/// Returns relaxation times that are evenly spaced in the logarithm, falling.
 std::vector<double> relaxationTimes(double lowest, double highest, int count) {
   const double from = std::log10(1 / angular(lowest)) + kBeyond;
   const double to = std::log10(1 / angular(highest)) - kBeyond;
@@ -86,7 +87,8 @@ std::vector<double> relaxationTimes(double lowest, double highest, int count) {
   return times;
 }
 
-/// The system of relative residuals: first the columns of the relaxation times, then that of G_inf.
+/// The system of relative residuals: its columns are those of the relaxation times, then that of
+/// G_inf.
 struct RelativeSystem {
   Eigen::MatrixXd columns;
   Eigen::VectorXd ones;
@@ -119,8 +121,8 @@ PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double kn
   const std::vector<double> times =
       relaxationTimes(points.front().frequency, points.back().frequency, terms);
   const RelativeSystem system = relativeSystem(points, times, knownEquilibrium);
-  // The triangle of a QR factorization has the same least squares in few rows. Each column is
-  // scaled to length 1, so that tolerances mean the same for all moduli.
+  // The triangular factor of a QR factorization has the same least squares in few rows. Each column
+  // is scaled to length 1, so that tolerances mean the same for all moduli.
   const Eigen::VectorXd lengths = system.columns.colwise().norm();
   Eigen::MatrixXd joined(system.columns.rows(), system.columns.cols() + 1);
   joined << system.columns * lengths.cwiseInverse().asDiagonal(), system.ones;
@@ -149,11 +151,11 @@ PronySeries fitWith(std::span<const DynamicModulus> points, int terms, double kn
   return series;
 }
 
-double rmsOf(const PronySeries& series) {
+double rmsResidual(const PronySeries& series) {
   return std::hypot(series.rmsStorage, series.rmsLoss) / std::numbers::sqrt2;
 }
 
-/// The series of the fewest terms whose residual is as small as more terms make it.
+/// Returns the series with the fewest terms whose residual more terms would not reduce.
 PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEquilibrium,
                           const std::stop_token& stop) {
   const double decades =
@@ -161,16 +163,17 @@ PronySeries fitWithFewest(std::span<const DynamicModulus> points, double knownEq
   const int most = std::clamp(static_cast<int>(std::ceil(kTermsPerDecade * decades)) + 1, 2,
                               std::min(kMostChosenTerms, static_cast<int>(points.size())));
   std::vector<PronySeries> fits;
-  // Among many terms one more makes little difference.
+  // One more term makes little difference to many.
   constexpr int kMany = 24, kStep = 4;
   for (int terms = 1; terms <= most; terms += terms < kMany ? 1 : kStep) {
-    if (stop.stop_requested()) throw MaterialStopped{};
+    throwIfStopped(stop);
     fits.push_back(fitWith(points, terms, knownEquilibrium));
   }
-  double floor = rmsOf(fits.front());
-  for (const PronySeries& fit : fits) floor = std::min(floor, rmsOf(fit));
+  double floor = rmsResidual(fits.front());
+  for (const PronySeries& fit : fits) floor = std::min(floor, rmsResidual(fit));
   const double enough = std::max(kNearFloor * floor, kGoodEnough);
-  return *std::ranges::find_if(fits, [&](const PronySeries& fit) { return rmsOf(fit) <= enough; });
+  return *std::ranges::find_if(fits,
+                               [&](const PronySeries& fit) { return rmsResidual(fit) <= enough; });
 }
 
 }  // namespace
@@ -198,7 +201,8 @@ PronySeries fitPronySeries(std::span<const DynamicModulus> given, const PronyOpt
                              points.size()));
   const double known = options.isLiquid ? 0 : options.equilibriumModulus;
   const double smallest = std::ranges::min(points, {}, &DynamicModulus::storage).storage;
-  // G' rises with frequency from G_inf on. What the scatter of measurements may add is far less.
+  // G' rises with frequency from G_inf on, and scatter of the measurements adds far less than the
+  // tolerance.
   if (std::isfinite(known) && known > smallest * kMostOfSmallest)
     throw InputError("", "--equilibrium-modulus",
                      message("{} is above the lowest storage modulus of shear, {}; allowed is a "

@@ -1,6 +1,6 @@
-// A Prony series through a master curve: G(t) = G_inf + sum G_i exp(-t / tau_i), so that
-// G'(w) = G_inf + sum G_i (w tau_i)^2 / (1 + (w tau_i)^2), G''(w) = sum G_i w tau_i / (1 + (w
-// tau_i)^2) with w = 2 pi f (Ferry, ch. 3). Pure functions; any thread.
+// Fits a Prony series to a master curve: G(t) = G_inf + sum G_i exp(-t / tau_i), so that G'(w) =
+// G_inf + sum G_i (w tau_i)^2 / (1 + (w tau_i)^2) and G''(w) = sum G_i w tau_i / (1 + (w tau_i)^2)
+// with w = 2 pi f (Ferry, ch. 3). Pure functions; any thread.
 #pragma once
 
 #include <limits>
@@ -29,17 +29,18 @@ struct PronySeries {
   double rmsLoss = 0;             // rms of G''/G''_measured - 1
 };
 
-/// Non-negative least squares (Lawson and Hanson 1974) on G'/G'_measured - 1 and G''/G''_measured -
-/// 1, all alike. The relaxation times are evenly spaced in their logarithm, from half a decade
-/// below 1 / w_max to half a decade above 1 / w_min. Terms that get nothing are left out. Throws
-/// InputError where there are too few points, and where nothing is left in equilibrium unless the
-/// options allow it: then G_inf is 0. Throws MaterialStopped where `stop` was requested.
+/// Fits the series by non-negative least squares (Lawson and Hanson 1974) of G'/G'_measured - 1 and
+/// G''/G''_measured - 1, all with equal weight. The relaxation times are evenly spaced in their
+/// logarithm, from half a decade below 1 / w_max to half a decade above 1 / w_min; terms with
+/// modulus 0 are left out. Throws InputError where there are too few points, and where the
+/// equilibrium modulus would be 0 unless the options allow it. Throws StopRequested where `stop`
+/// was requested.
 PronySeries fitPronySeries(std::span<const DynamicModulus> points, const PronyOptions& options);
 
-/// G' and G'' of the series at a frequency (Hz).
+/// Returns G' and G'' of the series at a frequency (Hz).
 DynamicModulus modulusAt(const PronySeries& series, double frequency);
 
-/// The most relaxation times that are chosen by themselves.
+/// The maximum number of relaxation times where the program chooses it.
 inline constexpr int kMostChosenTerms = 64;
 
 }  // namespace asperity

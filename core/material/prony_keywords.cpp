@@ -22,7 +22,7 @@ struct Line {
   std::size_t number = 0;
 };
 
-std::vector<Line> linesOf(std::string_view text) {
+std::vector<Line> splitIntoLines(std::string_view text) {
   std::vector<Line> lines;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = takeLine(text);
@@ -43,7 +43,7 @@ std::vector<Line> linesOf(std::string_view text) {
   return lines;
 }
 
-double numberIn(const Line& line, std::size_t place, const std::string& name) {
+double numberAt(const Line& line, std::size_t place, const std::string& name) {
   double value = 0;
   if (place >= line.words.size() || !readTextNumber(line.words[place], '.', value))
     throw InputError(name, fmt::format("line {}", line.number),
@@ -55,9 +55,9 @@ bool has(const Line& line, std::string_view word) {
   return std::ranges::find(line.words, word) != line.words.end();
 }
 
-/// The reference temperature of a shift in K. The files of finite-element programs do not say its
-/// unit: below 200 it is taken for °C, as rubbers have no reference above 200 °C.
-double referenceOf(double number, const PronyChoices& choices, RawSeries& series) {
+/// Returns the reference temperature of a shift in K. The files of finite-element programs do not
+/// state its unit: below 200 it is taken for °C, as no rubber has a reference above 200 °C.
+double readReference(double number, const PronyChoices& choices, RawSeries& series) {
   constexpr double kKelvinFrom = 200, kDoubtFrom = 100, kDoubtTo = 250;
   if (const auto unit = temperatureUnit(choices.temperatureUnit)) return unit->toSi(number);
   const char* taken = number < kKelvinFrom ? "\u00B0C" : "K";
@@ -78,7 +78,7 @@ Message leftOut(std::string keyword) {
       keyword);
 }
 
-/// Refuses what no scene would take.
+/// Throws InputError for values that no scene accepts.
 void checkShift(const TemperatureShift& shift, const std::string& name) {
   const auto check = [&](const char* what, double value, double least, double most) {
     if (!(value >= least && value <= most))
@@ -97,8 +97,9 @@ void checkShift(const TemperatureShift& shift, const std::string& name) {
 
 // ---- Abaqus ------------------------------------------------------------------------------------
 
-/// The number behind "absolutezero=" among the words of a keyword; nothing where there is none.
-std::optional<double> parameterOf(const Line& keyword, std::string_view parameter) {
+/// Returns the number behind "absolutezero=" among the words of a keyword; nothing where there is
+/// none.
+std::optional<double> keywordParameter(const Line& keyword, std::string_view parameter) {
   for (const std::string_view word : keyword.words) {
     double value = 0;
     if (word.starts_with(parameter) && readTextNumber(word.substr(parameter.size()), '.', value))
@@ -107,29 +108,29 @@ std::optional<double> parameterOf(const Line& keyword, std::string_view paramete
   return {};
 }
 
-/// *TRS (Abaqus Keywords Reference): the reference temperature, then C1 and C2 of Williams, Landel
-/// and Ferry, or the activation energy of Arrhenius, whose gas constant stands in *PHYSICAL
-/// CONSTANTS, in the unit of energy of the model.
+/// Reads *TRS (Abaqus Keywords Reference): the reference temperature, then C1 and C2 of Williams,
+/// Landel and Ferry, or the activation energy of Arrhenius. *PHYSICAL CONSTANTS has the gas
+/// constant in the unit of energy of the model.
 TemperatureShift trsShift(const Line& data, bool isArrhenius, const std::vector<Line>& lines,
                           const std::string& name, const PronyChoices& choices, RawSeries& series) {
   double gasConstant = kGasConstant;
   std::optional<double> zero;
   for (const Line& line : lines) {
     if (line.words.front() != "*physicalconstants") continue;
-    gasConstant = parameterOf(line, "universalgasconstant=").value_or(gasConstant);
-    zero = parameterOf(line, "absolutezero=");
+    gasConstant = keywordParameter(line, "universalgasconstant=").value_or(gasConstant);
+    zero = keywordParameter(line, "absolutezero=");
   }
   TemperatureShift shift;
-  const double reference = numberIn(data, 0, name);
+  const double reference = numberAt(data, 0, name);
   shift.referenceTemperature = zero && choices.temperatureUnit.empty()
                                    ? reference - *zero
-                                   : referenceOf(reference, choices, series);
+                                   : readReference(reference, choices, series);
   if (isArrhenius) {
     shift.kind = ShiftKind::Arrhenius;
-    shift.activationEnergy = numberIn(data, 1, name) * kGasConstant / gasConstant;
+    shift.activationEnergy = numberAt(data, 1, name) * kGasConstant / gasConstant;
   } else {
-    shift.c1 = numberIn(data, 1, name);
-    shift.c2 = numberIn(data, 2, name);
+    shift.c1 = numberAt(data, 1, name);
+    shift.c2 = numberAt(data, 2, name);
   }
   return shift;
 }
@@ -162,7 +163,7 @@ std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std:
     };
     if (isKeyword(keyword, "*elastic")) {
       forEachData([&](const Line& data) {
-        setModulus(shearOf(numberIn(data, 0, name), numberIn(data, 1, name)));
+        setModulus(shearFromYoungs(numberAt(data, 0, name), numberAt(data, 1, name)));
       });
     } else if (isKeyword(keyword, "*hyperelastic")) {
       const bool isMooney = has(keyword, "mooney-rivlin");
@@ -171,7 +172,7 @@ std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std:
                          "has a hyperelastic form whose shear modulus is not read; NEO HOOKE, "
                          "MOONEY-RIVLIN and YEOH are, or give --equilibrium-modulus");
       forEachData([&](const Line& data) {
-        setModulus(2 * (numberIn(data, 0, name) + (isMooney ? numberIn(data, 1, name) : 0)));
+        setModulus(2 * (numberAt(data, 0, name) + (isMooney ? numberAt(data, 1, name) : 0)));
       });
     } else if (isKeyword(keyword, "*viscoelastic")) {
       if (!has(keyword, "time=prony"))
@@ -181,7 +182,7 @@ std::optional<RawSeries> abaqusSeries(const std::vector<Line>& lines, const std:
         throw InputError(name, fmt::format("line {}", keyword.number),
                          "is a second *VISCOELASTIC; keep the material that is meant alone");
       forEachData([&](const Line& data) {
-        series.terms.push_back({numberIn(data, 0, name), numberIn(data, 2, name), data.number});
+        series.terms.push_back({numberAt(data, 0, name), numberAt(data, 2, name), data.number});
       });
     } else if (isKeyword(keyword, "*trs")) {
       const bool isArrhenius = has(keyword, "definition=arrhenius");
@@ -222,7 +223,7 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
         series.notes.push_back(leftOut("tb,shift," + word(5)));
     } else if (command == "tbdata" && table != Table::Other) {
       std::vector<double>& data = table == Table::Shear ? shearData : shiftData;
-      const double start = numberIn(line, 1, name);
+      const double start = numberAt(line, 1, name);
       if (!(start >= 1 && start <= 200))
         throw InputError(name, fmt::format("line {}", line.number),
                          "begins at a place that is outside 1 to 200");
@@ -231,24 +232,24 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
       for (std::size_t i = 2; i < line.words.size(); ++i, ++place) {
         if (line.words[i].empty()) continue;
         data.resize(std::max(data.size(), place + 1), RawSeries::kNotStated);
-        data[place] = numberIn(line, i, name);
+        data[place] = numberAt(line, i, name);
       }
     } else if (command == "mp" && word(1) == "ex") {
-      youngs = numberIn(line, 3, name);
+      youngs = numberAt(line, 3, name);
     } else if (command == "mp" && (word(1) == "nuxy" || word(1) == "prxy")) {
-      poisson = numberIn(line, 3, name);
+      poisson = numberAt(line, 3, name);
     } else if (command == "mp" && word(1) == "gxy") {
-      series.instantaneous = numberIn(line, 3, name);
+      series.instantaneous = numberAt(line, 3, name);
     }
   }
   if (!isFound) return {};
   for (std::size_t i = 0; i + 1 < shearData.size(); i += 2)
     series.terms.push_back({shearData[i], shearData[i + 1], lineOfData});
   if (std::isfinite(youngs))
-    series.instantaneous = shearOf(youngs, std::isfinite(poisson) ? poisson : 0.5);
+    series.instantaneous = shearFromYoungs(youngs, std::isfinite(poisson) ? poisson : 0.5);
   if (shiftData.size() >= 3) {
     TemperatureShift shift;
-    shift.referenceTemperature = referenceOf(shiftData[0], choices, series);
+    shift.referenceTemperature = readReference(shiftData[0], choices, series);
     shift.c1 = shiftData[1];
     shift.c2 = shiftData[2];
     series.shift = shift;
@@ -269,13 +270,13 @@ void refuseDyna(const std::vector<Line>& lines, const std::string& name) {
 
 }  // namespace
 
-double shearOf(double youngs, double poisson) {
+double shearFromYoungs(double youngs, double poisson) {
   return youngs / (2 * (1 + poisson));
 }
 
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices) {
-  const std::vector<Line> lines = linesOf(text);
+  const std::vector<Line> lines = splitIntoLines(text);
   std::optional<RawSeries> series = abaqusSeries(lines, name, choices);
   if (!series) series = ansysSeries(lines, name, choices);
   if (!series) refuseDyna(lines, name);

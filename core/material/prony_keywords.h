@@ -1,5 +1,5 @@
-// What a Prony series is before its modulus is known, and its readers in files of finite-element
-// programs. Pure; any thread.
+// A Prony series before its modulus is known, and its readers in files of finite-element programs.
+// Pure; any thread.
 #pragma once
 
 #include <limits>
@@ -14,7 +14,8 @@
 
 namespace asperity {
 
-/// What all of these files say: parts of the instantaneous modulus or moduli, and one modulus.
+/// The content of all of these files: parts of the instantaneous modulus, or moduli, and one
+/// modulus.
 struct RawSeries {
   static constexpr double kNotStated = std::numeric_limits<double>::quiet_NaN();
   struct Term {
@@ -32,11 +33,11 @@ struct RawSeries {
   std::vector<Message> notes{};
 };
 
-/// G of E.
-double shearOf(double youngs, double poisson);
+/// Returns the shear modulus of a Young's modulus, E / (2 (1 + nu)).
+double shearFromYoungs(double youngs, double poisson);
 
-/// The keywords of Abaqus or the commands of Ansys; nothing where the text is neither. Throws
-/// InputError (`name`), also for the keywords of LS-DYNA, which are not read.
+/// Reads the keywords of Abaqus or the commands of Ansys; nothing where the text has neither.
+/// Throws InputError (`name`), also for the keywords of LS-DYNA, which are not read.
 std::optional<RawSeries> keywordSeries(std::string_view text, const std::string& name,
                                        const PronyChoices& choices);
 

@@ -9,7 +9,8 @@
 namespace asperity {
 namespace {
 
-/// The rms of the rows about offset + factor * basis(T), with the best factor that is not below 0.
+/// Returns the rms of the rows about offset + factor * basis(T), with the best factor that is not
+/// negative.
 struct LinearFit {
   double factor = 0, rms = 0, offset = 0;
 };
@@ -51,7 +52,8 @@ TemperatureFit fitWlf(std::span<const ShiftPoint> table, double referenceTempera
       return -above / (c2 + above);
     });
   };
-  // c1 is linear; c2 is sought on a grid of its logarithm and then by the golden section.
+  // The formula is linear in c1; c2 is searched on a grid of its logarithm and then by golden
+  // section.
   constexpr double kLeast = 1;  // K
   constexpr int kGrid = 400;
   const double coldest = referenceTemperature - table.front().temperature;
@@ -96,7 +98,8 @@ TemperatureFit fitArrhenius(std::span<const ShiftPoint> table, double referenceT
 
 namespace {
 
-/// A formula that has as many constants as there are shifts goes through any of them.
+/// Returns the first formula that is good enough, Wlf or else Arrhenius. A formula with as many
+/// constants as there are shifts beside the reference would fit any of them.
 std::optional<TemperatureFit> goodFit(std::span<const ShiftPoint> table, double reference,
                                       bool isOffsetFree) {
   const auto isGood = [&](const TemperatureFit& fit, std::size_t constants) {
@@ -111,7 +114,8 @@ std::optional<TemperatureFit> goodFit(std::span<const ShiftPoint> table, double 
 
 }  // namespace
 
-std::optional<TemperatureFit> lawBetween(std::span<const ShiftPoint> table, double temperature) {
+std::optional<TemperatureFit> interpolatingFormula(std::span<const ShiftPoint> table,
+                                                   double temperature) {
   return goodFit(table, temperature, true);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/material/temperature_fit.h"
 
 namespace asperity {
@@ -22,13 +23,13 @@ constexpr double kEdgeMismatch = 0.02;  // the same where the overlap is the lea
 constexpr int kComparisons = 33;        // places at which two isotherms are compared
 constexpr int kHighestDegree = 4;
 // A vertical shift is the change of density times temperature. Where both moduli are power laws it
-// cannot be told from a horizontal one; then the law of entropy elasticity, b_T ~ T, decides, from
-// which vertical shifts are expected to differ by about so much.
+// cannot be told from a horizontal one. Then the law of entropy elasticity, b_T ~ T, decides;
+// vertical shifts are expected to deviate from it by about this much.
 constexpr double kUsualVertical = 0.01;    // decades
 constexpr double kSimpleDifference = 0.1;  // decades, see isThermorheologicallySimple
 constexpr double kWrongWay = 0.3;          // decades against the order of temperatures
 
-/// An isotherm in decades.
+/// An isotherm in decades (decimal logarithms).
 struct LogSweep {
   std::vector<double> x, storage, loss;
 };
@@ -43,7 +44,7 @@ LogSweep logarithms(const Isotherm& isotherm) {
   return sweep;
 }
 
-/// Linear between the points; x lies within them.
+/// Interpolates linearly between the points; x lies within them.
 double interpolated(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   const auto above = std::ranges::lower_bound(xs, x);
   const auto i =
@@ -52,7 +53,8 @@ double interpolated(const std::vector<double>& xs, const std::vector<double>& ys
   return ys[i - 1] + part * (ys[i] - ys[i - 1]);
 }
 
-/// What two isotherms have in common once the colder one is moved, on the warmer one's axis.
+/// The common range of two isotherms after the colder one has been moved, on the axis of the warmer
+/// one.
 struct CommonRange {
   double from, to;
   double width() const { return to - from; }
@@ -63,7 +65,8 @@ CommonRange commonRange(const LogSweep& colder, const LogSweep& warmer, double s
           std::min(colder.x.back() + shift, warmer.x.back())};
 }
 
-/// Rms difference of both moduli over the common range, in decades, after a vertical shift.
+/// Returns the rms difference of both moduli over the common range, in decades, after a vertical
+/// shift.
 double mismatchAt(const LogSweep& colder, const LogSweep& warmer, double shift,
                   double vertical = 0) {
   const CommonRange range = commonRange(colder, warmer, shift);
@@ -79,7 +82,8 @@ double mismatchAt(const LogSweep& colder, const LogSweep& warmer, double shift,
   return std::sqrt(squares / (2 * kComparisons));
 }
 
-/// The best of all shifts that leave enough in common; nothing where the two do not overlap.
+/// Returns the best of all shifts with a sufficient common range; nothing where the two do not
+/// overlap.
 std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warmer) {
   const double coldWidth = colder.x.back() - colder.x.front();
   const double warmWidth = warmer.x.back() - warmer.x.front();
@@ -98,8 +102,8 @@ std::optional<double> scannedShift(const LogSweep& colder, const LogSweep& warme
   return from + (to - from) * best / steps;
 }
 
-/// The points that decide about the shift: those in common, and on each side the next one beyond,
-/// so that sparse sweeps have some. True: of the colder isotherm.
+/// Selects the points that determine the shift: those in the common range, and on each side the
+/// next one beyond it, so that sparse sweeps have some. True: of the colder isotherm.
 struct Window {
   std::vector<std::size_t> colder, warmer;
   bool operator==(const Window&) const = default;
@@ -130,11 +134,11 @@ struct ShiftEstimate {
   Estimate horizontal, vertical;
 };
 
-/// Least squares over one window by Gauss and Newton. The unknowns are the polynomials'
-/// coefficients of each modulus, the vertical shift and the horizontal one.
+/// Solves the least-squares problem over one window by the Gauss-Newton method. The unknowns are
+/// the coefficients of the polynomials of each modulus, the vertical shift and the horizontal one.
 class WindowFit {
  public:
-  /// expectedVertical: decades; nothing: there is no vertical shift.
+  /// expectedVertical: decades; empty where there is no vertical shift.
   WindowFit(const LogSweep& colder, const LogSweep& warmer, const Window& window,
             std::optional<double> expectedVertical, ShiftModuli moduli, double shift)
       : colder_(colder),
@@ -151,8 +155,8 @@ class WindowFit {
     scale_ = std::max(0.5 * range.width(), 0.05);
   }
 
-  /// Nothing where the deviations do not tell the shift. What is expected of a vertical shift
-  /// counts as much as the deviations themselves allow, which are not known before.
+  /// Returns nothing where the deviations do not determine the shift. The expected vertical shift
+  /// has the weight that the deviations themselves give it, which are not known in advance.
   std::optional<ShiftEstimate> solve(double start) {
     if (!isVertical_) return iterate(start);
     constexpr int kPasses = 4;
@@ -171,7 +175,7 @@ class WindowFit {
     constexpr int kMostIterations = 60;
     constexpr double kLongestStep = 0.1, kConverged = 1e-10;  // decades
     const double start = shift;
-    // The first pass has no polynomials yet, whose slopes the step needs.
+    // The first pass has no polynomials yet, but the step needs their slopes.
     coefficients_ = Eigen::VectorXd::Zero(linearUnknowns());
     double step = 0;
     for (int i = 0; i < kMostIterations; ++i) {
@@ -196,8 +200,8 @@ class WindowFit {
     return moduliCount() * polynomialUnknowns() + (isVertical_ ? 1 : 0);
   }
 
-  /// Rows: all points of one modulus, then of the other. The last column is the change of the model
-  /// with the shift, from the polynomials of the pass before.
+  /// Fills the rows: all points of one modulus, then of the other. The last column is the
+  /// derivative of the model with respect to the shift, from the polynomials of the previous pass.
   void assemble(double shift, bool withShift) {
     const Eigen::Index block = polynomialUnknowns();
     const Eigen::Index rows = moduliCount() * rows_ + (isVertical_ ? 1 : 0);
@@ -218,7 +222,7 @@ class WindowFit {
             slope += static_cast<double>(k + 1) * coefficients_[m * block + k + 1] * power;
           power *= u;
         }
-        // The colder one's measured modulus is b_T times the common curve.
+        // The measured modulus of the colder isotherm is b_T times the common curve.
         if (isVertical_ && isColder) system_(row, moduliCount() * block) = 1;
         if (withShift && isColder) system_(row, system_.cols() - 1) = slope / scale_;
         data_[row++] = (sweep.*moduli_[static_cast<std::size_t>(m)])[i];
@@ -262,7 +266,7 @@ class WindowFit {
   Eigen::VectorXd data_, coefficients_;
 };
 
-/// The window follows the shift until both agree.
+/// Repeats the fit until window and shift agree.
 std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep& warmer,
                                          double shift, std::optional<double> expectedVertical,
                                          ShiftModuli moduli) {
@@ -293,7 +297,8 @@ std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep&
               celsius(colder.temperature), celsius(warmer.temperature)));
 }
 
-/// The shifts that follow from both moduli, and from each alone; the latter start from the first.
+/// Returns the shifts that follow from both moduli, and from each alone; the latter start from the
+/// first.
 struct NeighbourShifts {
   Overlap both;
   Estimate storage{kNaN, kNaN}, loss{kNaN, kNaN};
@@ -316,7 +321,7 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   both.decades = commonRange(colder, warmer, both.log10Shift).width();
   if (both.decades > 0)
     both.mismatch = mismatchAt(colder, warmer, both.log10Shift, both.log10Vertical);
-  // Each modulus alone does not tell a vertical shift from a horizontal one.
+  // One modulus alone cannot tell a vertical shift from a horizontal one.
   LogSweep level = colder;
   for (std::vector<double>* values : {&level.storage, &level.loss})
     for (double& value : *values) value -= both.log10Vertical;
@@ -329,8 +334,8 @@ NeighbourShifts neighbourShifts(const Isotherm& cold, const Isotherm& warm, bool
   return found;
 }
 
-/// Temperatures and shifts must run against each other: a material that gets slower as it gets
-/// warmer has its temperatures mixed up.
+/// Throws InputError where shifts rise with temperature: a material that becomes slower as it
+/// becomes warmer has its temperatures mixed up.
 void checkOrder(const Isotherm& cold, const Isotherm& warm, const Overlap& overlap) {
   const double error = std::isfinite(overlap.standardError) ? overlap.standardError : 0;
   if (overlap.log10Shift > -kWrongWay - 3 * error) return;
@@ -342,14 +347,14 @@ void checkOrder(const Isotherm& cold, const Isotherm& warm, const Overlap& overl
               celsius(warm.temperature), celsius(cold.temperature), -overlap.log10Shift));
 }
 
-/// Sums of neighbours' shifts, counted from the reference temperature.
+/// Sums of the shifts of neighbours, counted from the reference temperature.
 class Accumulated {
  public:
   Accumulated(std::span<const Isotherm> isotherms, double reference)
       : isotherms_(isotherms), reference_(reference) {}
 
   /// steps[i]: from isotherm i to the next warmer one. Errors are those of the steps between the
-  /// reference and the isotherm; a step that the reference divides counts by its part.
+  /// reference and the isotherm; a step that contains the reference counts with its part.
   std::vector<Estimate> from(const std::vector<Estimate>& steps) const {
     std::vector<Estimate> sums(isotherms_.size());
     for (std::size_t i = 0; i < isotherms_.size(); ++i) {
@@ -366,7 +371,8 @@ class Accumulated {
   }
 
  private:
-  /// The part of step k that lies between the temperature and the reference; below 0 above it.
+  /// Returns the part of step k that lies between the temperature and the reference; negative above
+  /// it.
   double partBetween(std::size_t k, double temperature) const {
     const double low = isotherms_[k].temperature, high = isotherms_[k + 1].temperature;
     const double from = std::clamp(temperature, low, high);
@@ -378,17 +384,18 @@ class Accumulated {
   double reference_;
 };
 
-/// Between two isotherms the sums are linear in T, which is exact beside an isotherm. Elsewhere,
-/// where a formula goes through all shifts, the reference is moved to where it says, which is exact
-/// for a formula that holds.
-void referTo(std::span<const Isotherm> isotherms, double reference, std::vector<Estimate>& both,
-             std::vector<Estimate>& storage, std::vector<Estimate>& loss) {
+/// Moves the reference of the sums to the reference temperature. Between two isotherms the sums are
+/// linear in T, which is exact at an isotherm. Where a formula fits all shifts, the reference is
+/// moved to its value, which is exact for a formula that holds.
+void moveReference(std::span<const Isotherm> isotherms, double reference,
+                   std::vector<Estimate>& both, std::vector<Estimate>& storage,
+                   std::vector<Estimate>& loss) {
   std::vector<ShiftPoint> table;
   for (std::size_t i = 0; i < isotherms.size(); ++i) {
     if (std::abs(isotherms[i].temperature - reference) <= kIsothermTolerance) return;
     table.push_back({isotherms[i].temperature, both[i].value});
   }
-  const auto law = lawBetween(table, reference);
+  const auto law = interpolatingFormula(table, reference);
   if (!law) return;
   for (auto* estimates : {&both, &storage, &loss})
     for (Estimate& estimate : *estimates) {
@@ -440,7 +447,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   curve.referenceTemperature = referenceTemperature;
   std::vector<Estimate> both, vertical, storage, loss;
   for (std::size_t i = 0; i + 1 < isotherms.size(); ++i) {
-    if (stop.stop_requested()) throw MaterialStopped{};
+    throwIfStopped(stop);
     const NeighbourShifts step = neighbourShifts(isotherms[i], isotherms[i + 1], isVertical);
     checkOrder(isotherms[i], isotherms[i + 1], step.both);
     curve.overlaps.push_back(step.both);
@@ -454,7 +461,7 @@ MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTem
   const Accumulated sums(isotherms, referenceTemperature);
   auto horizontal = sums.from(both), ofStorage = sums.from(storage), ofLoss = sums.from(loss);
   const auto up = sums.from(vertical);
-  referTo(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
+  moveReference(isotherms, referenceTemperature, horizontal, ofStorage, ofLoss);
   for (std::size_t i = 0; i < isotherms.size(); ++i)
     curve.shifts.push_back({isotherms[i].temperature, horizontal[i].value, horizontal[i].error,
                             up[i].value, ofStorage[i].value, ofLoss[i].value,

@@ -1,9 +1,9 @@
-// From isotherms to a master curve: time-temperature superposition (Ferry, Viscoelastic Properties
-// of Polymers, ch. 11). Neighbouring isotherms are moved along the logarithm of frequency until
-// they agree where they overlap; the shifts add up from the reference temperature.
+// Shifts isotherms to a master curve by time-temperature superposition (Ferry, Viscoelastic
+// Properties of Polymers, ch. 11). Neighbouring isotherms are moved along the logarithm of
+// frequency until they agree where they overlap; the shifts add up from the reference temperature.
 //
-// Reduced frequency f a_T, reduced modulus G / b_T: a_T > 1 where the material is slower than at
-// the reference temperature. Pure functions; any thread; the same input gives the same bits.
+// The reduced frequency is f a_T, the reduced modulus G / b_T: a_T > 1 where the material is slower
+// than at the reference temperature. Pure functions; any thread; equal input gives equal bits.
 #pragma once
 
 #include <span>
@@ -15,11 +15,11 @@
 
 namespace asperity {
 
-/// Which moduli a shift is read from.
+/// The moduli from which a shift is determined.
 enum class ShiftModuli { Both, Storage, Loss };
 
-/// How two neighbouring isotherms lie to each other. Errors are NaN where nothing is left over to
-/// estimate them from.
+/// The relation of two neighbouring isotherms. Errors are NaN where no residuals are left to
+/// estimate them.
 struct Overlap {
   double log10Shift = 0;     // decades, log10 of a_T of the colder over that of the warmer
   double standardError = 0;  // decades
@@ -29,11 +29,11 @@ struct Overlap {
   double decades = 0;        // of frequency that they have in common
 };
 
-/// Least squares: over the common range both isotherms are one polynomial in the logarithm of
-/// frequency for each modulus (of degree 1 to 4, as the number of points allows), and the shift is
-/// the unknown that moves one against the other; all relative deviations count alike. Standard
-/// errors from the covariance of all unknowns and the deviations left over. Throws InputError where
-/// the two do not overlap.
+/// Determines the relation by least squares. Over the common range both isotherms are one
+/// polynomial in the logarithm of frequency for each modulus (of degree 1 to 4, as the number of
+/// points allows); the shift is the unknown that moves one isotherm against the other; all relative
+/// deviations have equal weight. The standard errors follow from the covariance of all unknowns and
+/// the residuals. Throws InputError where the two do not overlap.
 Overlap findOverlap(const Isotherm& colder, const Isotherm& warmer, bool isVertical = false);
 
 /// The shift of one isotherm in the table.
@@ -42,8 +42,8 @@ struct IsothermShift {
   double log10Shift = 0;       // decades, log10 a_T
   double standardError = 0;    // decades; 0 at the reference
   double log10Vertical = 0;    // decades, log10 b_T
-  double fromStorage = 0;      // decades, log10 a_T from G' alone; NaN: not to be had
-  double fromLoss = 0;         // decades, log10 a_T from G'' alone; NaN: not to be had
+  double fromStorage = 0;      // decades, log10 a_T from G' alone; NaN: not available
+  double fromLoss = 0;         // decades, log10 a_T from G'' alone; NaN: not available
   double differenceError = 0;  // decades, standard error of the difference of these two
 };
 
@@ -58,7 +58,7 @@ struct MasterCurve {
   std::vector<IsothermShift> shifts;  // of every isotherm, rising temperature
   std::vector<Overlap> overlaps;      // of every isotherm with the next warmer one
   std::vector<MasterPoint> points;    // rising reduced frequency
-  /// Whether one shift serves both moduli: nowhere do those from G' and from G'' alone differ by
+  /// Whether one shift serves both moduli: the shifts from G' and from G'' alone nowhere differ by
   /// more than a tenth of a decade and three standard errors.
   bool isThermorheologicallySimple = true;
   double largestDifference = 0;  // decades, between the two tables
@@ -68,19 +68,20 @@ struct MasterCurve {
   double highestFrequency() const { return points.back().modulus.frequency; }  // Hz
 };
 
-/// referenceTemperature (K) must lie within the isotherms; between two of them its shift is that of
-/// the formula through all shifts (lawBetween), or linear in T where no formula is good. One
-/// isotherm is its own master curve, and the reference is its temperature. Throws InputError
-/// (--reference-temperature; isotherms that do not overlap, or whose order contradicts their
-/// temperatures), and MaterialStopped within one pair of isotherms after `stop`.
+/// Makes the master curve. referenceTemperature (K) must lie within the isotherms; between two of
+/// them its shift is that of the formula through all shifts (interpolatingFormula), or linear in T
+/// where no formula is good. One isotherm is its own master curve, and the reference is its
+/// temperature. Throws InputError (--reference-temperature; isotherms that do not overlap, or whose
+/// order contradicts their temperatures), and StopRequested within one pair of isotherms after
+/// `stop`.
 MasterCurve masterCurve(std::span<const Isotherm> isotherms, double referenceTemperature,
                         bool isVertical = false, const std::stop_token& stop = {});
 
-/// The reference that is taken unless a user says otherwise: 25 °C, the default temperature of a
-/// scene, where it was measured (within kIsothermTolerance), else the nearest isotherm.
+/// Returns the default reference temperature (K): 25 °C, the default temperature of a scene, where
+/// it was measured (within kIsothermTolerance), else the nearest isotherm.
 double usualReference(std::span<const Isotherm> isotherms);
 
-/// The table as a scene has it.
+/// Returns the shifts as the table of a scene.
 std::vector<ShiftPoint> shiftTable(const MasterCurve& curve);
 
 }  // namespace asperity

@@ -1,4 +1,5 @@
-// Little-endian numbers in binary files, checked against the end of the bytes. Pure; any thread.
+// Reads little-endian numbers from the bytes of a file, with a check against their end. Pure; any
+// thread.
 #pragma once
 
 #include <bit>
@@ -22,17 +23,17 @@ class ByteReader {
   ByteReader(const SurfaceSource& source, std::string_view bytes)
       : source_(source), bytes_(bytes) {}
 
-  std::size_t place() const { return place_; }
-  std::size_t left() const { return bytes_.size() - place_; }
+  std::size_t position() const { return position_; }
+  std::size_t left() const { return bytes_.size() - position_; }
   bool atEnd() const { return left() == 0; }
 
-  /// The next bytes.
+  /// Returns the next bytes and moves on behind them.
   std::string_view take(std::size_t count) {
     if (count > left())
       source_.fail(message("ends too early: {} bytes are needed from byte {} on, and {} are there",
-                           count, place_, left()));
-    place_ += count;
-    return bytes_.substr(place_ - count, count);
+                           count, position_, left()));
+    position_ += count;
+    return bytes_.substr(position_ - count, count);
   }
   void skip(std::size_t count) { take(count); }
 
@@ -46,11 +47,12 @@ class ByteReader {
  private:
   const SurfaceSource& source_;
   std::string_view bytes_;
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
 };
 
-/// Appends all numbers of the bytes to `heights`, times `scale`. isGap says of the number as it is
-/// stored whether there was no height; what is not finite is a gap in any case.
+/// Appends all numbers in the bytes to `heights`, times `scale`. isGap(number) tells from the
+/// number as it is stored whether no height was measured there; a number that is not finite is a
+/// gap in any case.
 template <class Number, class IsGap>
 void appendHeights(const SurfaceSource& source, std::string_view bytes, double scale,
                    std::vector<double>& heights, const IsGap& isGap) {

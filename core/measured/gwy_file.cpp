@@ -25,23 +25,23 @@ struct Component {
   std::size_t count = 1;  // of an array
 };
 
-/// The text up to the next zero byte.
+/// Takes the text up to the next zero byte.
 std::string_view takeText(const SurfaceSource& source, ByteReader& reader, std::string_view bytes) {
-  const std::size_t end = bytes.find('\0', reader.place());
+  const std::size_t end = bytes.find('\0', reader.position());
   if (end == std::string_view::npos)
-    source.fail(message("byte {}: the text has no end", reader.place()));
-  const std::string_view text = reader.take(end - reader.place());
+    source.fail(message("byte {}: the text has no end", reader.position()));
+  const std::string_view text = reader.take(end - reader.position());
   reader.skip(1);
   return text;
 }
 
-/// An object: its name, and the bytes of its components.
+/// An object: its name and the bytes of its components.
 struct Object {
   std::string_view name;
   std::string_view components;
 };
 
-Object objectOf(const SurfaceSource& source, std::string_view bytes) {
+Object readObject(const SurfaceSource& source, std::string_view bytes) {
   ByteReader reader(source, bytes);
   Object object;
   object.name = takeText(source, reader, bytes);
@@ -50,8 +50,8 @@ Object objectOf(const SurfaceSource& source, std::string_view bytes) {
   return object;
 }
 
-/// The size of a single value; 0 of texts and objects.
-std::size_t sizeOf(const SurfaceSource& source, char type) {
+/// Returns the size of a single value; 0 of texts and objects.
+std::size_t valueSize(const SurfaceSource& source, char type) {
   switch (type) {
     case 'b':
     case 'c':
@@ -75,25 +75,25 @@ std::size_t sizeOf(const SurfaceSource& source, char type) {
   }
 }
 
-/// Skips the texts or objects of which there are `count`; the bytes of all of them.
+/// Skips `count` texts or objects and returns their bytes.
 std::string_view takeUnsized(const SurfaceSource& source, ByteReader& reader,
                              std::string_view bytes, char type, std::size_t count) {
-  const std::size_t begin = reader.place();
+  const std::size_t begin = reader.position();
   for (std::size_t i = 0; i < count; ++i) {
     takeText(source, reader, bytes);
     if (type == 'o' || type == 'O') reader.skip(reader.read<std::uint32_t>());
   }
-  return bytes.substr(begin, reader.place() - begin);
+  return bytes.substr(begin, reader.position() - begin);
 }
 
-std::vector<Component> componentsOf(const SurfaceSource& source, std::string_view bytes) {
+std::vector<Component> readComponents(const SurfaceSource& source, std::string_view bytes) {
   std::vector<Component> components;
   ByteReader reader(source, bytes);
   while (!reader.atEnd()) {
     Component one;
     one.name = takeText(source, reader, bytes);
     one.type = reader.read<char>();
-    const std::size_t size = sizeOf(source, one.type);
+    const std::size_t size = valueSize(source, one.type);
     const bool isArray = one.type >= 'A' && one.type <= 'Z';
     if (isArray) one.count = reader.read<std::uint32_t>();
     one.value = size > 0 ? reader.take(size * one.count)
@@ -111,7 +111,7 @@ const Component* find(const std::vector<Component>& components, std::string_view
 }
 
 template <class Number>
-Number numberOf(const Component& component) {
+Number readStored(const Component& component) {
   Number number{};
   std::memcpy(&number, component.value.data(), sizeof number);
   return number;
@@ -124,33 +124,34 @@ struct Field {
   std::string_view data;
 };
 
-std::string unitOf(const SurfaceSource& source, const std::vector<Component>& components,
-                   std::string_view name) {
+std::string readUnit(const SurfaceSource& source, const std::vector<Component>& components,
+                     std::string_view name) {
   const Component* unit = find(components, name, 'o');
   if (unit == nullptr) return {};
   const std::vector<Component> parts =
-      componentsOf(source, objectOf(source, unit->value).components);
+      readComponents(source, readObject(source, unit->value).components);
   const Component* text = find(parts, "unitstr", 's');
   return text == nullptr ? std::string() : std::string(text->value);
 }
 
-Field fieldOf(const SurfaceSource& source, const Component& channel) {
-  const Object object = objectOf(source, channel.value);
+Field readDataField(const SurfaceSource& source, const Component& channel) {
+  const Object object = readObject(source, channel.value);
   if (object.name != "GwyDataField") source.fail(message("the header has no {}", "GwyDataField"));
-  const std::vector<Component> components = componentsOf(source, object.components);
+  const std::vector<Component> components = readComponents(source, object.components);
   const auto need = [&](std::string_view name, char type) -> const Component& {
     const Component* found = find(components, name, type);
     if (found == nullptr) source.fail(message("the header has no {}", name));
     return *found;
   };
   Field field;
-  field.columns = numberOf<std::int32_t>(need("xres", 'i'));
-  field.rows = numberOf<std::int32_t>(need("yres", 'i'));
-  if (const Component* size = find(components, "xreal", 'd')) field.width = numberOf<double>(*size);
+  field.columns = readStored<std::int32_t>(need("xres", 'i'));
+  field.rows = readStored<std::int32_t>(need("yres", 'i'));
+  if (const Component* size = find(components, "xreal", 'd'))
+    field.width = readStored<double>(*size);
   if (const Component* size = find(components, "yreal", 'd'))
-    field.height = numberOf<double>(*size);
-  field.positionUnit = unitOf(source, components, "si_unit_xy");
-  field.heightUnit = unitOf(source, components, "si_unit_z");
+    field.height = readStored<double>(*size);
+  field.positionUnit = readUnit(source, components, "si_unit_xy");
+  field.heightUnit = readUnit(source, components, "si_unit_z");
   field.data = need("data", 'D').value;
   if (field.columns < 1 || field.rows < 1)
     source.fail(message("{} in the header is not a number above 0", "xres"));
@@ -163,8 +164,8 @@ struct Channel {
   const Component* component = nullptr;
 };
 
-/// In the order of their numbers.
-std::vector<Channel> channelsOf(const std::vector<Component>& components) {
+/// Returns the channels in the order of their numbers.
+std::vector<Channel> findChannels(const std::vector<Component>& components) {
   std::vector<Channel> channels;
   for (const Component& one : components) {
     if (one.type != 'o' || !one.name.starts_with('/') || !one.name.ends_with("/data")) continue;
@@ -175,14 +176,14 @@ std::vector<Channel> channelsOf(const std::vector<Component>& components) {
   return channels;
 }
 
-std::string titleOf(const std::vector<Component>& components, const Channel& channel) {
+std::string channelTitle(const std::vector<Component>& components, const Channel& channel) {
   const std::string key = "/" + std::to_string(channel.number) + "/data/title";
   const Component* title = find(components, key, 's');
   return title == nullptr ? "/" + std::to_string(channel.number) + "/data"
                           : std::string(title->value);
 }
 
-/// The channel that the user names, or the first one whose values are lengths.
+/// Returns the channel that the user chooses, or the first one whose values are lengths.
 const Channel& chosen(const SurfaceSource& source, const std::vector<Channel>& channels) {
   if (source.choices.heightColumn > 0) {
     if (static_cast<std::size_t>(source.choices.heightColumn) > channels.size())
@@ -191,7 +192,7 @@ const Channel& chosen(const SurfaceSource& source, const std::vector<Channel>& c
     return channels[static_cast<std::size_t>(source.choices.heightColumn - 1)];
   }
   const auto isHeight = [&source](const Channel& channel) {
-    return metresPer(fieldOf(source, *channel.component).heightUnit).has_value();
+    return metresPer(readDataField(source, *channel.component).heightUnit).has_value();
   };
   const auto found = std::ranges::find_if(channels, isHeight);
   return found == channels.end() ? channels.front() : *found;
@@ -201,16 +202,16 @@ const Channel& chosen(const SurfaceSource& source, const std::vector<Channel>& c
 
 SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps) {
   if (!source.bytes.starts_with(kMagic)) source.fail(message("is not a {} file", "GWY"));
-  const Object container = objectOf(source, source.bytes.substr(kMagic.size()));
-  const std::vector<Component> components = componentsOf(source, container.components);
-  const std::vector<Channel> channels = channelsOf(components);
+  const Object container = readObject(source, source.bytes.substr(kMagic.size()));
+  const std::vector<Component> components = readComponents(source, container.components);
+  const std::vector<Channel> channels = findChannels(components);
   if (channels.empty()) source.fail("has no channel of heights");
   const Channel& channel = chosen(source, channels);
-  const Field field = fieldOf(source, *channel.component);
+  const Field field = readDataField(source, *channel.component);
 
   SurfaceDraft draft;
   draft.facts.format = "gwy";
-  draft.facts.heightColumn = shortened(titleOf(components, channel));
+  draft.facts.heightColumn = shortened(channelTitle(components, channel));
   if (channels.size() > 1)
     draft.facts.notes.push_back(
         message("The channel '{}' is read, the file has {}; surface.height_column chooses another.",
@@ -232,7 +233,7 @@ SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps) {
     draft.facts.notes.push_back("The channel has a mask, which is not used.");
     return draft;
   }
-  const Field masked = fieldOf(source, *mask);
+  const Field masked = readDataField(source, *mask);
   if (masked.columns != field.columns || masked.rows != field.rows) return draft;
   for (std::size_t i = 0; i < points; ++i) {
     double value = 0;

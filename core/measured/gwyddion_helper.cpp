@@ -1,6 +1,6 @@
-// Files that only Gwyddion reads: it is run as a program of its own, with a limit of time, and
-// writes a GWY file into a folder that is removed again. Where it is not installed, the error says
-// so and which files are read without it.
+// Reads files that only Gwyddion knows: Gwyddion runs as a separate program with a time limit and
+// writes a GWY file into a temporary folder. Where it is not installed, the error says so and names
+// the kinds of files that are read without it.
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
@@ -20,6 +20,7 @@
 #include "core/base/input_error.h"
 #include "core/base/program.h"
 #include "core/base/regular_file.h"
+#include "core/base/stop.h"
 #include "core/measured/surface_draft.h"
 
 extern char** environ;
@@ -33,7 +34,7 @@ using namespace std::chrono_literals;
 constexpr auto kLongest = 60s;
 constexpr std::size_t kLargestResult = std::size_t{1} << 30;  // bytes
 
-/// A folder of our own, removed with all that is in it.
+/// A temporary folder, which is removed with everything in it.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::string& file) {
@@ -56,7 +57,7 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-/// A program in a process group of its own, ended with the object.
+/// A program in its own process group, which ends with the object.
 class Process {
  public:
   Process(const std::string& program, const std::vector<std::string>& arguments) {
@@ -89,7 +90,7 @@ class Process {
 
   bool hasStarted() const { return process_ > 0; }
 
-  /// Whether it has ended, without waiting; then `succeeded` says how.
+  /// Returns whether the program has ended, without waiting; `succeeded` then tells how.
   bool hasEnded() {
     if (process_ <= 0) return true;
     int status = 0;
@@ -110,7 +111,7 @@ class Process {
 
 std::string convertWithGwyddion(const fs::path& file, const std::stop_token& stop) {
   const std::string name = file.string();
-  const RegularFile regular(file);  // no pipe, which it would wait for
+  const RegularFile regular(file);  // refuses a pipe, for which Gwyddion would wait
   const std::string program = findProgram("gwyddion");
   if (program.empty())
     throw InputError(
@@ -126,7 +127,7 @@ std::string convertWithGwyddion(const fs::path& file, const std::stop_token& sto
     throw InputError(name, "", "cannot be converted: Gwyddion does not start");
   const auto latest = std::chrono::steady_clock::now() + kLongest;
   while (!process.hasEnded()) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     if (std::chrono::steady_clock::now() > latest)
       throw InputError(
           name, "",

@@ -8,6 +8,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/stop.h"
 #include "core/base/text_units.h"
 #include "core/measured/surface_draft.h"
 
@@ -15,13 +16,13 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
-constexpr std::size_t kBeginning = 4096;                    // bytes that tell the kind
-constexpr double kFarthest = 1e6;                           // m, of lengths and heights
-// Numbers without a unit that are beyond these are hardly metres.
+constexpr std::size_t kBeginning = 4096;                    // bytes, in which the kind shows itself
+constexpr double kFarthest = 1e6;                           // m, limit of lengths and heights
+// Numbers without a unit that exceed these limits are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
 constexpr double kSteepestAssumed = 10;  // rms slope
 
-constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those a key can say
+constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those of the keys
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
 constexpr std::string_view kReadable =
@@ -30,8 +31,8 @@ constexpr std::string_view kReadable =
 
 // ---- Kinds -------------------------------------------------------------------------------------
 
-/// The kind by the first bytes; empty where it can only be text or unknown.
-std::string_view kindOf(const SurfaceSource& source) {
+/// Returns the format by the first bytes; empty where the file can only be text or is unknown.
+std::string_view detectFormat(const SurfaceSource& source) {
   const std::string_view bytes = source.bytes;
   if (bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6")) return "x3p";
   if (bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED")) return "sur";
@@ -42,8 +43,8 @@ std::string_view kindOf(const SurfaceSource& source) {
   if (isSurfer(source)) return "surfer";
   if (isSdf(source)) return "sdf";
   if (isSmd(source)) return "smd";
-  if (!roadKindOf(bytes).empty()) return "text";  // whose reader refuses it
-  const std::string_view foreign = foreignKindOf(bytes);
+  if (!detectRoadFormat(bytes).empty()) return "text";  // whose reader refuses it
+  const std::string_view foreign = detectNonText(bytes);
   return foreign.empty() || foreign == "text in UTF-16" ? "text" : "";
 }
 
@@ -82,7 +83,7 @@ void requireChoices(const SurfaceSource& source) {
   require("surface.height_unit", source.choices.heightUnit, kSurfaceUnits);
 }
 
-/// Root mean square of the steps between neighbours along x, over the spacing.
+/// Returns the root mean square of the steps between neighbours along x, over the spacing.
 double rmsSlope(const Topography& grid) {
   double squares = 0, count = 0;
   for (std::int64_t row = 0; row < grid.rows; ++row) {
@@ -97,13 +98,13 @@ double rmsSlope(const Topography& grid) {
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-/// That a unit must be said, since the file states one that is not known.
+/// Throws InputError where a unit must be chosen, because that of the file is not known.
 Message unknownUnitText(const std::string& unit) {
   return message("is needed ({}): the unit '{}' of the file is not known; known are {}", kUnits,
                  shortened(unit), kKnownUnits);
 }
 
-/// What numbers without a unit would mean in metres must be possible.
+/// Throws InputError where numbers without a unit would be impossible lengths in metres.
 void requirePlausible(const SurfaceSource& source, const SurfaceDraft& draft,
                       const ReadingFacts& facts) {
   const Topography& grid = draft.grid;
@@ -199,20 +200,20 @@ Message formText(const ReadingFacts& facts) {
   return Message::name(name);
 }
 
-/// The unit as people write it.
+/// Returns the unit as people write it.
 std::string printedUnit(const std::string& unit) {
   return unit == "um" ? "\u00B5m" : unit;
 }
 
-/// Whether programs write the number where nothing was measured: 9999, -999.99, -32768.
+/// Returns whether programs write this number where nothing was measured: 9999, -999.99, -32768.
 bool isVoidCode(double number) {
   const std::string digits = plainNumber(std::abs(number));
   return digits == "32767" || digits == "32768" ||
          (digits.size() > 2 && digits.find_first_not_of("9.") == std::string::npos);
 }
 
-/// Says of a lowest or highest height that it stands far from all others, as numbers for missing
-/// points do: several times, or a number that is known for it.
+/// Adds a note where the lowest or highest height is far from all others, as numbers for missing
+/// points are: where it occurs several times, or is a number that is known for it.
 template <class Say>
 void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
   constexpr double kFar = 3;  // times the range of all others
@@ -249,7 +250,7 @@ void noteVoids(const Topography& grid, const UnitFact& unit, const Say& say) {
   }
 }
 
-/// What the reader took the file for comes first, what is special after it.
+/// Makes the notes: first how the reader understood the file, then what is special about it.
 void describe(const SurfaceDraft& draft, ReadingFacts& facts) {
   const Topography& grid = draft.grid;
   std::vector<Message> notes;
@@ -306,24 +307,24 @@ MeasuredFile finished(const SurfaceSource& source, SurfaceDraft draft) {
   return {std::move(draft.grid), std::move(draft.facts)};
 }
 
-/// The bytes of the file, read in parts so that it can be stopped.
-std::string bytesOf(const RegularFile& regular, const std::stop_token& stop) {
+/// Reads the file in parts, so that reading can be stopped.
+std::string readInParts(const RegularFile& regular, const std::stop_token& stop) {
   constexpr std::size_t kPart = std::size_t{1} << 24;
   if (regular.size() <= kPart) return regular.read(0, kPart);
   std::string bytes;
   bytes.reserve(regular.size());
   while (bytes.size() < regular.size()) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     const std::string part =
         regular.read(bytes.size(), std::min<std::size_t>(kPart, regular.size() - bytes.size()));
-    if (part.empty()) break;  // it has become shorter
+    if (part.empty()) break;  // the file has become shorter
     bytes += part;
   }
   return bytes;
 }
 
 [[noreturn]] void refuse(const SurfaceSource& source) {
-  const std::string_view kind = foreignKindOf(source.bytes);
+  const std::string_view kind = detectNonText(source.bytes);
   source.fail(message("is {}; {}", Message(kind), Message(kReadable)));
 }
 
@@ -364,7 +365,7 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   requireChoices(source);
   source.report(0);
   if (bytes.empty()) source.fail("is empty");
-  const std::string_view found = kindOf(source);
+  const std::string_view found = detectFormat(source);
   const std::string& format = choices.format;
   const std::string_view kind = format == "auto"     ? found
                                 : isTextForm(format) ? std::string_view("text")
@@ -380,12 +381,12 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
     const RegularFile regular(file);
     if (regular.size() > kLargestFile)
       throw InputError(name, "", message("is larger than the {} bytes allowed", kLargestFile));
-    // The beginning tells the kind: a large file of none that is known is not read for nothing.
+    // The beginning shows the kind, so that a large file of an unknown kind is not read in vain.
     const std::string beginning = regular.read(0, kBeginning);
     const SurfaceSource source{beginning, name, choices, stop, progress};
-    const bool isOther = choices.format == "auto" && kindOf(source).empty();
+    const bool isOther = choices.format == "auto" && detectFormat(source).empty();
     if (choices.format != "gwyddion" && !isOther)
-      return readMeasuredBytes(bytesOf(regular, stop), name, choices, stop, progress);
+      return readMeasuredBytes(readInParts(regular, stop), name, choices, stop, progress);
   }
   const std::string converted = convertWithGwyddion(file, stop);
   const SurfaceSource source{converted, name, choices, stop, progress};

@@ -6,30 +6,34 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
-/// Terms of the polynomial in x (and y) that stands for the form.
-int termsOf(FormRemoval form) {
+/// Returns the number of terms of the polynomial that describes the form along one direction.
+int termCount(FormRemoval form) {
   return form == FormRemoval::None   ? 0
          : form == FormRemoval::Mean ? 1
          : form == FormRemoval::Line ? 2
                                      : 3;
 }
 
-/// Place of point `i` of n, from -1 to 1, which keeps the normal equations well conditioned.
-double placeOf(std::size_t i, std::size_t n) {
+/// Returns the position of point `i` of n on [-1, 1], which keeps the normal equations well
+/// conditioned.
+double scaledPosition(std::size_t i, std::size_t n) {
   return n > 1 ? 2 * static_cast<double>(i) / static_cast<double>(n - 1) - 1 : 0;
 }
 
-/// Solves normal equations. Functions that the points cannot tell apart get no part.
+/// Solves normal equations by the solution of least norm: functions that the points cannot
+/// distinguish get no more than they need.
 Eigen::VectorXd solveNormal(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   return matrix.completeOrthogonalDecomposition().solve(right);
 }
 
-/// Least squares of a sum of functions: points are added one by one.
+/// Fits a sum of functions by least squares; points are added one by one.
 template <int Terms>
 class LeastSquares {
  public:
@@ -45,22 +49,17 @@ class LeastSquares {
   Vector right_ = Vector::Zero();
 };
 
-Eigen::Vector3d powersOf(double x, int terms) {
+Eigen::Vector3d powers(double x, int terms) {
   return {terms > 0 ? 1.0 : 0.0, terms > 1 ? x : 0.0, terms > 2 ? x * x : 0.0};
 }
 
-/// The form of a row, from the heights that are not gaps.
-Eigen::Vector3d formOf(std::span<const double> heights, int terms) {
+/// Returns the coefficients of the form of a row, fitted to the heights that are not gaps.
+Eigen::Vector3d fitForm(std::span<const double> heights, int terms) {
   LeastSquares<3> fit;
   for (std::size_t i = 0; i < heights.size(); ++i)
-    if (!std::isnan(heights[i])) fit.add(powersOf(placeOf(i, heights.size()), terms), heights[i]);
+    if (!std::isnan(heights[i]))
+      fit.add(powers(scaledPosition(i, heights.size()), terms), heights[i]);
   return fit.solve();
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -72,22 +71,23 @@ std::int64_t gapCount(std::span<const double> heights) {
 std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemoval form) {
   constexpr int kRounds = 20;
   if (!(multiples > 0)) return 0;
-  const int terms = termsOf(form);
+  const int terms = termCount(form);
   std::vector<double> kept(heights.begin(), heights.end());
   const std::int64_t gaps = gapCount(heights);
   if (gaps == static_cast<std::int64_t>(heights.size())) return 0;
-  // Outliers spoil the fit that finds them, so the fit is repeated without them until none is left.
+  // Outliers distort the fit that detects them, so the fit is repeated without them until the set
+  // of outliers no longer changes.
   for (int round = 0; round < kRounds; ++round) {
-    const Eigen::Vector3d form3 = formOf(kept, terms);
+    const Eigen::Vector3d form3 = fitForm(kept, terms);
     std::vector<double> deviation(heights.size(), kGap), known;
     for (std::size_t i = 0; i < heights.size(); ++i) {
       if (std::isnan(heights[i])) continue;
-      deviation[i] = heights[i] - powersOf(placeOf(i, heights.size()), terms).dot(form3);
+      deviation[i] = heights[i] - powers(scaledPosition(i, heights.size()), terms).dot(form3);
       if (!std::isnan(kept[i])) known.push_back(deviation[i]);
     }
-    const double middle = medianOf(known);
+    const double middle = upperMedian(known);
     for (double& value : known) value = std::abs(value - middle);
-    const double spread = medianOf(std::move(known));
+    const double spread = upperMedian(std::move(known));
     if (!(spread > 0)) break;
     bool hasChanged = false;
     for (std::size_t i = 0; i < heights.size(); ++i) {
@@ -98,7 +98,7 @@ std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemov
     }
     if (!hasChanged || gapCount(kept) == static_cast<std::int64_t>(kept.size())) break;
   }
-  // A row that would be all outliers says nothing of which of its heights are.
+  // If all heights were outliers, none of them could be told from the others.
   const std::int64_t marked = gapCount(kept) - gaps;
   if (marked + gaps == static_cast<std::int64_t>(heights.size())) return 0;
   std::ranges::copy(kept, heights.begin());
@@ -123,19 +123,19 @@ void interpolateGaps(std::span<double> heights) {
 }
 
 void removeForm(std::span<double> heights, FormRemoval form) {
-  const int terms = termsOf(form);
+  const int terms = termCount(form);
   if (terms == 0) return;
-  const Eigen::Vector3d fitted = formOf(heights, terms);
+  const Eigen::Vector3d fitted = fitForm(heights, terms);
   for (std::size_t i = 0; i < heights.size(); ++i)
-    heights[i] -= powersOf(placeOf(i, heights.size()), terms).dot(fitted);
+    heights[i] -= powers(scaledPosition(i, heights.size()), terms).dot(fitted);
 }
 
 void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns,
                 FormRemoval form) {
-  const int terms = termsOf(form);
+  const int terms = termCount(form);
   if (terms == 0) return;
   const auto functions = [&](std::size_t row, std::size_t column) {
-    const double x = placeOf(column, columns), y = placeOf(row, rows);
+    const double x = scaledPosition(column, columns), y = scaledPosition(row, rows);
     const double linear = terms > 1 ? 1 : 0, square = terms > 2 ? 1 : 0;
     return Eigen::Matrix<double, 6, 1>{
         1, linear * x, linear * y, square * x * x, square * x * y, square * y * y};
@@ -152,17 +152,18 @@ void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns
 
 namespace {
 
-/// Where the weights have fallen to 1e-14 of their largest one.
-constexpr double kReach = 1.5;  // cut-off wavelengths
+/// The weights have fallen to 1e-14 of their maximum at this distance.
+constexpr double kKernelWidth = 1.5;  // cut-off wavelengths
 
-std::size_t reachOf(std::size_t points, double spacing, double cutOff) {
-  const double reach = std::ceil(kReach * cutOff / spacing);
+std::size_t kernelReach(std::size_t points, double spacing, double cutOff) {
+  const double reach = std::ceil(kKernelWidth * cutOff / spacing);
   return reach < static_cast<double>(points)
              ? std::max<std::size_t>(static_cast<std::size_t>(reach), 1)
              : points;
 }
 
-/// values convolved with the kernel of this transform; both padded to the transform's points.
+/// Returns the convolution of values with the kernel of this transform; both are padded to the
+/// transform's number of points.
 std::vector<double> convolved(const RealTransform& transform, std::span<const double> values,
                               std::span<const std::complex<double>> kernel) {
   std::vector<double> padded(transform.points());
@@ -178,12 +179,13 @@ std::vector<double> convolved(const RealTransform& transform, std::span<const do
 }  // namespace
 
 GaussianFilter::GaussianFilter(std::size_t points, double spacing, double cutOff)
-    : points_(points), transform_(fastTransformSize(points + reachOf(points, spacing, cutOff))) {
-  const std::size_t reach = reachOf(points, spacing, cutOff), size = transform_.points();
+    : points_(points),
+      transform_(fastTransformSize(points + kernelReach(points, spacing, cutOff))) {
+  const std::size_t reach = kernelReach(points, spacing, cutOff), size = transform_.points();
   const double alpha = std::sqrt(std::numbers::ln2 / std::numbers::pi);
   std::vector<double> weight(size), moment(size), square(size);
   double sum = 0;
-  // T_m(i) = sum over j of s(j) j^m z(i + j); the kernel of a convolution is turned over.
+  // T_m(i) = sum over j of s(j) j^m z(i + j); a convolution reverses its kernel.
   for (std::size_t j = 0; j <= reach; ++j) {
     const double x = static_cast<double>(j), part = x * spacing / (alpha * cutOff);
     const double s = std::exp(-std::numbers::pi * part * part);

@@ -1,7 +1,7 @@
-// From the heights of one measured row to a profile without form, short and long waves: the steps
-// of ISO 21920-3 as pure functions, any thread. Heights are in metres and equally spaced; NaN marks
-// a point that was not measured. Each row of a topography is processed by itself, because each is a
-// line of the model.
+// Turns the heights of one measured row into a profile without form and without short and long
+// waves: the steps of ISO 21920-3 as pure functions; any thread. Heights are in metres and equally
+// spaced; NaN marks a point that was not measured. Each row of a topography is processed by itself,
+// because each is a line of the model.
 #pragma once
 
 #include <cstdint>
@@ -15,41 +15,44 @@ namespace asperity {
 
 std::int64_t gapCount(std::span<const double> heights);
 
-/// Marks outliers as gaps and returns their number: heights that are farther from the form, fitted
-/// to all others, than `multiples` times the median deviation of the others from it. Nothing
-/// happens where more than half of all heights lie on the form exactly.
+/// Marks outliers as gaps and returns their number. An outlier is farther from the form, which is
+/// fitted to all other heights, than `multiples` times the median deviation of the others from it.
+/// The function marks nothing where more than half of all heights lie on the form exactly.
 std::int64_t markOutliers(std::span<double> heights, double multiples, FormRemoval form);
 
 /// Fills gaps by straight lines between their neighbours; before the first and after the last
-/// measured point the height stays what it is there. Needs one measured point.
+/// measured point the height is constant. At least one point must have been measured.
 void interpolateGaps(std::span<double> heights);
 
-/// Subtracts the form by least squares: the mean, a straight line or a parabola. No gaps.
+/// Subtracts the form by least squares: the mean, a straight line or a parabola. There must be no
+/// gaps.
 void removeForm(std::span<double> heights, FormRemoval form);
 
-/// The same of a topography as a whole: the mean, a plane or a paraboloid a + b x + c y + d x^2 +
-/// e x y + f y^2. rows x columns heights.
+/// Subtracts the form of a whole topography: the mean, a plane or a paraboloid a + b x + c y + d
+/// x^2 + e x y + f y^2. heights: rows x columns, row by row, without gaps.
 void removeForm(std::span<double> heights, std::size_t rows, std::size_t columns, FormRemoval form);
 
-/// The Gaussian profile filter of ISO 16610-21: weights exp(-pi (x / (alpha lambda))^2), alpha =
-/// sqrt(ln 2 / pi), so that half of the amplitude of a sine of the cut-off wavelength passes. Near
-/// the ends, where a part of the weights lies outside, the mean line is the straight line fitted
-/// with the weights that are left (ISO 16610-31 of first order without robustness): a straight
-/// profile passes as it is, up to its ends. Inside both are the same.
+/// The Gaussian profile filter of ISO 16610-21. Its weights are exp(-pi (x / (alpha lambda))^2)
+/// with alpha = sqrt(ln 2 / pi), so that half of the amplitude of a sine of the cut-off wavelength
+/// passes. Near the ends, where a part of the weights lies outside of the profile, the mean line is
+/// the straight line that is fitted with the remaining weights (ISO 16610-31 of first order without
+/// robustness): a straight profile passes unchanged up to its ends. Elsewhere both definitions
+/// agree.
 class GaussianFilter {
  public:
   /// spacing and cutOff: m; the cut-off is at least twice the spacing. With fewer than five points
-  /// to the cut-off, sampled weights let a little more than half pass.
+  /// per cut-off wavelength the sampled weights let a little more than half of the amplitude pass.
   GaussianFilter(std::size_t points, double spacing, double cutOff);
 
-  /// What passes: waves longer than the cut-off. heights: as many as `points`, without gaps.
+  /// Returns the waves that are longer than the cut-off. heights: as many as `points`, without
+  /// gaps.
   std::vector<double> meanLine(std::span<const double> heights) const;
 
  private:
   std::size_t points_;
   RealTransform transform_;
   std::vector<std::complex<double>> weights_, moments_;  // transforms of s(x) and of x s(x)
-  std::vector<double> ofHeight_, ofMoment_;  // the mean line is ofHeight T0 + ofMoment T1
+  std::vector<double> ofHeight_, ofMoment_;  // the mean line is ofHeight T_0 + ofMoment T_1
 };
 
 }  // namespace asperity

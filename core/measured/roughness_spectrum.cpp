@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "core/base/fourier.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
 #include "core/measured/measured_file.h"
 #include "core/measured/processing.h"
 
@@ -50,38 +52,34 @@ class HannAnalysis {
 };
 
 /// Returns whether a few of the waves first to end - 1 have nearly all of their power, as the
-/// harmonics of a turned or milled surface have. Noise and random roughness have it in all waves:
-/// the power of each is distributed exponentially, with a median of ln 2 times the mean.
+/// harmonics of a turned or milled surface have. In noise and random roughness all waves have
+/// power: it is distributed exponentially over the waves, with a median of ln 2 times the mean.
 bool hasPeaks(std::span<const double> powers, std::size_t first, std::size_t end) {
   constexpr std::size_t kFew = 8;
   constexpr double kMuch = 10;
   if (end - first < kFew) return false;
-  std::vector<double> sorted(powers.begin() + static_cast<std::ptrdiff_t>(first),
-                             powers.begin() + static_cast<std::ptrdiff_t>(end));
-  const double mean =
-      std::accumulate(sorted.begin(), sorted.end(), 0.0) / static_cast<double>(sorted.size());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return mean > kMuch * *middle;
+  const std::span<const double> waves = powers.subspan(first, end - first);
+  return mean(waves) > kMuch * upperMedian({waves.begin(), waves.end()});
 }
 
-/// Tells how many of the rows of long work are done, and ends it where it is no longer wanted.
-class RowsDone {
+/// Reports the finished rows of long work, and ends it where a stop was requested.
+class RowProgress {
  public:
-  RowsDone(std::size_t rows, const std::stop_token& stop, const std::function<void(double)>& tell)
-      : rows_(rows), stop_(stop), tell_(tell) {}
+  RowProgress(std::size_t rows, const std::stop_token& stop,
+              const std::function<void(double)>& progress)
+      : rows_(rows), stop_(stop), progress_(progress) {}
 
   void next() {
-    if (stop_.stop_requested()) throw ReadingStopped{};
-    constexpr std::size_t kTold = 64;  // times in all
-    const std::size_t before = done_ * kTold / rows_, now = ++done_ * kTold / rows_;
-    if (tell_ && now > before) tell_(static_cast<double>(now) / kTold);
+    throwIfStopped(stop_);
+    constexpr std::size_t kReports = 64;  // times in all
+    const std::size_t before = done_ * kReports / rows_, now = ++done_ * kReports / rows_;
+    if (progress_ && now > before) progress_(static_cast<double>(now) / kReports);
   }
 
  private:
   std::size_t rows_, done_ = 0;
   const std::stop_token& stop_;
-  const std::function<void(double)>& tell_;
+  const std::function<void(double)>& progress_;
 };
 
 }  // namespace
@@ -122,7 +120,7 @@ double BandPowers::total() const {
 double BandPowers::rmsSlope() const {
   double sum = 0;
   for (std::size_t j = 0; j < bands(); ++j) {
-    // Mean of q^2 over a band of constant power per octave.
+    // This is the mean of q^2 over a band of constant power per octave.
     const double low = from(j), high = to(j);
     sum += power[j] * (high * high - low * low) / (2 * std::log(high / low));
   }
@@ -133,7 +131,7 @@ SpectralDensity BandPowers::density() const {
   SpectralDensity density;
   for (std::size_t j = 0; j < bands(); ++j) {
     const double value = power[j] / (2 * (to(j) - from(j)));
-    // The outermost bands reach to their edges.
+    // The outermost bands extend to their edges.
     if (j == 0) {
       density.waveNumber.push_back(from(j));
       density.density.push_back(value);
@@ -145,7 +143,7 @@ SpectralDensity BandPowers::density() const {
       density.density.push_back(value);
     }
   }
-  // Between the centres of bands the density is a power law, whose sum is another one.
+  // Between the centres of two bands the density is a power law, whose integral is known.
   const double whole = 2 * density.integral();
   if (whole > 0)
     for (double& value : density.density) value *= total() / whole;
@@ -174,8 +172,8 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
   if (shortWaveCut > 0) band.to = std::min(band.to, kTwoPi / shortWaveCut);
   const std::vector<double> powers = hannPowers(heights);
   const BandPowers bands = inBands(powers, length);
-  // From the top down: the lowest band from which on the density falls slower than 1/q, taken over
-  // half a decade, because single bands scatter.
+  // From the top down, this finds the lowest band from which on the density falls more slowly than
+  // 1/q. The slope is taken over half a decade, because single bands scatter.
   constexpr std::size_t kStride = 6;
   const auto densityAt = [&](std::size_t j) {
     return bands.power[j] / (bands.to(j) - bands.from(j));
@@ -192,7 +190,7 @@ ReliableBand reliableBand(std::span<const double> heights, double spacing, doubl
       band.endsInNoise = true;
     }
   }
-  // A spectrum without any fall, as of a smooth line with white noise or a short one.
+  // A spectrum does not fall at all where the line is smooth with white noise, or short.
   if (band.to <= band.from) band.to = band.from;
   return band;
 }
@@ -207,13 +205,13 @@ double EquivalentSpectra::factor(double q) const {
   return profile.power[band] > 0 ? std::sqrt(line.power[band] / profile.power[band]) : 1;
 }
 
-EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
-                               const std::stop_token& stop,
-                               const std::function<void(double)>& progress) {
+EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
+                                    const std::stop_token& stop,
+                                    const std::function<void(double)>& progress) {
   const auto rows = static_cast<std::size_t>(topography.rows);
   const auto columns = static_cast<std::size_t>(topography.columns);
-  // Rows are gone through three times.
-  RowsDone done(3 * rows, stop, progress);
+  // The work passes over all rows three times.
+  RowProgress done(3 * rows, stop, progress);
   std::vector<double> heights = topography.height;
   removeForm(heights, rows, columns, form);
   std::vector<double> profile(columns / 2 + 1);
@@ -233,8 +231,8 @@ EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
   }
   const auto modes = transform2d(heights, rows, columns);
   heights = {};
-  // Rings of the width of one wave along x. Where the other direction is measured more coarsely,
-  // rings are not whole, and the part that is there stands for the whole.
+  // Each ring is as wide as one wave along x. Where the other direction is sampled more coarsely,
+  // rings are incomplete, and the available part represents the whole.
   const double length = topography.length(), width = topography.width();
   std::vector<double> ring(columns / 2 + 1), count(ring.size());
   const double points = static_cast<double>(rows) * static_cast<double>(columns);
@@ -260,9 +258,9 @@ EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
 
 namespace {
 
-/// Part of the power of ring `ring` that a cut shows in each band up to it: phi is uniform, and the
-/// ring's power is the same in each octave.
-std::vector<double> sharesOf(const BandPowers& bands, std::size_t ring) {
+/// Returns the part of the power of ring `ring` that appears in each band up to it in a cut: phi is
+/// uniform, and the power of the ring is equal in each octave.
+std::vector<double> ringShares(const BandPowers& bands, std::size_t ring) {
   constexpr int kRadii = 16;
   std::vector<double> shares(ring + 1);
   const double low = bands.from(ring), high = bands.to(ring);
@@ -278,7 +276,8 @@ std::vector<double> sharesOf(const BandPowers& bands, std::size_t ring) {
   return shares;
 }
 
-/// Multiplies all powers by a power law of q, so that their sum and their rms slope become these.
+/// Multiplies all powers by a power law of q so that their sum and their rms slope have the given
+/// values.
 void tilt(BandPowers& bands, double total, double rmsSlope) {
   constexpr double kSteepest = 4;
   constexpr int kHalvings = 60;
@@ -301,12 +300,12 @@ void tilt(BandPowers& bands, double total, double rmsSlope) {
 
 }  // namespace
 
-EquivalentSpectra equivalentOf(const BandPowers& profile) {
+EquivalentSpectra equivalentSpectra(const BandPowers& profile) {
   constexpr int kRounds = 100;
   EquivalentSpectra spectra{profile, profile};
   const std::size_t bands = profile.bands();
   std::vector<std::vector<double>> shares;
-  for (std::size_t ring = 0; ring < bands; ++ring) shares.push_back(sharesOf(profile, ring));
+  for (std::size_t ring = 0; ring < bands; ++ring) shares.push_back(ringShares(profile, ring));
   std::vector<double>& power = spectra.line.power;
   std::vector<double> seen(bands), next(bands);
   for (int round = 0; round < kRounds; ++round) {

@@ -1,11 +1,12 @@
-// Power spectra of measured profiles and topographies in bands that are evenly spaced in the
+// Power spectra of measured profiles and topographies, in bands that are evenly spaced in the
 // logarithm of the wave number, and the line that the method of dimensionality reduction needs for
-// an isotropic surface. Pure functions; any thread. No gaps in what is analysed.
+// an isotropic surface. Pure functions; any thread. The heights must have no gaps.
 //
 // Conventions (Persson): C1 is two-sided per wave number, <h^2> = 2 integral C1 dq; C2 is
 // isotropic, <h^2> = 2 pi integral C2 q dq. The equivalent line has C_line = pi q C2 (Geike and
-// Popov 2007; Popov and Hess, Method of Dimensionality Reduction, ch. 10): in each ring of wave
-// numbers as much power as the surface, so its <h^2> and, as <z'^2>, its <|grad h|^2>.
+// Popov 2007; Popov and Hess, Method of Dimensionality Reduction, ch. 10). In each ring of wave
+// numbers it has as much power as the surface, so that its <h^2> equals that of the surface and its
+// <z'^2> equals <|grad h|^2>.
 #pragma once
 
 #include <functional>
@@ -19,18 +20,20 @@
 
 namespace asperity {
 
-/// Power (m^2, its part of <h^2>) of the waves 0, 1, ..., n/2 of a profile under a Hann window,
-/// normalised so that the window takes no power on average.
+/// Returns the powers of the waves 0, 1, ..., n/2 of a profile under a Hann window (m^2, the part
+/// of each in <h^2>), normalised so that the window takes no power on average.
 std::vector<double> hannPowers(std::span<const double> heights);
 
-/// Spectrum of a profile, C1 over q, as it is with the Hann window, without the wave 0.
+/// Returns the spectrum of a profile, C1 over q, under a Hann window and without the wave 0.
+/// spacing: m.
 SpectralDensity hannSpectrum(std::span<const double> heights, double spacing);
 
-/// Wave numbers of a profile between which its spectrum speaks of roughness: from the third wave,
-/// because the window mixes each with its neighbours, to half of the highest one, or to where white
-/// noise begins: there the spectrum falls less than 1/q for good, which no self-affine surface
-/// does, and has no peaks, which a machined one has. The cut-off of the short waves ends it, too.
-/// What the radius of a stylus' tip has smoothed is not seen from the heights alone.
+/// The wave numbers of a profile between which its spectrum describes its roughness. The band
+/// begins at the third wave, because the window mixes each wave with its neighbours. It ends at
+/// half of the highest wave number, or where white noise begins: from there on the spectrum falls
+/// more slowly than 1/q, which the spectrum of no self-affine surface does, and has no peaks, which
+/// that of a machined surface has. The cut-off of the short waves ends the band as well. Smoothing
+/// by the tip of a stylus cannot be recognized from the heights alone.
 struct ReliableBand {
   double from = 0, to = 0;  // 1/m
   bool endsInNoise = false;
@@ -38,7 +41,7 @@ struct ReliableBand {
 ReliableBand reliableBand(std::span<const double> heights, double spacing, double shortWaveCut);
 
 /// Powers (m^2) in bands of wave numbers. Band j covers the waves first[j] to first[j + 1] - 1 of
-/// the length that they were analysed on; the lowest band has the wave 0 as well.
+/// the analysed length; the lowest band contains the wave 0 as well.
 struct BandPowers {
   double length = 0;               // m; wave k has q = 2 pi k / length
   std::vector<std::size_t> first;  // one more than bands
@@ -49,38 +52,41 @@ struct BandPowers {
   double to(std::size_t band) const;      // 1/m, upper edge
   double centre(std::size_t band) const;  // 1/m
   double total() const;                   // m^2
-  /// Rms slope that these powers make.
+  /// Returns the rms slope that follows from these powers.
   double rmsSlope() const;
   SpectralDensity density() const;
 };
 
-/// Powers of the waves 0, 1, ... gathered in bands, 8 to a decade where there are as many waves.
+/// Gathers the powers of the waves 0, 1, ... in bands: 8 per decade where there are as many waves.
 BandPowers inBands(std::span<const double> powers, double length);
 
-/// The spectra of an isotropic surface: of profiles cut from it, and of its equivalent line.
+/// The spectra of an isotropic surface: that of profiles cut from it, and that of its equivalent
+/// line.
 struct EquivalentSpectra {
   BandPowers profile, line;
 
-  /// Factor of the amplitudes of a measured profile at q that makes it the equivalent line,
-  /// sqrt(C_line / C_prof) of the band that q is in.
+  /// Returns the factor by which the amplitudes of a measured profile at q are multiplied to give
+  /// the equivalent line: sqrt(C_line / C_prof) of the band that contains q.
   double factor(double q) const;
 };
 
-/// From a topography without gaps: its two-dimensional spectrum under a Hann window, summed over
-/// rings. `form` is subtracted from the whole before (a plane, a paraboloid). `progress` is told
-/// the part done, 0 to 1. Throws ReadingStopped (core/measured/measured_file.h) where `stop` was
-/// requested, within a row or the one transform of all of them.
-EquivalentSpectra equivalentOf(const Topography& topography, FormRemoval form,
-                               const std::stop_token& stop = {},
-                               const std::function<void(double)>& progress = {});
+/// Returns the spectra of a topography without gaps from its two-dimensional spectrum under a Hann
+/// window, summed over rings. `form` is subtracted from the whole topography before (a plane, a
+/// paraboloid). `progress` is called with the finished part, 0 to 1. Throws StopRequested
+/// (core/base/stop.h) where `stop` was requested, within a row or within the one transform of all
+/// rows.
+EquivalentSpectra equivalentSpectra(const Topography& topography, FormRemoval form,
+                                    const std::stop_token& stop = {},
+                                    const std::function<void(double)>& progress = {});
 
-/// From one profile by the Abel relation C_prof(q) = 2 integral from q of C2(q') q' dq' /
-/// sqrt(q'^2 - q^2): a wave q' of an isotropic surface appears in a cut at q' cos(phi) with phi
-/// uniform. Solved in bands for powers that are not below 0 by expectation and maximisation (Lucy
-/// 1974; Richardson 1972), which keeps the sum of the powers. Where a spectrum scatters, powers
-/// that cannot be below 0 lean to long waves, so they are tilted by a power law until the mean
-/// square slope is what the relation says for certain: twice that of the profile, as cos^2(phi) is
-/// 1/2 on average.
-EquivalentSpectra equivalentOf(const BandPowers& profile);
+/// Returns the spectra of an isotropic surface of which one profile is known, by the Abel relation
+/// C_prof(q) = 2 integral from q of C2(q') q' dq' / sqrt(q'^2 - q^2): a wave q' of the surface
+/// appears in a cut at q' cos(phi), with phi uniformly distributed. The relation is solved in bands
+/// for powers that are not negative by expectation and maximisation (Lucy 1974; Richardson 1972),
+/// which preserves the sum of the powers. For a scattered spectrum this method favours long waves.
+/// The powers are therefore multiplied by a power law of q so that their mean square slope is the
+/// one that the relation gives exactly: twice that of the profile, since the mean of cos^2(phi) is
+/// 1/2.
+EquivalentSpectra equivalentSpectra(const BandPowers& profile);
 
 }  // namespace asperity

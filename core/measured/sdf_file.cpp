@@ -1,7 +1,8 @@
-// Surface Data File (ISO 25178-71; BCR before it): aISO-1.0 and aISO-2.0 as text, bISO-1.0 and
-// bISO-2.0 as bytes, whose counts of points have 16 and 32 bits. Institutes put names of their own
-// behind the a or b ("aNPL-V1.0"); the header below is the same. Heights are numbers times Zscale,
-// in metres; BAD, the lowest integer or the lowest float marks a point that was not measured.
+// Surface Data File (ISO 25178-71; BCR before it): aISO-1.0 and aISO-2.0 are text, bISO-1.0 and
+// bISO-2.0 are binary with counts of points of 16 and 32 bits. Some institutes write their own name
+// behind the a or b ("aNPL-V1.0"); the header below it is the same. Heights are numbers times
+// Zscale, in metres. BAD, the lowest integer or the lowest float marks a point that was not
+// measured.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -22,7 +23,7 @@ namespace {
 constexpr std::size_t kMagicSize = 8, kIdentity = 10, kDates = 24;
 constexpr std::size_t kNumbersSize = 43;  // of 32-bit counts, which are the longer ones
 
-/// Appends the heights of a grid, whose bytes are the first ones of the data.
+/// Appends the heights of a grid; its bytes are the first ones of the data.
 template <class Number>
 void takeHeights(const SurfaceSource& source, std::string_view data, double scale,
                  SurfaceDraft& draft) {
@@ -45,7 +46,7 @@ constexpr DataType dataType() {
   return {sizeof(Number), takeHeights<Number>};
 }
 
-/// By the code in the header. The unsigned ones are of BCR alone.
+/// The types by their code in the header; only BCR has the unsigned ones.
 constexpr std::array kDataTypes{dataType<std::uint8_t>(),  dataType<std::uint16_t>(),
                                 dataType<std::uint32_t>(), dataType<float>(),
                                 dataType<std::int8_t>(),   dataType<std::int16_t>(),
@@ -61,8 +62,8 @@ bool isKnownType(int code) {
   return code >= 0 && code < static_cast<int>(kDataTypes.size());
 }
 
-/// The grid of the header, without heights.
-SurfaceDraft draftOf(const SurfaceSource& source, const Header& header) {
+/// Makes a draft with the grid of the header, without heights.
+SurfaceDraft makeDraft(const SurfaceSource& source, const Header& header) {
   const auto requirePositive = [&source](std::string_view key, double value) {
     if (!(value > 0) || !std::isfinite(value))
       source.fail(message("{} in the header is not a number above 0", key));
@@ -105,7 +106,7 @@ Header readNumbers(ByteReader& reader, Counts counts) {
   return header;
 }
 
-/// Whether the numbers of a header can be meant.
+/// Returns whether the numbers of a header are possible.
 bool isPossible(const Header& header) {
   const auto isBetween = [](double size, double least, double most) {
     return std::isfinite(size) && std::abs(size) >= least && std::abs(size) <= most;
@@ -114,13 +115,14 @@ bool isPossible(const Header& header) {
          isBetween(header.zScale, 1e-20, 1e6) && isKnownType(header.dataType);
 }
 
-/// As the name of the version says.
+/// Returns the size of the counts as the name of the version states it.
 Counts namedCounts(std::string_view bytes) {
   return bytes.substr(0, kMagicSize).ends_with("2.0") ? Counts::Of32Bits : Counts::Of16Bits;
 }
 
-/// Counts have 32 bits in the second version; some writers put its name above a header of the
-/// first one. Empty where the header is none of them.
+/// Returns the size of the counts with which the header is possible. It has 32 bits in the second
+/// version, but some programs write the name of the second version above a header of the first one.
+/// Empty where the header is neither.
 std::optional<Counts> possibleCounts(const SurfaceSource& source) {
   const std::string_view bytes = source.bytes;
   if (bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize) return {};
@@ -137,8 +139,8 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   ByteReader reader(source, source.bytes);
   const Header header =
       readNumbers(reader, possibleCounts(source).value_or(namedCounts(source.bytes)));
-  SurfaceDraft draft = draftOf(source, header);
-  const std::string_view data = source.bytes.substr(reader.place());
+  SurfaceDraft draft = makeDraft(source, header);
+  const std::string_view data = source.bytes.substr(reader.position());
   const DataType& type = kDataTypes[static_cast<std::size_t>(header.dataType)];
   requireSize(source, header.columns, header.rows, data.size(), type.size);
   type.takeHeights(source, data, header.zScale, draft);
@@ -162,8 +164,8 @@ class TextReader {
     header.compression = static_cast<int>(whole("Compression", "0"));
     header.dataType = static_cast<int>(whole("DataType", "7"));
     header.checkType = static_cast<int>(whole("CheckType", "0"));
-    SurfaceDraft draft = draftOf(source_, header);
-    // A digit and a blank are the least that a height takes.
+    SurfaceDraft draft = makeDraft(source_, header);
+    // A height takes at least a digit and a blank.
     requireSize(source_, header.columns, header.rows, reader_.left() + 1, 2);
     const auto count = static_cast<std::size_t>(header.columns * header.rows);
     HeightWords words;
@@ -175,7 +177,7 @@ class TextReader {
   }
 
  private:
-  /// Up to the line of a star.
+  /// Reads up to the line with a star.
   void readHeader() {
     reader_.nextLine();  // version
     while (true) {
@@ -197,7 +199,7 @@ class TextReader {
     return fallback;
   }
   double real(const std::string& key, std::string_view fallback = {}) const {
-    const auto number = numberIn(value(key, fallback));
+    const auto number = parseFiniteNumber(value(key, fallback));
     if (!number) source_.fail(message("{} in the header is not a number", key));
     return *number;
   }
@@ -215,8 +217,8 @@ class TextReader {
 
 // ---- Recognition -------------------------------------------------------------------------------
 
-/// Whether the first line is a version such as "aISO-1.0" or "aNPL-V1.0" and the maker stands
-/// below.
+/// Returns whether the first line is a version such as "aISO-1.0" or "aNPL-V1.0" and the
+/// manufacturer follows.
 bool isText(std::string_view bytes) {
   constexpr std::size_t kLongestVersion = 32, kLinesLookedAt = 4;
   WordReader reader(bytes.substr(0, 1024));
@@ -228,7 +230,7 @@ bool isText(std::string_view bytes) {
   return false;
 }
 
-/// Whether the texts of the header are texts and its numbers are possible.
+/// Returns whether the texts of the header are printable and its numbers possible.
 bool isBinary(const SurfaceSource& source) {
   const std::string_view bytes = source.bytes;
   if (!bytes.starts_with('b') || bytes.size() < kMagicSize + kIdentity + kDates + kNumbersSize)

@@ -1,8 +1,8 @@
-// Profiles of ISO 5436-2 (SMD, the format of its softgauges) and of PRF, NPL's relative of it.
-// Record 1 has a line for each axis: name (CX, CZ), type (A absolute, I incremental, R relative, M
-// measured), number of points, unit, scale, type of number and, where incremental, the step. Record
-// 2 has lines of words, among them "SPACING CX step" in PRF. Record 3 has the numbers. A record
-// ends with ETX, in PRF with a line EOR; texts may end with a zero byte.
+// Profiles of ISO 5436-2 (SMD, the format of its softgauges) and of PRF, a related format of NPL.
+// Record 1 has one line for each axis: name (CX, CZ), type (A absolute, I incremental, R relative,
+// M measured), number of points, unit, scale, type of number and, where incremental, the step.
+// Record 2 has lines of words, in PRF with "SPACING CX step" among them. Record 3 has the numbers.
+// A record ends with ETX, in PRF with a line EOR; texts may end with a zero byte.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -27,14 +27,15 @@ struct Axis {
   double step = 0;  // 0: none stated
 };
 
-/// The axis of a line "CX I 22401 mm 1.0e0 D 2.5e-4"; empty where the line is none.
+/// Returns the axis that a line such as "CX I 22401 mm 1.0e0 D 2.5e-4" describes; empty where the
+/// line describes none.
 std::optional<Axis> axisIn(std::string_view line, std::string_view name) {
   constexpr std::size_t kFewest = 5, kWithStep = 7;
-  const std::vector<std::string_view> words = wordsOf(line);
+  const std::vector<std::string_view> words = splitWords(line);
   if (words.size() < kFewest || words[0] != name || words[1].size() != 1) return {};
-  const auto points = numberIn(words[2]), scale = numberIn(words[4]);
+  const auto points = parseFiniteNumber(words[2]), scale = parseFiniteNumber(words[4]);
   if (!points || !scale) return {};
-  const auto step = words.size() >= kWithStep ? numberIn(words[6]) : std::nullopt;
+  const auto step = words.size() >= kWithStep ? parseFiniteNumber(words[6]) : std::nullopt;
   return Axis{words[1], *points, words[3], *scale, step.value_or(0)};
 }
 
@@ -43,13 +44,13 @@ bool endsRecord(std::string_view line) {
 }
 
 bool isOfNumbers(std::string_view line) {
-  const std::vector<std::string_view> words = wordsOf(line);
+  const std::vector<std::string_view> words = splitWords(line);
   return !words.empty() && std::ranges::all_of(words, [](std::string_view word) {
-    return numberIn(word).has_value();
+    return parseFiniteNumber(word).has_value();
   });
 }
 
-/// Text with blanks for the zero bytes that end its words.
+/// Returns the text with blanks in place of the zero bytes that end its words.
 std::string withoutZeros(std::string_view bytes) {
   std::string text(withoutByteOrderMark(bytes));
   std::ranges::replace(text, '\0', ' ');
@@ -77,12 +78,12 @@ class Reader {
     if (numbers_.size() == static_cast<std::size_t>(points))
       placeAtSteps(draft);
     else
-      placeAtPositions(draft);
+      separateAxes(draft);
     return draft;
   }
 
  private:
-  /// Records 1 and 2, and the first line of record 3.
+  /// Reads records 1 and 2, and the first line of record 3.
   void readHeader() {
     std::optional<Axis> x, z;
     int ends = 0;
@@ -96,7 +97,7 @@ class Reader {
       x_ = *x;
       z_ = *z;
       if (endsRecord(line) && ++ends == 2) return;
-      // Copies of such files may have lost the marks between the records.
+      // Some copies of such files have lost the marks between the records.
       if (isOfNumbers(line)) {
         firstLine_ = line;
         return;
@@ -106,11 +107,11 @@ class Reader {
     source_.fail(message("the header of the {} file has no end", "SMD"));
   }
 
-  /// "SPACING CX 2.5e-4".
+  /// Reads a line "SPACING CX 2.5e-4".
   void readSpacing(std::string_view line) {
-    const std::vector<std::string_view> words = wordsOf(line);
+    const std::vector<std::string_view> words = splitWords(line);
     if (words.size() >= 3 && words[0] == "SPACING" && words[1] == "CX")
-      spacing_ = numberIn(words[2]).value_or(spacing_);
+      spacing_ = parseFiniteNumber(words[2]).value_or(spacing_);
   }
 
   std::int64_t countOf(const Axis& axis) const {
@@ -122,13 +123,13 @@ class Reader {
     return *points;
   }
 
-  /// All numbers of record 3: as many as there are points, or twice as many.
+  /// Reads all numbers of record 3: one or two for each point.
   void readNumbers(std::size_t points) {
     std::string_view line = firstLine_.empty() ? reader_.nextLine() : firstLine_;
     for (bool isFirst = true;; line = reader_.nextLine(), isFirst = false) {
       const std::string_view content = line.substr(0, line.find(kEndOfRecord));
       const std::vector<std::string_view> words =
-          wordsOf(line == "EOR" || line == "EOF" ? "" : content);
+          splitWords(line == "EOR" || line == "EOF" ? "" : content);
       if (isFirst) inRows_ = words.size() == 2;
       for (const std::string_view word : words) addNumber(word, 2 * points);
       if (endsRecord(line) || reader_.atEnd()) break;
@@ -142,7 +143,7 @@ class Reader {
 
   void addNumber(std::string_view word, std::size_t most) {
     source_.reportPoint(numbers_.size(), most);
-    const double number = heightIn(source_, reader_, word, numbers_.size());
+    const double number = parseHeight(source_, reader_, word, numbers_.size());
     if (numbers_.size() == most)
       source_.fail(message("line {}: has more than the {} heights that the header says",
                            reader_.line(), most / 2));
@@ -162,24 +163,24 @@ class Reader {
     if (!draft.hasPositions) draft.positionUnit.reset();
   }
 
-  /// The numbers are those of both axes: x and z of one point after the other, or first all x.
-  void placeAtPositions(SurfaceDraft& draft) {
+  /// Separates the numbers of both axes: x and z of one point after the other, or first all x.
+  void separateAxes(SurfaceDraft& draft) {
     const std::size_t points = numbers_.size() / 2;
     const bool inTurn = inRows_ || !std::ranges::is_sorted(std::span(numbers_).first(points));
-    std::vector<double> places, heights;
+    std::vector<double> positions, heights;
     for (std::size_t i = 0; i < points; ++i) {
-      const double place = numbers_[inTurn ? 2 * i : i];
-      places.push_back(place * x_.scale);
+      const double position = numbers_[inTurn ? 2 * i : i];
+      positions.push_back(position * x_.scale);
       heights.push_back(heightOf(numbers_[inTurn ? 2 * i + 1 : points + i]));
     }
-    placeUniformly(std::move(places), std::move(heights), {}, source_, draft);
+    resampleUniformly(std::move(positions), std::move(heights), {}, source_, draft);
   }
 
   const SurfaceSource& source_;
   WordReader reader_;
   std::string_view firstLine_;  // of record 3, where the header was read up to it
   Axis x_, z_;
-  double spacing_ = 0;   // as SPACING says; 0: it says nothing
+  double spacing_ = 0;   // of the line SPACING; 0: there is none
   bool inRows_ = false;  // x and z stand in one line
   std::vector<double> numbers_;
 };

@@ -5,24 +5,26 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
-/// A part of a density between two points or in one bin: a power law where both values are above 0,
-/// else a straight line.
+/// The part of a density between two points or in one bin: a power law where both values are above
+/// 0, else a straight line.
 struct Piece {
   double from, fromValue, to, toValue;
 
-  /// Integral from its beginning to x.
+  /// Returns the integral from the beginning to x.
   double integralTo(double x) const {
-    constexpr double kNear = 1e-9;  // of points that are too near each other for a power law
+    constexpr double kNear = 1e-9;  // relative distance below which no power law is used
     if (!(fromValue > 0) || !(toValue > 0) || to - from < kNear * from) {
       const double value = fromValue + (toValue - fromValue) * (x - from) / (to - from);
       return 0.5 * (fromValue + value) * (x - from);
     }
     const double exponent = std::log(toValue / fromValue) / std::log(to / from) + 1;
     const double ratio = std::log(x / from);
-    // (e^(a r) - 1) / a tends to r where a is small.
+    // (e^(a r) - 1) / a tends to r for small a.
     return fromValue * from *
            (std::abs(exponent * ratio) < 1e-12 ? ratio : std::expm1(exponent * ratio) / exponent);
   }
@@ -68,19 +70,17 @@ double SpectralDensity::integral() const {
   return integralTo(std::numeric_limits<double>::infinity());
 }
 
-std::vector<double> binEdgesOf(std::span<const double> waveNumbers) {
+std::vector<double> findBinEdges(std::span<const double> waveNumbers) {
   constexpr std::size_t kFewest = 4;
   constexpr double kOfStep = 0.25, kOfMultiple = 0.05;
   const std::size_t count = waveNumbers.size();
   if (count < kFewest) return {};
   std::vector<double> spacings;
   for (std::size_t i = 1; i < count; ++i) spacings.push_back(waveNumbers[i] - waveNumbers[i - 1]);
-  std::vector<double> sorted = spacings;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double middle = upperMedian(spacings);
   double step = 0, steps = 0;
   for (const double spacing : spacings)
-    if (std::abs(spacing - *middle) <= kOfStep * *middle) {
+    if (std::abs(spacing - middle) <= kOfStep * middle) {
       step += spacing;
       ++steps;
     }
@@ -104,7 +104,7 @@ SpectralDensity within(const SpectralDensity& density, double lowest, double hig
     part.waveNumber.push_back(wave);
     part.density.push_back(value);
   };
-  // The density at a wave number inside of a segment.
+  // Returns the density at a wave number inside a segment.
   const auto between = [&](std::size_t i, double wave) {
     const double low = density.density[i], high = density.density[i + 1];
     if (!(low > 0) || !(high > 0)) return low + (high - low) * (wave - q[i]) / (q[i + 1] - q[i]);
@@ -125,7 +125,7 @@ std::vector<double> modeMagnitudes(const SpectralDensity& density, double length
   const std::size_t count = pieces(density);
   if (count == 0) return magnitudes;
   const double lowest = 2 * std::numbers::pi / length;
-  // Both the edges of the modes and the pieces of the density ascend: one walk along them.
+  // Both the edges of the modes and the pieces of the density ascend, so one pass visits both.
   std::size_t i = 0;
   double before = 0;  // integral up to the piece
   const auto integralTo = [&](double edge) {

@@ -1,5 +1,5 @@
 // Surfaces and profiles of Digital Surf (SUR, PRO): a header of 512 bytes, a comment, a private
-// zone, then whole numbers of 16 or 32 bits row by row; or the same as packed streams of zlib.
+// zone, then whole numbers of 16 or 32 bits row by row, which may be packed streams of zlib.
 // Heights are numbers times the spacing of z, in its step unit.
 #include <zlib.h>
 
@@ -33,7 +33,7 @@ struct Header {
   std::size_t comment = 0, privateZone = 0;
 };
 
-/// A text of a fixed size in Latin-1, filled up with blanks or zeros.
+/// Reads a text of a fixed size in Latin-1, padded with blanks or zeros.
 std::string fixedText(std::string_view bytes) {
   bytes = trimmedBlanks(bytes.substr(0, bytes.find('\0')));
   std::string text;
@@ -77,20 +77,21 @@ Header readHeader(const SurfaceSource& source) {
   reader.skip(3 * 2 + 12 + 7 * 2 + 4 + 10);  // replica, inverted, levelled; date; duration
   header.comment = reader.read<std::uint16_t>();
   header.privateZone = reader.read<std::uint16_t>();
-  reader.skip(kHeaderSize - reader.place());
+  reader.skip(kHeaderSize - reader.position());
   return header;
 }
 
-/// The unit in which the spacing is given.
-std::optional<StatedUnit> unitOf(const SurfaceSource& source, std::string_view name, Axis& axis) {
+/// Returns the unit of the spacing.
+std::optional<StatedUnit> spacingUnit(const SurfaceSource& source, std::string_view name,
+                                      Axis& axis) {
   if (!axis.stepUnit.empty() || axis.lengthUnit.empty())
     return statedUnit(source, name, axis.stepUnit);
   if (std::isfinite(axis.unitRatio) && axis.unitRatio > 0) axis.spacing /= axis.unitRatio;
   return statedUnit(source, name, axis.lengthUnit);
 }
 
-/// The streams of a packed file in one: their number, the plain and packed size of each, and the
-/// streams.
+/// Unpacks the streams of a packed file into one. The file states their number and the plain and
+/// packed size of each.
 std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_t expected) {
   const auto count = reader.read<std::uint32_t>();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sizes;
@@ -115,16 +116,17 @@ std::string unpacked(const SurfaceSource& source, ByteReader& reader, std::size_
   return bytes;
 }
 
-/// The grid of the header, without heights.
-SurfaceDraft draftOf(const SurfaceSource& source, Header& header) {
+/// Makes a draft with the grid of the header, without heights.
+SurfaceDraft makeDraft(const SurfaceSource& source, Header& header) {
   SurfaceDraft draft;
   draft.facts.format = "sur";
   Topography& grid = draft.grid;
   grid.columns = header.columns;
   grid.rows = header.rows;
-  draft.positionUnit = unitOf(source, "X", header.axes[0]);
-  const auto rowUnit = header.rows > 1 ? unitOf(source, "Y", header.axes[1]) : draft.positionUnit;
-  draft.heightUnit = unitOf(source, "Z", header.axes[2]);
+  draft.positionUnit = spacingUnit(source, "X", header.axes[0]);
+  const auto rowUnit =
+      header.rows > 1 ? spacingUnit(source, "Y", header.axes[1]) : draft.positionUnit;
+  draft.heightUnit = spacingUnit(source, "Z", header.axes[2]);
   for (std::size_t i = 0; i < 3; ++i) {
     constexpr std::array kNames{"X spacing", "Y spacing", "Z spacing"};
     const double spacing = header.axes[i].spacing;
@@ -135,7 +137,7 @@ SurfaceDraft draftOf(const SurfaceSource& source, Header& header) {
   if (header.rows > 1)
     grid.rowSpacing = std::abs(header.axes[1].spacing) * (rowUnit ? rowUnit->metres : 1) /
                       (draft.positionUnit ? draft.positionUnit->metres : 1);
-  // The profiles of a series follow each other by their number, not along y.
+  // The profiles of a series follow each other by number, not along y.
   const bool isSeries = header.type == 4 || header.type == 7;
   if (isSeries && (!std::isfinite(grid.rowSpacing) || !(grid.rowSpacing > 0)))
     grid.rowSpacing = grid.columnSpacing;
@@ -147,7 +149,7 @@ SurfaceDraft draftOf(const SurfaceSource& source, Header& header) {
 
 void takeHeights(const SurfaceSource& source, const Header& header, std::string_view data,
                  std::vector<double>& heights) {
-  // Two below the lowest height stands where nothing was measured.
+  // The lowest height minus two marks a point that was not measured.
   const std::int64_t gap = std::int64_t{header.lowest} - 2;
   const bool hasGaps = header.specialPoints != 0;
   const auto isGap = [gap, hasGaps](auto number) { return hasGaps && number == gap; };
@@ -175,13 +177,13 @@ SurfaceDraft readSur(const SurfaceSource& source) {
   ByteReader reader(source, source.bytes);
   reader.skip(kHeaderSize);
   reader.skip(header.comment + header.privateZone);
-  // Packed points may take any number of bytes; a thousandth is less than zlib can do.
+  // Packed points may take any number of bytes; zlib cannot reach a thousandth of their size.
   constexpr std::size_t kMostPacked = 1100;
   requireSize(source, header.columns, header.rows,
               header.isPacked ? reader.left() * kMostPacked : reader.left(), bytesOfPoint);
   const std::size_t bytes = static_cast<std::size_t>(header.columns * header.rows) * bytesOfPoint;
 
-  SurfaceDraft draft = draftOf(source, header);
+  SurfaceDraft draft = makeDraft(source, header);
   const std::string plain = header.isPacked ? unpacked(source, reader, bytes) : std::string();
   const std::string_view data = header.isPacked ? std::string_view(plain) : reader.take(bytes);
   if (data.size() < bytes)

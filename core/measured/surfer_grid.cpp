@@ -1,7 +1,7 @@
-// Grids of Golden Software's Surfer: DSAA (text), DSBB (bytes, 32-bit numbers) and DSRB (Surfer 7,
+// Grids of Golden Software's Surfer: DSAA (text), DSBB (binary, 32-bit numbers) and DSRB (Surfer 7,
 // sections with a name and a size, 64-bit numbers). Rows run along x, from the lowest y to the
-// highest one. Units of length are not stated. Blanked points have the number 1.70141e38; DSRB may
-// state another one, which in its first version stands for all numbers above it, too.
+// highest one. Units of length are not stated. Blanked points have the number 1.70141e38. DSRB may
+// state another number, which in its first version stands for all numbers above it as well.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kBlanked = 1.70141e38;  // this number and those above it
 
-/// Columns, rows and the places of the first and last ones.
+/// The numbers of columns and rows, and the positions of the first and last ones.
 struct Extent {
   std::int64_t columns = 0, rows = 0;
   double firstX = 0, lastX = 0, firstY = 0, lastY = 0;
 };
 
-SurfaceDraft draftOf(std::int64_t columns, std::int64_t rows, double xStep, double yStep) {
+SurfaceDraft makeDraft(std::int64_t columns, std::int64_t rows, double xStep, double yStep) {
   SurfaceDraft draft;
   draft.facts.format = "surfer";
   draft.grid.columns = columns;
@@ -32,12 +32,12 @@ SurfaceDraft draftOf(std::int64_t columns, std::int64_t rows, double xStep, doub
   return draft;
 }
 
-SurfaceDraft draftOf(const Extent& extent) {
+SurfaceDraft makeDraft(const Extent& extent) {
   const auto step = [](double first, double last, std::int64_t count) {
     return std::abs(last - first) / static_cast<double>(std::max<std::int64_t>(count - 1, 1));
   };
-  return draftOf(extent.columns, extent.rows, step(extent.firstX, extent.lastX, extent.columns),
-                 step(extent.firstY, extent.lastY, extent.rows));
+  return makeDraft(extent.columns, extent.rows, step(extent.firstX, extent.lastX, extent.columns),
+                   step(extent.firstY, extent.lastY, extent.rows));
 }
 
 SurfaceDraft readText(const SurfaceSource& source) {
@@ -45,7 +45,7 @@ SurfaceDraft readText(const SurfaceSource& source) {
   WordReader reader(decoded.text);
   reader.nextWord();  // DSAA
   const auto number = [&](std::string_view key) {
-    const auto value = numberIn(reader.nextWord());
+    const auto value = parseFiniteNumber(reader.nextWord());
     if (!value)
       source.fail(message("line {}: {} in the header is not a number", reader.line(), key));
     return *value;
@@ -64,8 +64,8 @@ SurfaceDraft readText(const SurfaceSource& source) {
   extent.lastY = number("yhi");
   number("zlo");
   number("zhi");
-  SurfaceDraft draft = draftOf(extent);
-  // A digit and a blank are the least that a height takes.
+  SurfaceDraft draft = makeDraft(extent);
+  // A height takes at least a digit and a blank.
   requireSize(source, extent.columns, extent.rows, reader.left() + 1, 2);
   const auto points = static_cast<std::size_t>(extent.columns * extent.rows);
   readHeights(source, reader, points, {1, kBlanked}, draft.grid.height);
@@ -84,7 +84,7 @@ SurfaceDraft readBytes(const SurfaceSource& source) {
   extent.firstY = reader.read<double>();
   extent.lastY = reader.read<double>();
   reader.skip(2 * sizeof(double));  // lowest and highest z
-  SurfaceDraft draft = draftOf(extent);
+  SurfaceDraft draft = makeDraft(extent);
   requireSize(source, extent.columns, extent.rows, reader.left(), sizeof(float));
   const auto bytes = static_cast<std::size_t>(extent.columns * extent.rows) * sizeof(float);
   appendHeights<float>(source, reader.take(bytes), 1, draft.grid.height,
@@ -120,7 +120,7 @@ SurfaceDraft readSections(const SurfaceSource& source) {
     const auto xStep = header.read<double>(), yStep = header.read<double>();
     header.skip(3 * sizeof(double));  // lowest and highest z, rotation
     blank = header.read<double>();
-    draft = draftOf(columns, rows, xStep, yStep);
+    draft = makeDraft(columns, rows, xStep, yStep);
     hasGrid = true;
   }
   source.fail(message("has no block of heights; known are {}", "DATA"));

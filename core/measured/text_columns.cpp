@@ -1,4 +1,4 @@
-// What the columns of a text table and the lines above it say about a surface.
+// Finds what the columns of a text table and the lines above it state about a surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Names in lower case; those of one letter must be all of the name.
+/// Names of columns of positions, heights, ... in lower case; a name of one letter must be the
+/// whole name.
 constexpr std::array kPositions{"x"sv,          "position"sv, "pos"sv,
                                 "distance"sv,   "dist"sv,     "lateral"sv,
                                 "abscissa"sv,   "abszisse"sv, "weg"sv,
@@ -43,14 +44,15 @@ constexpr std::array kBad{"invalid"sv,       "bad"sv,     "error"sv,
                           "ung\u00FCltig"sv, "missing"sv, "outlier"sv};
 constexpr std::array kEither{"flag"sv, "flags"sv, "status"sv, "mask"sv, "quality"sv, "qual"sv};
 
-/// "x position", "x_axis", "height data": the first word, or all of the name.
+/// Returns whether one of the words is the first word of the name, or the whole name: "x position",
+/// "x_axis", "height data".
 template <std::size_t count>
 bool begins(const std::array<std::string_view, count>& words, std::string_view name) {
   if (isOneOf(name, words)) return true;
   return isOneOf(name.substr(0, std::min(name.find_first_of(" _-.("), name.size())), words);
 }
 
-/// Whether the column never turns.
+/// Returns whether the column only rises or only falls.
 bool isMonotone(const TextBlock& block, std::size_t column) {
   bool rises = true, falls = true, changes = false;
   double last = 0;
@@ -69,8 +71,9 @@ bool isMonotone(const TextBlock& block, std::size_t column) {
   return changes && (rises || falls);
 }
 
-/// "Profile Position", "P-Profile length": where the profile is, and not how high.
-bool isPlaceOfProfile(std::string_view name) {
+/// Returns whether the name is that of a position along the profile and not of a height: "Profile
+/// Position", "P-Profile length".
+bool isProfilePosition(std::string_view name) {
   const std::size_t at = name.find("profil");
   if (at == std::string_view::npos) return false;
   for (std::size_t i = name.find_first_of(" _-", at); i < name.size();
@@ -84,8 +87,8 @@ bool isPlaceOfProfile(std::string_view name) {
 
 enum class Course { Uniform, Monotone };
 
-/// Among columns named like heights, the only one with this course: "Profile Path Length" beside
-/// "Depth". -1: there is none.
+/// Returns the only column among those named like heights whose numbers run like positions, such as
+/// "Profile Path Length" beside "Depth". -1: there is none.
 int onlyOne(const TextBlock& block, const std::vector<int>& columns, Course course) {
   int found = -1;
   for (const int column : columns) {
@@ -100,21 +103,21 @@ int onlyOne(const TextBlock& block, const std::vector<int>& columns, Course cour
   return found;
 }
 
-/// What stands in brackets at the end of a name; empty where there is nothing.
+/// Returns the text in brackets at the end of a name; empty where there is none.
 std::string_view inBrackets(std::string_view name) {
   const std::size_t begin = name.rfind('(');
   if (begin == std::string_view::npos || begin == 0 || !name.ends_with(')')) return {};
   return trimmedBlanks(name.substr(begin + 1, name.size() - begin - 2));
 }
 
-/// Whether it can be meant as a unit: short, and not a number.
+/// Returns whether a text may be meant as a unit: it is short and no number.
 bool canBeUnit(std::string_view text) {
   constexpr std::size_t kLongest = 20;
   return !text.empty() && text.size() <= kLongest &&
          text.find_first_of("0123456789") == std::string_view::npos;
 }
 
-/// Share of ones where there is nothing but 0 and 1; -1 else.
+/// Returns the share of ones where all numbers are 0 or 1; else -1.
 double shareOfOnes(const TextBlock& block, std::size_t column) {
   double ones = 0, all = 0;
   for (std::size_t i = 0; i < block.rows; ++i) {
@@ -131,7 +134,7 @@ void findValidity(const TextBlock& block, int column, std::string_view name, Col
   const double ones = shareOfOnes(block, static_cast<std::size_t>(column));
   if (ones < 0) return;
   const bool named = isOneOf(name, kGood) || isOneOf(name, kBad) || isOneOf(name, kEither);
-  // Without a name only a last column that has both numbers.
+  // A column without a name is one of validity only where it is the last one and has both numbers.
   const bool isLast = column + 1 == static_cast<int>(block.columns.size());
   if (!named && !(name.empty() && isLast && column > 1 && ones > 0 && ones < 1)) return;
   roles.validity = column;
@@ -148,7 +151,7 @@ Message columnText(const TextBlock& block, int column) {
 
 namespace {
 
-/// Finds what the columns are: by name first, then by their numbers.
+/// Finds the roles of the columns: first by name, then by their numbers.
 class RoleFinder {
  public:
   RoleFinder(const TextBlock& block, const SurfaceSource& source)
@@ -171,7 +174,7 @@ class RoleFinder {
   }
 
  private:
-  /// The column that the user chose, counted from 0; -1: none.
+  /// Returns the column that the user chose, counted from 0; -1: none.
   int chosen(const SurfaceSource& source, int choice, const char* key) const {
     const int columns = static_cast<int>(block_.columns.size());
     if (choice > columns)
@@ -186,7 +189,7 @@ class RoleFinder {
       if (i == positionChoice_ || i == heightChoice_) continue;
       if (begins(kRows, name) && !name.starts_with("y.") && !name.starts_with("y("))
         lateral.push_back(roles_.y = i);
-      else if (roles_.x < 0 && (begins(kPositions, name) || isPlaceOfProfile(name)))
+      else if (roles_.x < 0 && (begins(kPositions, name) || isProfilePosition(name)))
         roles_.x = i;
       else if (begins(kHeights, name))
         roles_.heights.push_back(i);
@@ -204,7 +207,7 @@ class RoleFinder {
     roles_.named = roles_.x >= 0 || !roles_.heights.empty();
   }
 
-  /// "x" and "y" without "z": y is the height, as a plot has it.
+  /// Takes "y" for the height where there are "x" and "y" without "z", as in a plot.
   void takeRowsAsHeights() {
     const bool isHeight =
         roles_.y >= 0 && roles_.heights.empty() && heightChoice_ < 0 && open_.empty();
@@ -218,7 +221,8 @@ class RoleFinder {
       roles_.x = positionChoice_;
       return;
     }
-    // Unnamed counts in front of at least two further columns.
+    // A column without a name that counts the rows, in front of at least two others, numbers the
+    // points.
     if (open_.size() > 2 && nameOf(open_.front()).empty() && isCount(open_.front()) &&
         isMonotone(block_, static_cast<std::size_t>(open_[1])))
       open_.erase(open_.begin());
@@ -242,10 +246,11 @@ class RoleFinder {
     else if (!roles_.heights.empty())
       roles_.z = roles_.heights.front();
     else if (roles_.x >= 0 && positionChoice_ < 0)
-      std::swap(roles_.x, roles_.z);  // one column alone holds heights, whatever its name
+      std::swap(roles_.x, roles_.z);  // a single column holds heights, whatever its name
   }
 
-  /// Columns in the same unit could be the heights as well; without units, those named like them.
+  /// Counts the columns that could be the heights as well: those in the same unit or, without
+  /// units, those with a similar name.
   void countCandidates(std::size_t namedHeights) {
     const std::string& unit = unitOf(roles_.z);
     const auto isAlike = [&](int column) { return unitOf(column) == unit; };
@@ -277,33 +282,33 @@ bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles,
   if (roles.x < 0 || source.choices.positionColumn > 0) return false;
   const TextColumn& column = block.columns[static_cast<std::size_t>(roles.x)];
   const std::string name = lowerCase(column.name);
-  return column.unit.empty() && !begins(kPositions, name) && !isPlaceOfProfile(name) &&
+  return column.unit.empty() && !begins(kPositions, name) && !isProfilePosition(name) &&
          countsRows(block, static_cast<std::size_t>(roles.x));
 }
 
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          const std::vector<std::string>& keys) {
   for (const std::string& key : keys) {
-    const auto quantity = quantityIn(table.entry(key, block));
+    const auto quantity = parseQuantity(table.entry(key, block));
     if (!quantity || !(quantity->number > 0)) continue;
     HeaderLength length{quantity->number, {}};
     std::string unit = quantity->unit;
     for (const std::string_view each : {"/pixel", "/px", "/point"})
       if (lowerCase(unit).ends_with(each)) unit.resize(unit.size() - each.size());
-    // "Spacing (um) = 0.5": the unit stands in the key.
+    // In "Spacing (um) = 0.5" the key contains the unit.
     if (const auto metres = metresPer(unit))
       length.unit = StatedUnit{unit, *metres};
     else if (!unit.empty())
       continue;
     return length;
   }
-  // Keys with a unit of their own.
+  // Then keys with a unit of their own are searched.
   for (const TextBlock& one : table.blocks) {
     for (const TextEntry& entry : one.header) {
       const ColumnName name = columnName(entry.key);
       if (name.unit.empty() || std::ranges::find(keys, lowerCase(name.name)) == keys.end())
         continue;
-      const auto quantity = quantityIn(entry.value);
+      const auto quantity = parseQuantity(entry.value);
       const auto metres = metresPer(name.unit);
       if (quantity && metres && quantity->number > 0)
         return HeaderLength{quantity->number, StatedUnit{name.unit, *metres}};
@@ -322,7 +327,7 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
     replaceAll(key, "{}", letter);
     const std::string text = table.entry(key, block);
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
-    const auto length = quantityIn(std::string_view(text).substr(end));
+    const auto length = parseQuantity(std::string_view(text).substr(end));
     double points = 0;
     if (!length || !readTextNumber(std::string_view(text).substr(0, end), '.', points)) continue;
     const auto metres = metresPer(length->unit);
@@ -335,7 +340,7 @@ std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock&
 
 namespace {
 
-/// Keys in lower case of entries that state a unit.
+/// The keys, in lower case, of entries that state a unit.
 std::vector<std::string> unitKeys(bool ofHeights, UnitEntries entries) {
   const std::vector<std::string> heights{"z",
                                          "value units",

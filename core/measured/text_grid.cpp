@@ -1,4 +1,4 @@
-// Topographies in text tables: a matrix of heights, or points x, y, z in any order.
+// Reads topographies in text tables: a matrix of heights, or points x, y, z in any order.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,12 +16,12 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // ---- Matrix ------------------------------------------------------------------------------------
 
-/// The width and height of the whole field, as Gwyddion writes them in each language.
+/// The keys of the width and height of the whole field, as Gwyddion writes them in each language.
 struct Extent {
   std::optional<HeaderLength> width, height;
 };
 
-Extent extentOf(const TextTable& table, const TextBlock& block) {
+Extent findExtent(const TextTable& table, const TextBlock& block) {
   Extent extent;
   extent.width = headerLength(
       table, block,
@@ -37,9 +37,9 @@ Extent extentOf(const TextTable& table, const TextBlock& block) {
   return extent;
 }
 
-/// SPIP's text: lengths in nanometres without a unit, heights in the unit that "z-unit" says or
-/// times Bit2nm in nanometres; with "voidpixels" a second matrix follows, which is 1 where there is
-/// a height and 0 where there is none.
+/// The text of SPIP: lengths are in nanometres without a unit; heights are in the unit of "z-unit",
+/// or times Bit2nm in nanometres. With "voidpixels" a second matrix follows, which is 1 where there
+/// is a height and 0 where there is none.
 struct SpipHeader {
   std::int64_t columns = 0, rows = 0;
   bool hasVoids = false;
@@ -47,7 +47,7 @@ struct SpipHeader {
 
 std::optional<SpipHeader> spipHeader(const TextTable& table, const TextBlock& block) {
   const auto number = [&](std::string_view key) {
-    const auto quantity = quantityIn(table.entry(key, block));
+    const auto quantity = parseQuantity(table.entry(key, block));
     return quantity ? wholeNumber(quantity->number).value_or(0) : 0;
   };
   const SpipHeader header{number("x-pixels"), number("y-pixels"), number("voidpixels") > 0};
@@ -55,11 +55,11 @@ std::optional<SpipHeader> spipHeader(const TextTable& table, const TextBlock& bl
 }
 
 std::optional<double> nanometresPerHeight(const TextTable& table, const TextBlock& block) {
-  const auto bit = quantityIn(table.entry("bit2nm", block));
+  const auto bit = parseQuantity(table.entry("bit2nm", block));
   return bit && bit->number > 0 ? std::optional(bit->number) : std::nullopt;
 }
 
-/// Checks the size and takes the matrix of voids away from the heights.
+/// Checks the size and removes the matrix of voids from the heights.
 void applySpipHeader(const SpipHeader& header, const SurfaceSource& source, Topography& grid) {
   const std::int64_t rows = header.hasVoids ? 2 * header.rows : header.rows;
   if (grid.columns != header.columns || grid.rows != rows)
@@ -85,14 +85,14 @@ Extent spipExtent(const TextTable& table, const TextBlock& block) {
   return extent;
 }
 
-/// Without any known key: the only two lengths above the numbers.
+/// Returns the extent where no key is known: the only two lengths above the numbers.
 Extent unnamedExtent(const TextBlock& block) {
   Extent extent;
   constexpr std::size_t kShortHeader = 5;
   if (block.header.size() > kShortHeader) return extent;
   std::vector<HeaderLength> lengths;
   for (const TextEntry& entry : block.header)
-    if (const auto quantity = quantityIn(entry.value); quantity && quantity->number > 0)
+    if (const auto quantity = parseQuantity(entry.value); quantity && quantity->number > 0)
       if (const auto metres = metresPer(quantity->unit))
         lengths.push_back({quantity->number, StatedUnit{quantity->unit, *metres}});
   if (lengths.size() == 2) {
@@ -102,17 +102,18 @@ Extent unnamedExtent(const TextBlock& block) {
   return extent;
 }
 
-/// A matrix may have positions in its first row and first column; the corner is empty or a text.
+/// The first row and the first column of a matrix where they hold positions; the corner is empty or
+/// a text.
 struct Frame {
   bool hasColumn = false, hasRow = false;
   std::vector<double> x, y;
 };
 
-Frame frameOf(const TextBlock& block) {
+Frame readFrame(const TextBlock& block) {
   Frame frame;
   const std::size_t columns = block.columns.size();
   if (columns < 4 || block.rows < 3) return frame;
-  // Names that are numbers: all but the first.
+  // All names but the first are numbers.
   std::vector<double> named;
   for (std::size_t i = 1; i < columns; ++i) {
     double number = 0;
@@ -140,7 +141,7 @@ Frame frameOf(const TextBlock& block) {
 }  // namespace
 
 bool hasPositionFrame(const TextBlock& block) {
-  return frameOf(block).hasColumn;
+  return readFrame(block).hasColumn;
 }
 
 namespace {
@@ -162,7 +163,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
                             double& spacing) {
     if (!length) return false;
     double factor = 1;
-    // The unit of the first length is that of both.
+    // The first length states the unit of both.
     if (length->unit && draft.positionUnit)
       factor = length->unit->metres / draft.positionUnit->metres;
     else if (length->unit)
@@ -170,7 +171,7 @@ void takeSpacings(const TextTable& table, const TextBlock& block, SurfaceDraft& 
     spacing = length->value / count * factor;
     return true;
   };
-  Extent extent = spipHeader(table, block) ? spipExtent(table, block) : extentOf(table, block);
+  Extent extent = spipHeader(table, block) ? spipExtent(table, block) : findExtent(table, block);
   const auto columnStep =
       headerLength(table, block,
                    {"cellsize", "dx", "x spacing", "spacing x", "x step", "pixel size x",
@@ -205,7 +206,7 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
   SurfaceDraft draft;
   draft.facts.format = "matrix";
   Topography& grid = draft.grid;
-  const Frame frame = frameOf(block);
+  const Frame frame = readFrame(block);
   const std::size_t firstColumn = frame.hasColumn ? 1 : 0, firstRow = frame.hasRow ? 1 : 0;
   grid.columns = static_cast<std::int64_t>(block.columns.size() - firstColumn);
   grid.rows = static_cast<std::int64_t>(block.rows - firstRow);
@@ -229,7 +230,7 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     draft.facts.notes.emplace_back("The first row and the first column are positions.");
   } else {
     takeSpacings(table, block, draft);
-    // The unit of the heights, which "Unit" may be as well, says nothing of a step.
+    // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
     if (!draft.positionUnit)
       draft.positionUnit = headerUnit(
           table, block, false, draft.hasPositions ? UnitEntries::AndCommon : UnitEntries::Own);
@@ -238,8 +239,8 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
     draft.heightUnit = StatedUnit{*size == 1 ? "nm" : plainNumber(*size) + " nm", 1e-9 * *size};
   if (!draft.heightUnit) draft.unknownHeightUnit = unknownUnit(table, block, -1, true);
   if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, -1, false);
-  // Numbers that stand for a missing value in ESRI's grids.
-  const auto none = quantityIn(table.entry("nodata_value", block));
+  // These numbers stand for a missing value in grids of ESRI.
+  const auto none = parseQuantity(table.entry("nodata_value", block));
   if (none)
     for (double& height : grid.height)
       if (!std::isnan(height) && height == none->number) height = kNone;
@@ -256,19 +257,19 @@ struct PointColumns {
 
 PointColumns pointColumns(const TextBlock& block, const ColumnRoles& roles) {
   PointColumns columns;
-  // Row numbers in front.
+  // The first column numbers the rows.
   if (block.columns.size() > 3 && countsRows(block, 0)) columns = {1, 2, 3};
   if (roles.y >= 0 && roles.x >= 0 && roles.z >= 0) columns = {roles.x, roles.y, roles.z};
   return columns;
 }
 
-std::vector<double> placesOf(const TextBlock& block, int column) {
-  std::vector<double> places;
-  places.reserve(block.rows);
+std::vector<double> columnValues(const TextBlock& block, int column) {
+  std::vector<double> values;
+  values.reserve(block.rows);
   for (std::size_t i = 0; i < block.rows; ++i)
     if (const double value = block.at(i, static_cast<std::size_t>(column)); !std::isnan(value))
-      places.push_back(value);
-  return places;
+      values.push_back(value);
+  return values;
 }
 
 }  // namespace
@@ -276,12 +277,13 @@ std::vector<double> placesOf(const TextBlock& block, int column) {
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles) {
   if (block.columns.size() < 3 || block.rows < 4) return false;
   const PointColumns columns = pointColumns(block, roles);
-  const std::vector<double> xs = placesOf(block, columns.x), ys = placesOf(block, columns.y);
+  const std::vector<double> xs = columnValues(block, columns.x),
+                            ys = columnValues(block, columns.y);
   if (xs.empty() || ys.empty()) return false;
   const auto most = static_cast<std::int64_t>(block.rows);
-  const auto x = gridAxis(xs, most), y = gridAxis(ys, most);
-  if (!x || !y || x->places < 2 || y->places < 2) return false;
-  const double all = static_cast<double>(x->places) * static_cast<double>(y->places);
+  const auto x = findGridAxis(xs, most), y = findGridAxis(ys, most);
+  if (!x || !y || x->count < 2 || y->count < 2) return false;
+  const double all = static_cast<double>(x->count) * static_cast<double>(y->count);
   return all <= 2 * static_cast<double>(block.rows) && all >= static_cast<double>(block.rows);
 }
 
@@ -304,15 +306,16 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   const double ofRows =
       (rowUnit ? rowUnit->metres : 1) / (draft.positionUnit ? draft.positionUnit->metres : 1);
 
-  const std::vector<double> xs = placesOf(block, columns.x), ys = placesOf(block, columns.y);
+  const std::vector<double> xs = columnValues(block, columns.x),
+                            ys = columnValues(block, columns.y);
   const auto most = static_cast<std::int64_t>(block.rows);
-  const auto x = xs.empty() ? std::nullopt : gridAxis(xs, most);
-  const auto y = ys.empty() ? std::nullopt : gridAxis(ys, most);
+  const auto x = xs.empty() ? std::nullopt : findGridAxis(xs, most);
+  const auto y = ys.empty() ? std::nullopt : findGridAxis(ys, most);
   if (!x || !y) source.fail("the points do not lie on a grid of uniform rows and columns");
-  // A single row may run along y as well.
+  // A single row may also run along y.
   Topography& grid = draft.grid;
-  grid.columns = x->places;
-  grid.rows = y->places;
+  grid.columns = x->count;
+  grid.rows = y->count;
   grid.columnSpacing = x->spacing;
   grid.rowSpacing = y->spacing * ofRows;
   const double all = static_cast<double>(grid.columns) * static_cast<double>(grid.rows);
@@ -321,8 +324,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
   requireSize(source, grid.columns, grid.rows, 0, 0);
   grid.height.assign(static_cast<std::size_t>(grid.columns * grid.rows), kNone);
   std::vector<bool> isTaken(grid.height.size());
-  const auto placeOf = [](double value, const GridAxis& axis) {
-    return axis.places > 1 ? std::llround((value - axis.first) / axis.spacing) : 0;
+  const auto gridIndex = [](double value, const GridAxis& axis) {
+    return axis.count > 1 ? std::llround((value - axis.first) / axis.spacing) : 0;
   };
   for (std::size_t i = 0; i < block.rows; ++i) {
     const double px = block.at(i, static_cast<std::size_t>(columns.x));
@@ -330,8 +333,8 @@ SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
     if (std::isnan(px) || std::isnan(py))
       source.fail(message("line {}: the position is missing", block.lines[i]));
     const auto at = static_cast<std::size_t>(
-        std::clamp<std::int64_t>(placeOf(py, *y), 0, grid.rows - 1) * grid.columns +
-        std::clamp<std::int64_t>(placeOf(px, *x), 0, grid.columns - 1));
+        std::clamp<std::int64_t>(gridIndex(py, *y), 0, grid.rows - 1) * grid.columns +
+        std::clamp<std::int64_t>(gridIndex(px, *x), 0, grid.columns - 1));
     if (isTaken[at])
       source.fail(message("line {}: there is a point at this position already", block.lines[i]));
     isTaken[at] = true;

@@ -1,4 +1,4 @@
-// Profiles in text tables: positions and heights, or heights alone.
+// Reads profiles in text tables: positions and heights, or heights alone.
 #include <cmath>
 
 #include "core/base/number_text.h"
@@ -9,7 +9,7 @@ namespace asperity {
 
 namespace {
 
-/// The step between points that lines above them state.
+/// Returns the step between points that the lines above them state.
 std::optional<HeaderLength> statedSpacing(const TextTable& table, const TextBlock& block) {
   const std::vector<std::string> keys{"spacing",
                                       "x spacing",
@@ -46,7 +46,8 @@ std::optional<HeaderLength> statedSpacing(const TextTable& table, const TextBloc
   return countedStep(table, block, static_cast<std::int64_t>(block.rows), true);
 }
 
-/// Where files write no number for a missing point, they may write one that no height can have.
+/// Removes the heights that no surface can have: some files write such a number for a missing
+/// point.
 void requireHeights(const std::vector<double>& heights, const TextBlock& block,
                     const SurfaceSource& source) {
   constexpr double kNoHeight = 1e30;  // in any unit
@@ -99,14 +100,14 @@ SurfaceDraft readTextProfile(const TextTable& table, const TextBlock& block,
                                      columnText(block, roles.z)));
     draft.positionUnit = columnUnit(source, table, block, roles.x, false);
     if (!draft.positionUnit) draft.unknownPositionUnit = unknownUnit(table, block, roles.x, false);
-    placeUniformly(block.column(static_cast<std::size_t>(roles.x)), std::move(heights), block.lines,
-                   source, draft);
+    resampleUniformly(block.column(static_cast<std::size_t>(roles.x)), std::move(heights),
+                      block.lines, source, draft);
   } else {
     grid.height = std::move(heights);
     grid.columns = static_cast<std::int64_t>(grid.height.size());
     draft.hasPositions = spacing.has_value();
     grid.columnSpacing = spacing ? spacing->value : 1;
-    // The unit of the heights, which "Unit" may be as well, says nothing of a step.
+    // The entry "Unit" may be the unit of the heights, which tells nothing about a step.
     draft.positionUnit =
         spacing && spacing->unit
             ? spacing->unit

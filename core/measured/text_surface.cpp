@@ -1,4 +1,4 @@
-// Which of the three forms a text table has.
+// Decides which of the three forms a text table has.
 #include "core/measured/text_surface.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace {
 
 enum class Form { Profile, Matrix, Points };
 
-/// Whether the first column is uniform and none of the next two is: positions of several profiles,
-/// and no matrix.
+/// Returns whether the first column is uniform and none of the next two is: these are positions of
+/// several profiles, and no matrix.
 bool beginsWithPositions(const TextBlock& block) {
   if (!uniformSpacing(block.column(0))) return false;
   for (std::size_t i = 1; i < std::min<std::size_t>(block.columns.size(), 3); ++i)
@@ -21,7 +21,7 @@ bool beginsWithPositions(const TextBlock& block) {
   return true;
 }
 
-Form formOf(const TextTable& table, const TextBlock& block, const SurfaceSource& source) {
+Form detectForm(const TextTable& table, const TextBlock& block, const SurfaceSource& source) {
   const std::string& format = source.choices.format;
   if (format == "profile") return Form::Profile;
   if (format == "matrix") return Form::Matrix;
@@ -31,7 +31,7 @@ Form formOf(const TextTable& table, const TextBlock& block, const SurfaceSource&
   if (hasPositionFrame(block)) return Form::Matrix;
   const ColumnRoles roles = columnRoles(block, source);
   if (roles.x >= 0 && roles.y >= 0 && roles.z >= 0) {
-    // A profile with a second lateral coordinate that does not change, or points.
+    // The table may be a profile with a second lateral coordinate that does not change, or points.
     return Form::Points;
   }
   if (source.choices.positionColumn > 0 || source.choices.heightColumn > 0) return Form::Profile;
@@ -43,12 +43,12 @@ Form formOf(const TextTable& table, const TextBlock& block, const SurfaceSource&
   });
   if (hasNames && columns <= 8 && roles.x >= 0) return Form::Profile;
   if (roles.x >= 0 && block.rows > columns && beginsWithPositions(block)) return Form::Profile;
-  // Row numbers, positions, heights.
+  // The columns are row numbers, positions and heights.
   if (columns == 3 && countsRows(block, 0) && roles.x == 1) return Form::Profile;
   return Form::Matrix;
 }
 
-/// What a reader can only suppose of how the numbers are written.
+/// Adds what the reader can only suppose about the notation of the numbers.
 void addAssumptions(const TextTable& table, ReadingFacts& facts) {
   const auto add = [&facts](const Message& note) {
     facts.notes.push_back(note);
@@ -72,7 +72,7 @@ void addAssumptions(const TextTable& table, ReadingFacts& facts) {
 
 }  // namespace
 
-std::string_view roadKindOf(std::string_view bytes) {
+std::string_view detectRoadFormat(std::string_view bytes) {
   constexpr std::size_t kHeader = 4096;  // bytes
   if (bytes.starts_with("ERDFILE")) return "ERD";
   const bool isOpen = bytes.substr(0, kHeader).find("$ROAD_CRG") != std::string_view::npos;
@@ -81,7 +81,7 @@ std::string_view roadKindOf(std::string_view bytes) {
 
 SurfaceDraft readTextSurface(const SurfaceSource& source) {
   const std::string& format = source.choices.format;
-  if (const std::string_view kind = roadKindOf(source.bytes);
+  if (const std::string_view kind = detectRoadFormat(source.bytes);
       !kind.empty() && (format == "auto" || format == "text"))
     source.fail(
         message("is a road file ({}), a kind that is not read; the heights of one track as "
@@ -92,7 +92,7 @@ SurfaceDraft readTextSurface(const SurfaceSource& source) {
   options.progress = [&source](double part) { source.report(0.9 * part); };
   const TextTable table = readTextTable(source.bytes, source.name, options);
   const TextBlock& block = table.largest();
-  const Form form = formOf(table, block, source);
+  const Form form = detectForm(table, block, source);
   SurfaceDraft draft = form == Form::Profile  ? readTextProfile(table, block, source)
                        : form == Form::Matrix ? readTextMatrix(table, block, source)
                                               : readTextPoints(table, block, source);

@@ -1,4 +1,5 @@
-// The three forms of surfaces in text tables: shared by the files text_*.cpp.
+// The three forms of surfaces in text tables: profile, matrix and points. The files text_*.cpp
+// share this header.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace asperity {
 
-/// What the columns of a table are, as far as their names or their numbers say. -1: there is none.
+/// The meaning of the columns of a table, as far as it follows from their names or numbers; the
+/// values are indices of columns, -1 where there is none.
 struct ColumnRoles {
   int x = -1, y = -1, z = -1;
   int validity = -1;
@@ -20,17 +22,19 @@ struct ColumnRoles {
   std::vector<int> heights{};  // all that are neither positions, nor counts, nor validity
 };
 
-/// Roles by names, by the user's choice, and by the numbers. Columns are counted from 0.
+/// Finds the roles by the names of the columns, by the user's choice, and by the numbers. Columns
+/// are counted from 0.
 ColumnRoles columnRoles(const TextBlock& block, const SurfaceSource& source);
 
-/// Whether the column taken for positions, 0, 1, 2, ... or 1, 2, 3, ..., may number the points: it
-/// has neither a unit nor the name of a position, and the user does not choose it.
+/// Returns whether the column that was taken for positions, 0, 1, 2, ... or 1, 2, 3, ..., may be
+/// the numbers of the points instead: it has neither a unit nor the name of a position, and the
+/// user did not choose it.
 bool mayNumberPoints(const TextBlock& block, const ColumnRoles& roles, const SurfaceSource& source);
 
-/// "column 2 'z'", "column 2".
+/// Returns "column 2 'z'" or, without a name, "column 2".
 Message columnText(const TextBlock& block, int column);
 
-/// A quantity of the header whose key is one of these, in lower case.
+/// A length in the header of a file.
 struct HeaderLength {
   double value = 0;
   std::optional<StatedUnit> unit{};
@@ -38,24 +42,25 @@ struct HeaderLength {
 std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock& block,
                                          const std::vector<std::string>& keys);
 
-/// The step between `count` points where the header has their number and the length from the first
-/// to the last one, as MountainsMap writes it: "Axis X", 60, "59.00 um".
+/// Returns the step between `count` points where the header states their number and the length from
+/// the first to the last one, as MountainsMap writes it: "Axis X", 60, "59.00 um".
 std::optional<HeaderLength> countedStep(const TextTable& table, const TextBlock& block,
                                         std::int64_t count, bool alongX);
 
-/// Which entries of the header state a unit: those for positions or for heights, or "Unit", too.
+/// Which entries of the header are searched for a unit: only those for positions or heights, or
+/// also a common one such as "Unit".
 enum class UnitEntries { Own, AndCommon };
 
-/// The unit that an entry of the header states for positions or for heights.
+/// Returns the unit that an entry of the header states for positions or for heights.
 std::optional<StatedUnit> headerUnit(const TextTable& table, const TextBlock& block, bool ofHeights,
                                      UnitEntries entries = UnitEntries::AndCommon);
 
-/// What stands for a unit in the name of the column (-1: there is none) or in the header, and is
-/// none that is known. Empty where there is nothing of the kind.
+/// Returns the text in place of a unit, in the name of the column (-1: there is none) or in the
+/// header, that is no known unit. Empty where there is no such text.
 std::string unknownUnit(const TextTable& table, const TextBlock& block, int column, bool ofHeights);
 
-/// The unit of a column by its name, else by the header. Throws InputError where it is no length
-/// and the user says no other one.
+/// Returns the unit of a column by its name, else by the header. Throws InputError where it is no
+/// unit of length and the user chooses no other one.
 std::optional<StatedUnit> columnUnit(const SurfaceSource& source, const TextTable& table,
                                      const TextBlock& block, int column, bool ofHeights);
 
@@ -66,10 +71,10 @@ SurfaceDraft readTextMatrix(const TextTable& table, const TextBlock& block,
 SurfaceDraft readTextPoints(const TextTable& table, const TextBlock& block,
                             const SurfaceSource& source);
 
-/// Whether the first two of three columns are the places of a grid.
+/// Returns whether the first two of three columns are the positions of a grid.
 bool isPointsOfGrid(const TextBlock& block, const ColumnRoles& roles);
 
-/// Whether first row and first column of a matrix hold positions.
+/// Returns whether the first row and the first column of a matrix hold positions.
 bool hasPositionFrame(const TextBlock& block);
 
 }  // namespace asperity

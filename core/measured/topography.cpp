@@ -13,7 +13,7 @@ Topography transposed(const Topography& topography) {
   turned.height.resize(topography.height.size());
   const auto columns = static_cast<std::size_t>(topography.columns);
   const auto rows = static_cast<std::size_t>(topography.rows);
-  // Block by block, so that both sides stay in the cache.
+  // The work goes block by block, so that both sides stay in the cache.
   constexpr std::size_t kBlock = 32;
   for (std::size_t firstRow = 0; firstRow < rows; firstRow += kBlock)
     for (std::size_t firstColumn = 0; firstColumn < columns; firstColumn += kBlock)

@@ -1,5 +1,5 @@
-// A measured surface as a plain value: heights on a uniform grid. Row i of the grid is one profile
-// along the direction that the file calls x; the grid's rows follow each other along y.
+// A measured surface as a plain value: heights on a uniform grid. Each row of the grid is one
+// profile along the direction that the file calls x; the rows follow each other along y.
 #pragma once
 
 #include <cstddef>
@@ -20,18 +20,18 @@ struct Topography {
   double length() const { return static_cast<double>(columns) * columnSpacing; }  // m, along x
   double width() const { return static_cast<double>(rows) * rowSpacing; }         // m, along y
 
-  /// Heights along x of row `number`, counted from 0: `columns` of them.
+  /// Returns the heights along x of row `number`, counted from 0; they are `columns` many.
   std::span<const double> row(std::int64_t number) const {
     return std::span(height).subspan(static_cast<std::size_t>(number * columns),
                                      static_cast<std::size_t>(columns));
   }
-  /// Row and column are counted from 0.
+  /// Returns one height, m. Row and column are counted from 0.
   double at(std::int64_t rowNumber, std::int64_t column) const {
     return height[static_cast<std::size_t>(rowNumber * columns + column)];
   }
 };
 
-/// Rows and columns exchanged: its profiles run along y.
+/// Returns the topography with rows and columns exchanged: its profiles run along y.
 Topography transposed(const Topography& topography);
 
 }  // namespace asperity

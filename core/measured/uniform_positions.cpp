@@ -6,25 +6,27 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/statistics.h"
+
 namespace asperity {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Deviations from uniform places that are nothing to a profile: this part of a step.
+/// Deviations from uniform positions up to this part of a step are negligible.
 constexpr double kNegligible = 1e-3;
 
-/// Least squares follow rounded numbers to about half of their rounding.
+/// A line by least squares deviates from rounded numbers by up to about half of their rounding.
 constexpr double kSlack = 1.5;
 
-/// The decimals of a number in its shortest form: 0.0386 is 386e-4, of exponent -4 and three
+/// The digits of a number in its shortest form: 0.0386 is 386e-4, with exponent -4 and three
 /// digits.
 struct Digits {
   int exponent = 0;  // of the last digit
   int count = 0;
 };
 
-Digits digitsOf(double value) {
+Digits shortestDigits(double value) {
   std::array<char, 32> text{};
   const char* end = std::to_chars(text.data(), text.data() + text.size(), std::abs(value),
                                   std::chars_format::scientific)
@@ -40,8 +42,9 @@ Digits digitsOf(double value) {
   return digits;
 }
 
-/// Half of the last printed digit: numbers are written with the same decimals, or with the same
-/// number of digits; trailing zeros are not known, so of several numbers the finest counts.
+/// The rounding of a list of numbers: half of the last printed digit. The numbers are written with
+/// equally many decimals or equally many digits; trailing zeros are not known, so the finest of
+/// several numbers counts.
 class Rounding {
  public:
   explicit Rounding(std::span<const double> numbers) {
@@ -49,7 +52,7 @@ class Rounding {
     const std::size_t step = numbers.size() / kLooked + 1;
     for (std::size_t i = 0; i < numbers.size(); i += step) {
       if (std::isnan(numbers[i]) || numbers[i] == 0) continue;
-      const Digits digits = digitsOf(numbers[i]);
+      const Digits digits = shortestDigits(numbers[i]);
       finest_ = std::min(finest_, digits.exponent);
       most_ = std::max(most_, digits.count);
     }
@@ -71,7 +74,7 @@ struct Straight {
   double first = 0, spacing = 0;
 };
 
-/// The straight line through (i, positions[i]) by least squares; NaN is passed over.
+/// Returns the straight line through (i, positions[i]) by least squares; NaN is skipped.
 Straight straightThrough(std::span<const double> positions) {
   double count = 0, sumIndex = 0, sumPosition = 0;
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -93,9 +96,9 @@ Straight straightThrough(std::span<const double> positions) {
   return {meanPosition - spacing * meanIndex, spacing};
 }
 
-/// Whether no position is further from the line than a negligible part of a step, or than its
-/// rounding. Where that is coarser than the steps for most of them, repeated and missing positions
-/// cannot be told from rounded ones, and they are taken as they stand.
+/// Returns whether no position is further from the line than a negligible part of a step, or than
+/// its rounding. Where most steps are finer than the rounding, repeated and missing positions
+/// cannot be told from rounded ones, and the positions are taken as they are.
 bool isStraight(std::span<const double> positions, const Straight& line, const Rounding* rounding) {
   constexpr double kCoarsest = 0.375;
   const double step = std::abs(line.spacing);
@@ -114,7 +117,7 @@ bool isStraight(std::span<const double> positions, const Straight& line, const R
   return 2 * coarse <= positions.size();
 }
 
-double variationOf(std::span<const double> positions, double spacing) {
+double spacingVariation(std::span<const double> positions, double spacing) {
   double largest = 0;
   for (std::size_t i = 1; i < positions.size(); ++i)
     if (!std::isnan(positions[i]) && !std::isnan(positions[i - 1]))
@@ -122,13 +125,13 @@ double variationOf(std::span<const double> positions, double spacing) {
   return largest / std::abs(spacing);
 }
 
-/// Refuses positions that are even but for rounding and leave out many places of the grid of their
-/// last digit: nothing tells rounded steps from missing points.
+/// Throws InputError for positions that are even except for rounding and leave out many positions
+/// of the grid of their last digit: rounded steps cannot be told from missing points.
 void requireFineDigits(std::span<const double> positions, const GridAxis& axis,
                        const SurfaceSource& source) {
   constexpr std::int64_t kManyMissing = 10;
   const auto count = static_cast<std::int64_t>(positions.size());
-  if (axis.places - count < kManyMissing) return;
+  if (axis.count - count < kManyMissing) return;
   const Straight line = straightThrough(positions);
   const Rounding rounding(positions);
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -141,32 +144,31 @@ void requireFineDigits(std::span<const double> positions, const GridAxis& axis,
       axis.spacing, line.spacing));
 }
 
-/// Places of a uniform grid that the file leaves out become gaps. False where the positions lie on
-/// no such grid of at most twice their number.
+/// Makes gaps of the positions of a uniform grid that the file leaves out. Returns false where the
+/// positions lie on no such grid of at most twice their number.
 bool fillGaps(std::span<const double> positions, std::span<const double> heights,
               const SurfaceSource& source, SurfaceDraft& draft) {
-  const auto axis = gridAxis({positions.begin(), positions.end()},
-                             2 * static_cast<std::int64_t>(positions.size()));
-  if (!axis || axis->places < 2) return false;
+  const auto axis = findGridAxis({positions.begin(), positions.end()},
+                                 2 * static_cast<std::int64_t>(positions.size()));
+  if (!axis || axis->count < 2) return false;
   requireFineDigits(positions, *axis, source);
-  std::vector<double> placed(static_cast<std::size_t>(axis->places), kNone);
+  std::vector<double> placed(static_cast<std::size_t>(axis->count), kNone);
   std::vector<bool> isTaken(placed.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto place = std::llround((positions[i] - axis->first) / axis->spacing);
-    if (place < 0 || place >= axis->places || isTaken[static_cast<std::size_t>(place)])
-      return false;
-    placed[static_cast<std::size_t>(place)] = heights[i];
-    isTaken[static_cast<std::size_t>(place)] = true;
+    const auto index = std::llround((positions[i] - axis->first) / axis->spacing);
+    if (index < 0 || index >= axis->count || isTaken[static_cast<std::size_t>(index)]) return false;
+    placed[static_cast<std::size_t>(index)] = heights[i];
+    isTaken[static_cast<std::size_t>(index)] = true;
   }
   draft.grid.columnSpacing = axis->spacing;
   draft.grid.height = std::move(placed);
   draft.facts.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
-                                      static_cast<std::size_t>(axis->places) - positions.size()));
+                                      static_cast<std::size_t>(axis->count) - positions.size()));
   return true;
 }
 
-/// Refuses positions with one step that is longer than all others together: nothing is known of
-/// what lies in between, and uniform places would pass over most of the points.
+/// Throws InputError where one step is longer than all others together: nothing is known of the
+/// surface in between, and uniform positions would skip most of the points.
 void requireNoLeap(std::span<const double> positions, const SurfaceSource& source) {
   if (positions.size() < 3) return;
   std::vector<double> steps;
@@ -175,15 +177,13 @@ void requireNoLeap(std::span<const double> positions, const SurfaceSource& sourc
   const auto longest = std::ranges::max_element(steps);
   const double length = positions.back() - positions.front();
   const auto at = static_cast<std::size_t>(longest - steps.begin());
-  const double leap = *longest;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
+  const double leap = *longest, usual = upperMedian(steps);
   constexpr double kOrdinary = 2;
-  if (leap > length / 2 && length > kOrdinary * *middle * static_cast<double>(steps.size()))
+  if (leap > length / 2 && length > kOrdinary * usual * static_cast<double>(steps.size()))
     source.fail(
         message("the positions leap from {:.6g} to {:.6g}, {:.3g} times the usual step; "
                 "each stretch needs a file of its own",
-                positions[at], positions[at + 1], leap / *middle));
+                positions[at], positions[at + 1], leap / usual));
 }
 
 void interpolate(std::span<const double> positions, std::span<const double> heights,
@@ -216,7 +216,7 @@ void interpolate(std::span<const double> positions, std::span<const double> heig
       100 * draft.facts.spacingVariation, count));
 }
 
-/// Heights at equal positions become their mean; the number of rows that go.
+/// Replaces heights at equal positions by their mean and returns the number of removed rows.
 std::size_t meanOfRepeats(std::vector<double>& positions, std::vector<double>& heights) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < positions.size();) {
@@ -243,7 +243,7 @@ std::size_t meanOfRepeats(std::vector<double>& positions, std::vector<double>& h
 std::optional<double> uniformSpacing(std::span<const double> positions) {
   const Straight line = straightThrough(positions);
   if (isStraight(positions, line, nullptr)) {
-    // Exactly what the ends say, where nothing is rounded.
+    // Where nothing is rounded, the spacing follows from the ends exactly.
     if (!std::isnan(positions.front()) && !std::isnan(positions.back()) && positions.size() > 1)
       return (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
     return line.spacing;
@@ -255,27 +255,29 @@ std::optional<double> uniformSpacing(std::span<const double> positions) {
 
 namespace {
 
-/// The axis through sorted numbers; those that differ by no more than `merged` roundings are one
-/// place.
+/// Returns the axis through sorted numbers; those that differ by no more than `merged` roundings
+/// are one position.
 std::optional<GridAxis> axisThrough(std::span<const double> numbers, const Rounding& rounding,
                                     double merged, std::int64_t most) {
-  std::vector<double> places;
+  std::vector<double> positions;
   for (const double number : numbers)
-    if (places.empty() || number - places.back() > merged * rounding.of(number))
-      places.push_back(number);
-  if (places.size() < 2) return GridAxis{places.front(), 0, 1};
-  double step = places[1] - places[0];
-  for (std::size_t i = 2; i < places.size(); ++i) step = std::min(step, places[i] - places[i - 1]);
-  const double range = places.back() - places.front();
-  // The smallest step may be short by its rounding: the number of places is what fits them all.
+    if (positions.empty() || number - positions.back() > merged * rounding.of(number))
+      positions.push_back(number);
+  if (positions.size() < 2) return GridAxis{positions.front(), 0, 1};
+  double step = positions[1] - positions[0];
+  for (std::size_t i = 2; i < positions.size(); ++i)
+    step = std::min(step, positions[i] - positions[i - 1]);
+  const double range = positions.back() - positions.front();
+  // The smallest step may be too short by rounding, so the number of positions is the one that fits
+  // all of them.
   const double count = std::round(range / step);
   if (!(count < static_cast<double>(most))) return {};
-  GridAxis axis{places.front(), range / count, static_cast<std::int64_t>(count) + 1};
-  std::vector<double> lattice(static_cast<std::size_t>(axis.places), kNone);
-  for (const double place : places) {
-    const auto at = static_cast<std::size_t>(std::llround((place - axis.first) / axis.spacing));
+  GridAxis axis{positions.front(), range / count, static_cast<std::int64_t>(count) + 1};
+  std::vector<double> lattice(static_cast<std::size_t>(axis.count), kNone);
+  for (const double position : positions) {
+    const auto at = static_cast<std::size_t>(std::llround((position - axis.first) / axis.spacing));
     if (at >= lattice.size() || !std::isnan(lattice[at])) return {};
-    lattice[at] = place;
+    lattice[at] = position;
   }
   const Straight line = straightThrough(lattice);
   if (isStraight(lattice, line, nullptr)) return axis;
@@ -287,17 +289,18 @@ std::optional<GridAxis> axisThrough(std::span<const double> numbers, const Round
 
 }  // namespace
 
-std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most) {
+std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t most) {
   std::ranges::sort(numbers);
   const Rounding rounding(numbers);
   if (const auto exact = axisThrough(numbers, rounding, 0, most)) return exact;
-  // Rounding changes the smallest step: so many places as there are numbers are tried, too.
-  std::vector<double> places = numbers;
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  if (static_cast<std::int64_t>(places.size()) <= most)
-    if (const auto spacing = uniformSpacing(places)) {
-      const Straight line = straightThrough(places);
-      return GridAxis{line.first, *spacing, static_cast<std::int64_t>(places.size())};
+  // Rounding changes the smallest step, so an axis with as many positions as numbers is tried as
+  // well.
+  std::vector<double> positions = numbers;
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  if (static_cast<std::int64_t>(positions.size()) <= most)
+    if (const auto spacing = uniformSpacing(positions)) {
+      const Straight line = straightThrough(positions);
+      return GridAxis{line.first, *spacing, static_cast<std::int64_t>(positions.size())};
     }
   constexpr double kMerged = 2.5;
   return axisThrough(numbers, rounding, kMerged, most);
@@ -305,15 +308,15 @@ std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most)
 
 namespace {
 
-/// Heights where they are, at positions that are uniform.
+/// Stores heights at positions that are uniform.
 void keepPlaces(std::span<const double> positions, double spacing, std::vector<double> heights,
                 SurfaceDraft& draft) {
-  draft.facts.spacingVariation = variationOf(positions, spacing);
+  draft.facts.spacingVariation = spacingVariation(positions, spacing);
   draft.grid.columnSpacing = std::abs(spacing);
   draft.grid.height = std::move(heights);
 }
 
-/// Heights at positions that are not uniform and rise all along.
+/// Stores heights at positions that ascend but are not uniform.
 void placeRising(std::vector<double> positions, std::vector<double> heights,
                  const SurfaceSource& source, SurfaceDraft& draft) {
   if (const std::size_t gone = meanOfRepeats(positions, heights); gone > 0)
@@ -324,7 +327,7 @@ void placeRising(std::vector<double> positions, std::vector<double> heights,
     return keepPlaces(positions, *spacing, std::move(heights), draft);
   const double mean =
       (positions.back() - positions.front()) / static_cast<double>(positions.size() - 1);
-  draft.facts.spacingVariation = variationOf(positions, mean);
+  draft.facts.spacingVariation = spacingVariation(positions, mean);
   if (fillGaps(positions, heights, source, draft)) return;
   requireNoLeap(positions, source);
   interpolate(positions, heights, draft);
@@ -332,13 +335,13 @@ void placeRising(std::vector<double> positions, std::vector<double> heights,
 
 }  // namespace
 
-void placeUniformly(std::vector<double> positions, std::vector<double> heights,
-                    std::span<const std::uint32_t> lines, const SurfaceSource& source,
-                    SurfaceDraft& draft) {
+void resampleUniformly(std::vector<double> positions, std::vector<double> heights,
+                       std::span<const std::uint32_t> lines, const SurfaceSource& source,
+                       SurfaceDraft& draft) {
   const auto spacing = uniformSpacing(positions);
   bool falls = spacing && *spacing < 0;
   if (!spacing) {
-    // Every position is needed.
+    // No position may be missing.
     const auto lineOf = [&lines](std::size_t row) {
       return row < lines.size() ? lines[row] : row + 1;
     };

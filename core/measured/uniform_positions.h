@@ -1,4 +1,4 @@
-// From measured positions to a uniform grid. Pure; any thread.
+// Resamples measured positions to a uniform grid. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,27 @@
 
 namespace asperity {
 
-/// Puts the heights of a profile at uniform places into the draft, and their spacing. Positions
-/// that are uniform but for the rounding of their digits stay as they are; falling ones are turned
-/// round; of heights at one position the mean is taken; missing places of a uniform grid become
-/// gaps; other positions are interpolated linearly onto as many uniform places, with a note.
-/// `lines` are those of the file, for errors; may be empty. Throws InputError where positions go
-/// back or are missing.
-void placeUniformly(std::vector<double> positions, std::vector<double> heights,
-                    std::span<const std::uint32_t> lines, const SurfaceSource& source,
-                    SurfaceDraft& draft);
+/// Stores the heights of a profile at uniform positions, and their spacing, in the draft. Positions
+/// that are uniform except for the rounding of their digits are kept; a descending order is
+/// reversed; heights at equal positions are replaced by their mean; missing positions of a uniform
+/// grid become gaps; for any other positions the heights are interpolated linearly at as many
+/// uniform positions, with a note. `lines`: the numbers of the lines in the file, for errors; may
+/// be empty. Throws InputError where positions go back or are missing.
+void resampleUniformly(std::vector<double> positions, std::vector<double> heights,
+                       std::span<const std::uint32_t> lines, const SurfaceSource& source,
+                       SurfaceDraft& draft);
 
-/// The spacing, of either sign, of positions that are uniform but for rounding; none where they are
-/// not. NaN is passed over.
+/// Returns the spacing, of either sign, of positions that are uniform except for rounding; nothing
+/// where they are not. NaN is skipped.
 std::optional<double> uniformSpacing(std::span<const double> positions);
 
-/// The sorted places of a grid axis on which all the numbers lie, but for rounding: the first place
-/// and the spacing. None where there is no such axis with at most `most` places.
+/// An axis of a grid: its first position, its spacing and the number of its positions.
 struct GridAxis {
   double first = 0, spacing = 0;
-  std::int64_t places = 1;
+  std::int64_t count = 1;
 };
-std::optional<GridAxis> gridAxis(std::vector<double> numbers, std::int64_t most);
+/// Returns the axis on which all the numbers lie, except for rounding; nothing where there is no
+/// such axis with at most `most` positions.
+std::optional<GridAxis> findGridAxis(std::vector<double> numbers, std::int64_t most);
 
 }  // namespace asperity

@@ -29,19 +29,19 @@ std::string_view WordReader::nextWord() {
   return word;
 }
 
-std::vector<std::string_view> wordsOf(std::string_view line) {
+std::vector<std::string_view> splitWords(std::string_view line) {
   std::vector<std::string_view> words;
   splitFields(line, TextDialect::Separator::Blanks, words);
   return words;
 }
 
-std::optional<double> numberIn(std::string_view word) {
+std::optional<double> parseFiniteNumber(std::string_view word) {
   double number = 0;
   return readTextNumber(word, '.', number) ? std::optional(number) : std::nullopt;
 }
 
-double heightIn(const SurfaceSource& source, const WordReader& reader, std::string_view word,
-                std::size_t number) {
+double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+                   std::size_t number) {
   const Field field = readField(word, '.');
   if (field.kind == FieldKind::Text || field.kind == FieldKind::Flag)
     source.fail(message("line {}: height {} is not a number", reader.line(), number + 1));
@@ -56,14 +56,14 @@ void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t co
     const std::string_view word = reader.nextWord();
     if (word.empty() || word.front() == words.end)
       source.fail(message("line {}: ends after {} of {} heights", reader.line(), i, count));
-    const double number = heightIn(source, reader, word, i);
+    const double number = parseHeight(source, reader, word, i);
     const double height = number * words.scale;
     heights.push_back(!std::isfinite(height) || number >= words.gapFrom ? std::nan("") : height);
   }
 }
 
 void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count) {
-  if (numberIn(reader.nextWord()))
+  if (parseFiniteNumber(reader.nextWord()))
     source.fail(message("line {}: has more than the {} heights that the header says", reader.line(),
                         count));
 }

@@ -1,5 +1,5 @@
-// Text files of fixed structure: their lines and words with the numbers of the lines, and heights
-// as words. Pure; any thread.
+// Reads text files of a fixed structure line by line or word by word, with the numbers of their
+// lines, and heights as words. Pure; any thread.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace asperity {
 
-/// Without the mark of UTF-8 at the beginning.
+/// Returns the bytes without the byte order mark of UTF-8 at their beginning.
 std::string_view withoutByteOrderMark(std::string_view bytes);
 
-/// Takes one line or word after another from a text, which must outlive it.
+/// Takes one line or word after another from a text, which must outlive the reader.
 class WordReader {
  public:
   explicit WordReader(std::string_view text) : rest_(text) {}
 
   bool atEnd() const { return rest_.empty(); }
   std::size_t left() const { return rest_.size(); }  // bytes
-  /// The line of what was taken last, counted from 1.
+  /// Returns the number of the line from which something was taken last, counted from 1.
   std::size_t line() const { return line_; }
 
-  /// The rest of the line, without the blanks around it.
+  /// Takes the rest of the line and returns it without the blanks around it.
   std::string_view nextLine();
-  /// What stands before the next blank or line end; empty at the end of the text.
+  /// Takes the text up to the next blank or line end; empty at the end of the text.
   std::string_view nextWord();
 
  private:
@@ -36,17 +36,17 @@ class WordReader {
   std::size_t line_ = 0;
 };
 
-/// The words of a line.
-std::vector<std::string_view> wordsOf(std::string_view line);
+/// Returns the words of a line.
+std::vector<std::string_view> splitWords(std::string_view line);
 
-/// The word as a number; nothing where it is none that is finite.
-std::optional<double> numberIn(std::string_view word);
+/// Returns the word as a number; nothing where it is no finite number.
+std::optional<double> parseFiniteNumber(std::string_view word);
 
-/// The word as the height with this number, counted from 0; NaN for a word that stands for a
-/// missing value. Throws InputError, with the line that the reader is at, where it is none of
-/// these.
-double heightIn(const SurfaceSource& source, const WordReader& reader, std::string_view word,
-                std::size_t number);
+/// Returns the word as a height; NaN for a word that stands for a missing value. Throws InputError
+/// with the present line of the reader where it is neither. number: of the height, counted from 0,
+/// for the error.
+double parseHeight(const SurfaceSource& source, const WordReader& reader, std::string_view word,
+                   std::size_t number);
 
 /// How the heights of a file are written.
 struct HeightWords {
@@ -55,12 +55,12 @@ struct HeightWords {
   char end = '\0';                                           // begins what follows the heights
 };
 
-/// Appends `count` words as heights. A word for a missing value is a gap. Throws InputError where a
-/// word is anything else, or where the text ends before.
+/// Appends `count` words as heights. A word for a missing value becomes a gap. Throws InputError
+/// where a word is anything else, or where the text ends too early.
 void readHeights(const SurfaceSource& source, WordReader& reader, std::size_t count,
                  const HeightWords& words, std::vector<double>& heights);
 
-/// Refuses a further number behind `count` heights.
+/// Throws InputError where a further number follows `count` heights.
 void requireNoMoreHeights(const SurfaceSource& source, WordReader& reader, std::size_t count);
 
 }  // namespace asperity

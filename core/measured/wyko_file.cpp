@@ -1,7 +1,8 @@
-// Text files of Wyko and Veeco instruments (Vision's "ASCII" export of OPD data): lines of name,
-// type, length and value between tabs, then a line for each place along x with the heights along y.
-// Pixel_size is in millimetres, Aspect the step along y over that along x; heights are in
-// nanometres where the second flag of the first line is 1, else in wavelengths over Mult.
+// Text files of Wyko and Veeco instruments (the "ASCII" export of OPD data by Vision): lines of
+// name, type, length and value between tabs, then one line for each position along x with the
+// heights along y. Pixel_size is in millimetres; Aspect is the step along y over that along x.
+// Heights are in nanometres where the second flag of the first line is 1, else in wavelengths over
+// Mult.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +24,7 @@ using namespace std::string_view_literals;
 constexpr std::string_view kMagic = "Wyko ASCII Data File Format";
 constexpr std::array kHeights{"RAW_DATA"sv, "RAW DATA"sv, "OPD"sv, "SAMPLE_DATA"sv};
 
-std::vector<std::string_view> fieldsOf(std::string_view line) {
+std::vector<std::string_view> splitAtTabs(std::string_view line) {
   std::vector<std::string_view> fields;
   splitFields(line, TextDialect::Separator::Tab, fields);
   for (std::string_view& field : fields) field = trimmedField(field);
@@ -35,17 +36,18 @@ class Reader {
   Reader(const SurfaceSource& source, std::string_view text) : source_(source), reader_(text) {}
 
   SurfaceDraft read() {
-    const std::vector<std::string_view> first = wordsOf(reader_.nextLine().substr(kMagic.size()));
+    const std::vector<std::string_view> first =
+        splitWords(reader_.nextLine().substr(kMagic.size()));
     const bool inNanometres = first.size() > 1 && first[1] == "1";
     readHeader();
     const std::int64_t columns = count("X Size"), rows = count("Y Size");
-    // A digit and a tab are the least that a height takes.
+    // A height takes at least a digit and a tab.
     requireSize(source_, columns, rows, reader_.left() + 1, 2);
     const double scale = inNanometres ? 1 : number("Wavelength") / number("Mult", 1);
     SurfaceDraft draft;
     draft.facts.format = "wyko";
     draft.facts.heightColumn = std::string(block_);
-    Topography along;  // each row of the file is a column of the surface
+    Topography along;  // each row is a column of the surface
     along.columns = rows;
     along.rows = columns;
     readHeights(source_, reader_, static_cast<std::size_t>(columns * rows), {scale}, along.height);
@@ -62,10 +64,10 @@ class Reader {
   }
 
  private:
-  /// Up to the line that announces heights.
+  /// Reads up to the line that announces the heights.
   void readHeader() {
     while (!reader_.atEnd()) {
-      const std::vector<std::string_view> fields = fieldsOf(reader_.nextLine());
+      const std::vector<std::string_view> fields = splitAtTabs(reader_.nextLine());
       if (fields.empty()) continue;
       block_ = fields.front();
       if (std::ranges::find(kHeights, block_) != kHeights.end()) return;
@@ -83,12 +85,12 @@ class Reader {
     return value;
   }
 
-  /// `fallback` 0: there must be one.
+  /// fallback: 0 where the entry must be present.
   double number(const std::string& key, double fallback = 0) const {
     const auto found = values_.find(key);
     if (found == values_.end() && fallback == 0) source_.fail(message("the header has no {}", key));
     if (found == values_.end()) return fallback;
-    const double value = numberIn(found->second).value_or(0);
+    const double value = parseFiniteNumber(found->second).value_or(0);
     if (value == 0) source_.fail(message("{} in the header is not a number above 0", key));
     return value;
   }

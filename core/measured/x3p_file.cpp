@@ -1,6 +1,6 @@
-// X3P (ISO 25178-72, before it ISO 5436-2): a ZIP archive with `main.xml`, whose heights stand
-// there as a list or in a binary file beside it, in metres. Of the feature types profiles (PRF) and
-// surfaces (SUR) are read; a point cloud (PCL) has no grid.
+// X3P (ISO 25178-72, before it ISO 5436-2): a ZIP archive with `main.xml`, which contains the
+// heights as a list or names a binary file of them, in metres. Of the feature types, profiles (PRF)
+// and surfaces (SUR) are read; a point cloud (PCL) has no grid.
 #include <nettle/md5.h>
 #include <zip.h>
 
@@ -41,7 +41,7 @@ class Archive {
 
   bool has(const std::string& file) const { return indexOf(file) >= 0; }
 
-  /// All bytes of a file in it, at most `limit` of them.
+  /// Returns all bytes of a file in the archive, at most `limit` of them.
   std::string read(const std::string& file, std::uint64_t limit) const {
     const zip_int64_t index = indexOf(file);
     if (index < 0) source_.fail(message("has no file '{}' in its archive", shortened(file)));
@@ -54,7 +54,7 @@ class Archive {
     if (stat.size > limit)
       source_.fail(message("'{}' in its archive is larger than the {} bytes allowed",
                            shortened(file), limit));
-    // Deflate packs a thousand bytes into one at most: a directory that says more lies.
+    // Deflate packs at most about a thousand bytes into one: a directory that states more is wrong.
     constexpr std::uint64_t kMostDeflated = 1100, kSlack = 4096;
     if ((stat.valid & ZIP_STAT_COMP_SIZE) == 0 ||
         stat.size / kMostDeflated > stat.comp_size + kSlack)
@@ -67,14 +67,14 @@ class Archive {
     constexpr std::size_t kStep = std::size_t{1} << 20;
     while (bytes.size() < stat.size) {
       const std::size_t before = bytes.size();
-      // Grows with what is really there, whatever the directory of the archive says.
+      // The memory grows with the bytes that are really there, whatever the directory states.
       bytes.resize(before + std::min<std::size_t>(kStep, stat.size - before));
       const zip_int64_t got = zip_fread(open.get(), bytes.data() + before, bytes.size() - before);
       if (got <= 0) fail(file);
       bytes.resize(before + static_cast<std::size_t>(got));
       source_.report(0.5 * static_cast<double>(bytes.size()) / static_cast<double>(stat.size));
     }
-    // Reading on at the end compares the checksum of the archive.
+    // Reading on at the end makes the library compare the checksum.
     char more = 0;
     if (zip_fread(open.get(), &more, 1) != 0) fail(file);
     return bytes;
@@ -97,7 +97,7 @@ class Archive {
   std::unique_ptr<zip_t, Close> archive_;
 };
 
-std::string md5Of(std::string_view bytes) {
+std::string md5(std::string_view bytes) {
   md5_ctx context;
   md5_init(&context);
   md5_update(&context, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
@@ -113,24 +113,24 @@ std::string md5Of(std::string_view bytes) {
 
 // ---- main.xml ----------------------------------------------------------------------------------
 
-/// The part of a name behind its namespace.
+/// Returns the part of a name behind its namespace.
 std::string_view plainName(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-pugi::xml_node childOf(const pugi::xml_node& node, std::string_view name) {
+pugi::xml_node findChild(const pugi::xml_node& node, std::string_view name) {
   for (const pugi::xml_node child : node.children())
     if (plainName(child) == name) return child;
   return {};
 }
 
-/// The node at "Record1/Axes/CX".
+/// Returns the node at a path such as "Record1/Axes/CX".
 pugi::xml_node nodeAt(pugi::xml_node node, std::string_view path) {
   while (!path.empty()) {
     const std::size_t end = std::min(path.find('/'), path.size());
-    node = childOf(node, path.substr(0, end));
+    node = findChild(node, path.substr(0, end));
     path.remove_prefix(std::min(end + 1, path.size()));
   }
   return node;
@@ -150,7 +150,7 @@ struct Axis {
   bool isWhole() const { return type == 'I' || type == 'L'; }
 };
 
-Axis axisOf(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name) {
+Axis readAxis(const SurfaceSource& source, const pugi::xml_node& root, const std::string& name) {
   const pugi::xml_node node = nodeAt(root, "Record1/Axes/" + name);
   if (!node) source.fail(message("main.xml has no {}", "Record1/Axes/" + name));
   Axis axis;
@@ -167,7 +167,7 @@ Axis axisOf(const SurfaceSource& source, const pugi::xml_node& root, const std::
     const std::string_view text = textAt(node, key);
     if (text.empty()) return false;
     const Field field = readField(text, '.');
-    // NaN stands for "none" in files of some programs.
+    // Some programs write NaN for "none".
     if (field.kind == FieldKind::Missing) return false;
     if (field.kind != FieldKind::Number)
       source.fail(message("main.xml: {} is not a number", name + "/" + std::string(key)));
@@ -178,7 +178,8 @@ Axis axisOf(const SurfaceSource& source, const pugi::xml_node& root, const std::
   number("Offset", axis.offset);
   if (axis.isIncremental && axis.increment == 0)
     source.fail(message("main.xml: {} is not a number above 0", name + "/Increment"));
-  // Whole numbers of an absolute axis are counts of its increment; of others it says nothing.
+  // The whole numbers of an absolute axis count its increments; for other axes the increment has no
+  // meaning.
   if (axis.increment == 0) axis.increment = 1;
   return axis;
 }
@@ -193,7 +194,7 @@ std::int64_t sizeAt(const SurfaceSource& source, const pugi::xml_node& root,
 
 // ---- Points ------------------------------------------------------------------------------------
 
-/// All coordinates of all points. Those of an incremental axis are not stored.
+/// All coordinates of all points; those of an incremental axis are not stored.
 struct Points {
   std::vector<double> x, y, z;
 };
@@ -209,8 +210,8 @@ class Reader {
       source_.fail("is a cloud of points (PCL); only profiles and surfaces on a grid are read");
     if (feature != "SUR" && feature != "PRF")
       source_.fail(message("main.xml: {} is neither {}", "FeatureType", "PRF, SUR"));
-    axes_ = {axisOf(source_, root_, "CX"), axisOf(source_, root_, "CY"),
-             axisOf(source_, root_, "CZ")};
+    axes_ = {readAxis(source_, root_, "CX"), readAxis(source_, root_, "CY"),
+             readAxis(source_, root_, "CZ")};
     readSizes(feature == "PRF");
     const auto count = static_cast<std::size_t>(columns_ * rows_);
     if (nodeAt(root_, "Record3/DataLink"))
@@ -227,7 +228,7 @@ class Reader {
   static constexpr std::uint64_t kMostPacking = 100;  // of a list of numbers as text
 
   void parse() {
-    // Lists of numbers may be long; a text that packs better than they do is none.
+    // Lists of numbers may be long; a text that is packed more tightly than they can be is none.
     const std::uint64_t limit = std::min<std::uint64_t>(
         kSmall + kMostPacking * source_.bytes.size(), std::uint64_t{1} << 30);
     if (!archive_.has("main.xml"))
@@ -241,7 +242,7 @@ class Reader {
     if (plainName(root_) != "ISO5436_2") source_.fail(message("main.xml has no {}", "ISO5436_2"));
   }
 
-  /// The checksum of main.xml stands in a file of its own, as "md5 *main.xml".
+  /// Checks main.xml against its checksum, which another file has as "md5 *main.xml".
   void checkMain() {
     if (!archive_.has("md5checksum.hex")) return;
     const std::string text = archive_.read("md5checksum.hex", kSmall);
@@ -252,7 +253,7 @@ class Reader {
     constexpr std::size_t kDigits = 32;
     stated = stated.substr(0, std::min(stated.find_first_of(" \t\r\n*"), stated.size()));
     if (stated.empty()) return;
-    if (stated.size() != kDigits || lowerCase(stated) != md5Of(bytes))
+    if (stated.size() != kDigits || lowerCase(stated) != md5(bytes))
       source_.fail(message("'{}' in its archive does not have the MD5 that the file states",
                            shortened(file)));
   }
@@ -263,7 +264,7 @@ class Reader {
       columns_ = sizeAt(source_, root_, "Record3/MatrixDimension/SizeX");
       rows_ = sizeAt(source_, root_, "Record3/MatrixDimension/SizeY");
       const std::int64_t layers = sizeAt(source_, root_, "Record3/MatrixDimension/SizeZ");
-      // Profiles in a row are N x 1 x M.
+      // A row of profiles is N x 1 x M.
       if (isProfile && rows_ == 1) rows_ = layers;
       if (!isProfile && layers > 1) {
         notes_.push_back(message("The first of {} layers is read.", layers));
@@ -281,7 +282,7 @@ class Reader {
     requireSize(source_, columns_, rows_, 0, 0);
   }
 
-  /// The bytes of one point: the numbers of its absolute axes.
+  /// Returns the bytes of one point: the numbers of its absolute axes.
   std::size_t stride() const {
     std::size_t bytes = 0;
     for (const Axis& axis : axes_)
@@ -293,7 +294,7 @@ class Reader {
     const std::string file(textAt(root_, "Record3/DataLink/PointDataLink"));
     const std::uint64_t all = static_cast<std::uint64_t>(count) * stride();
     if (file.empty()) source_.fail(message("main.xml has no {}", "PointDataLink"));
-    // Layers behind the first are passed over.
+    // Only the first layer is read.
     const std::string bytes =
         archive_.read(file, all * static_cast<std::uint64_t>(std::min<std::int64_t>(layers_, 64)));
     if (bytes.size() < all)
@@ -339,7 +340,7 @@ class Reader {
         parts[k]->push_back(scaled(k, number(reader, axes_[k].type)));
   }
 
-  /// A number of an axis in metres; NaN stays.
+  /// Returns a number of an axis in metres; NaN stays NaN.
   double scaled(std::size_t axis, double value) const {
     if (std::isnan(value)) return value;
     const bool counts = axes_[axis].isIncremental || axes_[axis].isWhole();
@@ -347,12 +348,13 @@ class Reader {
     return std::isfinite(metres) ? metres : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// One bit for each point, the lowest bit of a byte first; 0 where it was not measured.
+  /// Applies the file of valid points: one bit for each point, the lowest bit of a byte first, 0
+  /// where it was not measured.
   void takeMask(std::size_t count) {
     const std::string file(textAt(root_, "Record3/DataLink/ValidPointsLink"));
     if (file.empty()) return;
     if (!archive_.has(file)) {
-      // Some programs name the file and write none where all points are valid.
+      // Some programs name the file but write none where all points are valid.
       if (textAt(root_, "Record3/DataLink/MD5ChecksumValidPoints").empty()) return;
       source_.fail(message("has no file '{}' in its archive", shortened(file)));
     }
@@ -366,7 +368,7 @@ class Reader {
         points_.z[i] = std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// <Datum>z</Datum> or <Datum>x;y;z</Datum>; an empty one was not measured.
+  /// Reads <Datum>z</Datum> or <Datum>x;y;z</Datum>; an empty datum was not measured.
   void readList(std::size_t count) {
     const pugi::xml_node list = nodeAt(root_, "Record3/DataList");
     std::vector<std::size_t> stored;
@@ -418,9 +420,9 @@ class Reader {
       made.positionUnit.reset();
     }
     if (rows_ == 1) {
-      // A profile whose positions are stored: they may be anything.
+      // The positions of a profile are stored, and may be anything.
       if (!axes_[0].isIncremental)
-        placeUniformly(points_.x, std::move(grid.height), {}, source_, made);
+        resampleUniformly(points_.x, std::move(grid.height), {}, source_, made);
       return made;
     }
     const auto width = static_cast<std::size_t>(columns_);

@@ -35,8 +35,8 @@ constexpr std::size_t kHeaderLines = 13, kMostHeaderLines = 16;
 constexpr double kNoPhase = 2147483640;  // this number and those above it
 constexpr std::array kMagics{"\x88\x1B\x03\x6F"sv, "\x88\x1B\x03\x70"sv, "\x88\x1B\x03\x71"sv};
 
-/// A draft with square pixels.
-SurfaceDraft draftOf(std::int64_t columns, std::int64_t rows, double pixel) {
+/// Makes a draft with square pixels.
+SurfaceDraft makeDraft(std::int64_t columns, std::int64_t rows, double pixel) {
   SurfaceDraft draft;
   draft.facts.format = "zygo";
   draft.grid.columns = columns;
@@ -47,7 +47,7 @@ SurfaceDraft draftOf(std::int64_t columns, std::int64_t rows, double pixel) {
   return draft;
 }
 
-/// Metres of one step of the phases.
+/// Returns the height of one step of the phases in metres.
 double phaseStep(const SurfaceSource& source, double scaleFactor, double wavelength,
                  double obliquity, std::int64_t resolution) {
   constexpr std::array kResolutions{4096, 32768, 131072};
@@ -76,7 +76,7 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   const auto size = static_cast<std::size_t>(number(6, std::uint32_t{}));
   reader.skip(std::max(size, kHeader) - kHeader);
   reader.skip(static_cast<std::size_t>(2 * whole(52) * whole(54) * whole(56)));
-  SurfaceDraft draft = draftOf(whole(68), whole(70), number(184, float{}));
+  SurfaceDraft draft = makeDraft(whole(68), whole(70), number(184, float{}));
   draft.heightUnit = StatedUnit{"m", 1};
   Topography& grid = draft.grid;
   requireSize(source, grid.columns, grid.rows, reader.left(), sizeof(std::int32_t));
@@ -97,7 +97,7 @@ class Reader {
   SurfaceDraft read() {
     const bool hasPoints = readHeader().starts_with(kXyz);
     const std::int64_t columns = whole(4, 2), rows = whole(4, 3);
-    SurfaceDraft draft = draftOf(columns, rows, number(8, 6));
+    SurfaceDraft draft = makeDraft(columns, rows, number(8, 6));
     Topography& grid = draft.grid;
     requireSize(source_, grid.columns, grid.rows, reader_.left(), 1);
     if (hasPoints) {
@@ -111,7 +111,7 @@ class Reader {
   }
 
  private:
-  /// Up to the line "#"; returns the first line.
+  /// Reads up to the line "#" and returns the first line.
   std::string_view readHeader() {
     while (lines_.size() <= kMostHeaderLines && !reader_.atEnd()) {
       const std::string_view line = reader_.nextLine();
@@ -121,10 +121,10 @@ class Reader {
     source_.fail(message("the header of the {} file has no end", "Zygo"));
   }
 
-  /// Lines are counted from 1, their numbers from 0.
+  /// Returns a number of the header. Lines are counted from 1, the numbers of a line from 0.
   double number(std::size_t line, std::size_t at) const {
-    const std::vector<std::string_view> words = wordsOf(lines_[line - 1]);
-    const auto value = at < words.size() ? numberIn(words[at]) : std::nullopt;
+    const std::vector<std::string_view> words = splitWords(lines_[line - 1]);
+    const auto value = at < words.size() ? parseFiniteNumber(words[at]) : std::nullopt;
     if (!value) source_.fail(message("line {}: number {} is missing", line, at + 1));
     return *value;
   }
@@ -148,7 +148,7 @@ class Reader {
       const std::string_view line = reader_.nextLine();
       hasEnd = line.starts_with('#');
       if (hasEnd || line.empty()) continue;
-      const std::vector<std::string_view> words = wordsOf(line);
+      const std::vector<std::string_view> words = splitWords(line);
       std::int64_t x = 0, y = 0;
       if (words.size() < 3 || !readNumber(words[0], x) || !readNumber(words[1], y))
         source_.fail(message("line {}: is not a point 'x y z'", reader_.line()));
@@ -160,12 +160,12 @@ class Reader {
         source_.fail(message("line {}: there is a point at this position already", reader_.line()));
       isTaken[at] = true;
       ++taken;
-      if (const auto height = numberIn(words[2]); words.size() == 3 && height)
+      if (const auto height = parseFiniteNumber(words[2]); words.size() == 3 && height)
         grid.height[at] = *height;
       else if (lowerCase(words[2]) != "no" && readField(words[2], '.').kind != FieldKind::Missing)
         source_.fail(message("line {}: the height is not a number", reader_.line()));
     }
-    // Points that were not measured may be left out.
+    // Points that were not measured may be missing.
     if (taken < points && !hasEnd)
       source_.fail(message("line {}: ends after {} of {} heights", reader_.line(), taken, points));
   }

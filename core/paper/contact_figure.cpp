@@ -24,7 +24,7 @@ struct Contact {
 };
 
 Contact contactOf(const Scene& scene) {
-  const LineSource source(scene, pointsPerElementOfCurve(scene));  // as in all figures
+  const LineSource source(scene, curvePointsPerElement(scene));  // as in all figures
   Contact contact{source.make(0), {}, {}, {}, {}};
   contact.profile = prepareProfile(contact.line, scene.accuracy.scheme);
   const SlidingConditions conditions = slidingConditions(scene, scene.sliding.velocity);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/jobs.h"
+#include "core/base/stop.h"
 #include "core/contact/march/time_march.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/study.h"
@@ -78,7 +79,7 @@ Reading literal(const Line& line, const Scene& scene, double velocity, const Lit
   const Start start = steadyStart(line, Scheme::Nodal, conditions, force);
   LiteralOptions march;
   for (const LiteralVectors vectors : {LiteralVectors::Avx2, LiteralVectors::Avx512})
-    if (canUse(vectors)) march.vectors = vectors;
+    if (isSupported(vectors)) march.vectors = vectors;
   march.steps = steps.steps;
   march.startDepth = start.depth;
   march.startIndentation = start.indentation;
@@ -90,7 +91,7 @@ Reading fineSteps(const std::shared_ptr<const Line>& line, const Scene& scene, d
                   std::int64_t perSpacing, const FineSteps& steps) {
   const double force = scene.load.normalForce;
   const Start start = steadyStart(*line, Scheme::Cubic, slidingConditions(scene, velocity), force);
-  TimeMarch march(line, start.lowest, lawOf(scene.elastomer));
+  TimeMarch march(line, start.lowest, elementLaw(scene.elastomer));
   march.setState(start.depth, start.indentation);
   const MarchLoad load{LoadKind::Force, force, 0};
   const double advance = line->spacing / static_cast<double>(perSpacing);

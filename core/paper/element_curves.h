@@ -2,7 +2,7 @@
 // matters: by the paper's own rule, and with finer steps. A march costs hundreds of times as much
 // as a steady pass, so there are fewer lines.
 // Threading: lines run side by side; the results do not depend on the number of threads.
-// Failure: StudyStopped where `stop` was requested.
+// Failure: StopRequested where `stop` was requested.
 #pragma once
 
 #include <cstdint>

@@ -23,11 +23,11 @@ struct Coefficients {
 Coefficients coefficientsOf(const Study& study) {
   Coefficients one{
       study.scene().surface.hurst,
-      jackknife(study.groups(), [&](int out) { return alphaOf(study, out); }),
-      jackknife(study.groups(), [&](int out) { return betaOf(study, out); }),
-      jackknife(study.groups(), [&](int out) { return alphaOf(study, out, kBetaUpTo); })};
+      jackknife(study.groups(), [&](int out) { return fitAlpha(study, out); }),
+      jackknife(study.groups(), [&](int out) { return fitBeta(study, out); }),
+      jackknife(study.groups(), [&](int out) { return fitAlpha(study, out, kBetaUpTo); })};
   for (int out = 0; study.groups() > 1 && out < study.groups(); ++out)
-    one.without.push_back(alphaOf(study, out));
+    one.without.push_back(fitAlpha(study, out));
   return one;
 }
 
@@ -102,7 +102,7 @@ Diagram betaDiagram(const std::vector<Coefficients>& all) {
   one.points = {{0, 1}, {1, 1}};
   DiagramSeries table{"table used by Eq. (11) here"};
   table.isTheory = true;
-  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, betaOf(k / 50.0)});
+  for (int k = 0; k <= 50; ++k) table.points.push_back({k / 50.0, lawPrefactor(k / 50.0)});
   DiagramSeries measured{"measured, 0.001 \u2264 F\u2099/GhL \u2264 1", SeriesMark::Circle,
                          SeriesStroke::None};
   for (const Coefficients& here : all) measured.points.push_back(pointOf(here.hurst, here.beta));
@@ -124,7 +124,7 @@ Claim exponentClaim(const std::vector<Coefficients>& all) {
   for (const Coefficients& one : all) {
     each.push_back(message("H = {:g}: {:.3f} for {:.3f}", one.hurst, one.alpha.value,
                            forceExponent(one.hurst)));
-    if (!isMiddle(one.hurst)) continue;
+    if (!isInPaperRange(one.hurst)) continue;
     narrow.push_back(deviation(one, one.alpha));
     wide.push_back(deviation(one, one.wideAlpha));
   }

@@ -99,12 +99,12 @@ std::span<const FigureEntry> figureEntries() {
   return kEntries;
 }
 
-const FigureEntry& entryOf(FigureName name) {
+const FigureEntry& figureEntry(FigureName name) {
   return kEntries[static_cast<std::size_t>(name)];
 }
 
 Scene figureScene(FigureName name, const FigureOptions& options) {
-  const FigureEntry& entry = entryOf(name);
+  const FigureEntry& entry = figureEntry(name);
   checkAssignments(entry, options.assignments);
   Scene scene = readScene(paperScene(name), "--set", {}, options.assignments);
   scene.ensemble.realizations = options.realizations;
@@ -113,7 +113,7 @@ Scene figureScene(FigureName name, const FigureOptions& options) {
 }
 
 Figure makeFigure(FigureName name, const FigureOptions& options) {
-  const FigureEntry& entry = entryOf(name);
+  const FigureEntry& entry = figureEntry(name);
   Figure figure;
   figure.name = name;
   figure.scene = figureScene(name, options);
@@ -156,7 +156,7 @@ std::string claimsJson(std::span<const Figure> figures) {
   root["paper"] = "Q. Li et al., Phys. Rev. Lett. 111, 034301 (2013)";
   Json list = Json::array(), scenes;
   for (const Figure& figure : figures) {
-    const std::string word(entryOf(figure.name).word);
+    const std::string word(figureEntry(figure.name).word);
     scenes[word] = provenance("figure", figure.scene);
     for (const Claim& claim : figure.claims) {
       Json entry = {{"figure", word}};

@@ -3,7 +3,7 @@
 // more show the collapse of Eqs. (16) and (17) and the influence of the spacing. Immutable once
 // made; any thread. Equal options give equal bytes.
 // Failure: InputError for assignments that do not fit the figure; std::runtime_error where a force
-// balance is not met; StudyStopped where `stop` was requested.
+// balance is not met; StopRequested where `stop` was requested.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct FigureEntry {
 
 /// Returns all figures, in order.
 std::span<const FigureEntry> figureEntries();
-const FigureEntry& entryOf(FigureName name);
+const FigureEntry& figureEntry(FigureName name);
 
 struct FigureOptions {
   std::int64_t realizations = 200;

@@ -27,7 +27,7 @@ std::vector<double> elevenHurstExponents() {
   return exponents;
 }
 
-bool isMiddle(double hurst) {
+bool isInPaperRange(double hurst) {
   return hurst > 0.2 + 1e-9 && hurst < 0.8 - 1e-9;
 }
 
@@ -125,7 +125,7 @@ Message parameterLine(const Scene& scene, const FigureEntry& entry) {
 Claim fullContactClaim(std::span<const Study> studies) {
   FullContact all;
   for (const Study& study : studies) {
-    const FullContact one = fullContactOf(study);
+    const FullContact one = compareFullContact(study);
     all.points += one.points;
     all.toResolved = std::max(all.toResolved, one.toResolved);
     all.toSpectral = std::max(all.toSpectral, one.toSpectral);

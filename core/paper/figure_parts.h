@@ -24,7 +24,7 @@ std::vector<double> sixHurstExponents();
 std::vector<double> elevenHurstExponents();
 
 /// Returns whether 0.2 < H < 0.8, the range of the paper's statements, without its ends.
-bool isMiddle(double hurst);
+bool isInPaperRange(double hurst);
 
 /// Runs studies one after another and reports the finished part of all. Costs are in any common
 /// unit.
@@ -59,6 +59,17 @@ Message parameterLine(const Scene& scene, const FigureEntry& entry);
 
 /// Returns the claim on Eq. (8) in complete contact, over all the studies.
 Claim fullContactClaim(std::span<const Study> studies);
+
+/// The cost of each function of claims below, in the unit of FigureWork: it runs small studies.
+inline constexpr double kRegionClaimsCost = 3, kZoneClaimsCost = 13;
+
+/// Returns the claims on what carries the load in regions III and IV, and on where region IV
+/// begins. study: that of Fig. 2.
+std::vector<Claim> regionClaims(const Study& study, FigureWork& work);
+
+/// Returns the claims on twenty forces: zones 1 and 2, their shift, their scaling, the line in
+/// contact. study: the paper's forces and velocities.
+std::vector<Claim> zoneClaims(const Study& study, FigureWork& work);
 
 void addContactFigure(Figure& figure, const FigureOptions& options);
 void addVelocityFigure(Figure& figure, const FigureOptions& options);

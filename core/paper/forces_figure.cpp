@@ -6,7 +6,6 @@
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/zone_claims.h"
 #include "core/scene/columns.h"
 
 namespace asperity {

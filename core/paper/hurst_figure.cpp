@@ -43,7 +43,7 @@ Claim linearClaim(const std::vector<Study>& studies) {
 
 /// Returns the largest |mu / Eq. (11) - 1| up to the maximum.
 double lawDeviation(const Study& study, int out) {
-  const double top = plateauOf(study, 0).velocity;
+  const double top = findPlateau(study, 0).velocity;
   double worst = 0;
   for (std::size_t i = 0; i < study.velocities().size() && study.velocities()[i] <= top; ++i)
     worst = std::max(worst, std::abs(study.mu(0, i, out) / frictionLaw(study.lawInput(0, i)) - 1));
@@ -87,7 +87,7 @@ Claim lawClaim(const std::vector<Study>& studies) {
 /// Returns mu at the highest velocity over the maximum.
 double leftAtTheEnd(const Study& study, int out) {
   return study.normalizedMu(0, study.velocities().size() - 1, out) /
-         plateauOf(study, 0, out).normalizedMu;
+         findPlateau(study, 0, out).normalizedMu;
 }
 
 Claim outsideClaim(const std::vector<Study>& studies) {
@@ -112,7 +112,7 @@ Message noteOnContact(const std::vector<Study>& studies) {
     for (std::size_t i = 0; i < study.velocities().size(); ++i) {
       if (study.contactFraction(0, i) < 1 - 1e-12) continue;
       ++complete;
-      part = std::max(part, study.normalizedMu(0, i) / plateauOf(study, 0).normalizedMu);
+      part = std::max(part, study.normalizedMu(0, i) / findPlateau(study, 0).normalizedMu);
     }
   }
   const double force = dimensionlessForce(studies.front().lawInput(0, 0));

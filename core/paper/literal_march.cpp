@@ -230,7 +230,7 @@ class Literal {
 
 }  // namespace
 
-bool canUse(LiteralVectors vectors) {
+bool isSupported(LiteralVectors vectors) {
   switch (vectors) {
     case LiteralVectors::AsCompiled:
       return true;
@@ -254,7 +254,7 @@ LiteralResult literalMarch(const Line& line, const SlidingConditions& conditions
   const std::int64_t steps =
       options.steps > 0 ? options.steps : static_cast<std::int64_t>(line.nodes());
 #ifdef ASPERITY_X86
-  if (canUse(options.vectors)) {
+  if (isSupported(options.vectors)) {
     if (options.vectors == LiteralVectors::Avx512) return runAvx512(literal, steps);
     if (options.vectors == LiteralVectors::Avx2) return runAvx2(literal, steps);
   }

@@ -47,7 +47,7 @@ struct LiteralResult {
 enum class LiteralVectors { AsCompiled, Avx2, Avx512 };
 
 /// Returns whether this machine has these vectors.
-bool canUse(LiteralVectors vectors);
+bool isSupported(LiteralVectors vectors);
 
 struct LiteralOptions {
   std::int64_t steps = 0;  // 0: N steps; fewer only to measure the time per step

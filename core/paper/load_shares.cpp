@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/jobs.h"
+#include "core/base/stop.h"
 #include "core/friction/study.h"
 
 namespace asperity {

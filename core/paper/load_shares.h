@@ -2,7 +2,7 @@
 // the springs or the dashpots. They come from the shape of the elastomer at the nodes of every
 // line, which a Study does not keep. Immutable once computed; any thread. Equal bits for any number
 // of threads.
-// Failure: StudyStopped where `stop` was requested.
+// Failure: StopRequested where `stop` was requested.
 #pragma once
 
 #include <cstdint>

@@ -31,9 +31,9 @@ struct Tops {
 Top topOf(const Study& study, std::size_t j) {
   Top top;
   top.force = dimensionlessForce(study.lawInput(j, 0));
-  top.plateau = plateauOf(study, j);
+  top.plateau = findPlateau(study, j);
   top.normalizedMu =
-      jackknife(study.groups(), [&](int out) { return plateauOf(study, j, out).normalizedMu; });
+      jackknife(study.groups(), [&](int out) { return findPlateau(study, j, out).normalizedMu; });
   const std::vector<double>& velocities = study.velocities(j);
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < velocities.size(); ++i)
@@ -79,7 +79,7 @@ Claim heightClaim(const std::vector<Tops>& all) {
   double lowest = 2, highest = 0;
   for (const Tops& one : all)
     for (const Top& top : one.tops) {
-      if (!isMiddle(one.hurst) || top.force < 1) continue;
+      if (!isInPaperRange(one.hurst) || top.force < 1) continue;
       lowest = std::min(lowest, top.normalizedMu.value);
       highest = std::max(highest, top.normalizedMu.value);
       plateaus.push_back(top.normalizedMu);
@@ -110,8 +110,8 @@ Claim hurstClaim(const std::vector<Tops>& all) {
   claim.expected = 1;
   claim.criterion = "above 0.85";
   const auto ratio = [&](int out) {
-    return plateauOf(low->study, at, out).normalizedMu /
-           plateauOf(high->study, at, out).normalizedMu;
+    return findPlateau(low->study, at, out).normalizedMu /
+           findPlateau(high->study, at, out).normalizedMu;
   };
   decide(claim, jackknife(low->groups, ratio), above(0.85));
   claim.note = message("Smallest at H = {:g}, largest at H = {:g}.", low->hurst, high->hurst);
@@ -127,8 +127,8 @@ Claim fallClaim(const std::vector<Tops>& all) {
     for (const Tops& one : all) {
       double top = 0;
       for (std::size_t j = 0; j < one.study.forces(); ++j)
-        top = std::max(top, plateauOf(one.study, j, out).normalizedMu);
-      sum += plateauOf(one.study, 0, out).normalizedMu / top;
+        top = std::max(top, findPlateau(one.study, j, out).normalizedMu);
+      sum += findPlateau(one.study, 0, out).normalizedMu / top;
     }
     return sum / static_cast<double>(all.size());
   };
@@ -152,8 +152,8 @@ Claim strongerClaim(const std::vector<Tops>& all) {
   const auto fall = [](const Tops& one, int out) {
     double top = 0;
     for (std::size_t j = 0; j < one.study.forces(); ++j)
-      top = std::max(top, plateauOf(one.study, j, out).normalizedMu);
-    return plateauOf(one.study, 0, out).normalizedMu / top;
+      top = std::max(top, findPlateau(one.study, j, out).normalizedMu);
+    return findPlateau(one.study, 0, out).normalizedMu / top;
   };
   Claim claim{"fall_grows_with_H", "p. 4, after Eq. (15)",
               "The dependence of the slope in contact on force is less pronounced for H near 0 and "

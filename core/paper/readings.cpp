@@ -29,7 +29,7 @@ double velocityExponent(const Study& study, std::size_t j, std::size_t first, st
   return fitPower(velocities, mu).slope;
 }
 
-Plateau plateauOf(const Study& study, std::size_t j, int leftOut) {
+Plateau findPlateau(const Study& study, std::size_t j, int leftOut) {
   const CurveMaximum maximum =
       curveMaximum(study.velocities(j), normalizedCurve(study, j, leftOut));
   return {maximum.velocity, maximum.value};
@@ -63,7 +63,7 @@ double velocityAt(double dimensionlessVelocity, const Scene& scene, double rmsSl
 
 double meetingVelocity(double dimensionlessForce, double hurst) {
   return std::hypot(dimensionlessForce / 4,
-                    std::pow(dimensionlessForce, forceExponent(hurst)) / betaOf(hurst));
+                    std::pow(dimensionlessForce, forceExponent(hurst)) / lawPrefactor(hurst));
 }
 
 bool isInZone1(double dimensionlessForce, double to) {
@@ -72,7 +72,7 @@ bool isInZone1(double dimensionlessForce, double to) {
          dimensionlessForce <= to * (1 + kRounding);
 }
 
-FullContact fullContactOf(const Study& study) {
+FullContact compareFullContact(const Study& study) {
   FullContact found;
   for (std::size_t j = 0; j < study.forces(); ++j)
     for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
@@ -92,7 +92,7 @@ double forceAt(const Scene& scene, double dimensionlessForce) {
          scene.surface.length;
 }
 
-double alphaOf(const Study& study, int leftOut, double to) {
+double fitAlpha(const Study& study, int leftOut, double to) {
   std::vector<double> forces, factors;
   for (std::size_t j = 0; j < study.forces(); ++j) {
     const double force = dimensionlessForce(study.lawInput(j, 0));
@@ -103,7 +103,7 @@ double alphaOf(const Study& study, int leftOut, double to) {
   return -fitPower(forces, factors).slope;
 }
 
-double betaOf(const Study& study, int leftOut) {
+double fitBeta(const Study& study, int leftOut) {
   const double alpha = forceExponent(study.scene().surface.hurst);
   double sum = 0;
   for (std::size_t j = 0; j < study.forces(); ++j) {

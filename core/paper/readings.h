@@ -23,7 +23,7 @@ struct Plateau {
 
 /// Returns the curve's maximum, from the parabola in ln v through the highest value and its
 /// neighbours.
-Plateau plateauOf(const Study& study, std::size_t j, int leftOut = Study::kAll);
+Plateau findPlateau(const Study& study, std::size_t j, int leftOut = Study::kAll);
 
 /// Returns the borders; region I is the region of the lowest velocity.
 RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut = Study::kAll,
@@ -45,7 +45,7 @@ struct FullContact {
   double toResolved = 0;  // largest |mu / Eq. (8) - 1| with the rms slope of the line's segments
   double toSpectral = 0;  // the same with the slope of the spectrum: the resolution of the line
 };
-FullContact fullContactOf(const Study& study);
+FullContact compareFullContact(const Study& study);
 
 /// Returns F_N (N) for a dimensionless force: Fbar G h L, Eq. (14).
 double forceAt(const Scene& scene, double dimensionlessForce);
@@ -65,8 +65,8 @@ bool isInZone1(double dimensionlessForce, double to = kZone1To);
 /// Return Eq. (5)'s exponent and prefactor in zone 1, from forces at velocity index 0. alpha is the
 /// slope of ln mu over ln Fbar up to `to`. beta belongs to alpha = H/(1+H) and is the mean of the
 /// logarithm up to kBetaUpTo: it is used in Eq. (11), which must hold until contact is complete.
-double alphaOf(const Study& study, int leftOut = Study::kAll, double to = kZone1To);
-double betaOf(const Study& study, int leftOut = Study::kAll);
+double fitAlpha(const Study& study, int leftOut = Study::kAll, double to = kZone1To);
+double fitBeta(const Study& study, int leftOut = Study::kAll);
 inline constexpr double kBetaUpTo = 1;
 
 /// Returns thirteen forces that cover the window, and one velocity in the limit of slow sliding.

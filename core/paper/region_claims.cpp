@@ -1,4 +1,4 @@
-#include "core/paper/region_claims.h"
+#include "core/paper/figure_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ constexpr std::size_t kAtMaximum = 2, kAtTheEnd = kAround.size();
 
 LoadShares sharesOf(const Study& study, FigureWork& work) {
   std::vector<double> velocities;
-  for (const double factor : kAround) velocities.push_back(factor * plateauOf(study, 0).velocity);
+  for (const double factor : kAround) velocities.push_back(factor * findPlateau(study, 0).velocity);
   velocities.push_back(study.velocities().back());
   return {study.scene(),
           {{{LoadKind::Force, study.normalForce(0), 0}, velocities}},
@@ -36,7 +36,7 @@ LoadShares sharesOf(const Study& study, FigureWork& work) {
 double elasticAtMaximum(const Study& study, const LoadShares& shares, int out) {
   const std::vector<double>& v = shares.loadCase(0).velocities;
   const double velocity =
-      std::clamp(plateauOf(study, 0, out).velocity, v.front(), v[kAround.size() - 1]);
+      std::clamp(findPlateau(study, 0, out).velocity, v.front(), v[kAround.size() - 1]);
   std::size_t i = 0;
   while (i + 2 < kAround.size() && velocity > v[i + 1]) ++i;
   const double here = shares.elastic(0, i, out), next = shares.elastic(0, i + 1, out);
@@ -78,7 +78,7 @@ Claim followClaim(const Study& study, const LoadShares& shares) {
       "{:.3f} "
       "to {:.3f}. On a smooth summit, where the slope in contact is evenly distributed, it is "
       "2/\u221A3 = {:.3f}.",
-      study.normalizedMu(0, last) / plateauOf(study, 0).normalizedMu,
+      study.normalizedMu(0, last) / findPlateau(study, 0).normalizedMu,
       shares.frictionOverSlope(0, kAtMaximum), shares.frictionOverSlope(0, kAtTheEnd),
       2 / std::numbers::sqrt3);
   return claim;
@@ -95,7 +95,7 @@ Study studyOfBorder(const Scene& scene, FigureWork& work, double cost) {
 /// Returns F_N / (4 eta v) over h where the curve falls below 95 % of its maximum.
 double heightAtBorder(const Study& study, int out = Study::kAll) {
   const double height =
-      climbedHeight(study.normalForce(0), lawOf(study.scene().elastomer).viscosity,
+      climbedHeight(study.normalForce(0), elementLaw(study.scene().elastomer).viscosity,
                     regionBorders(study, 0, out).offPlateau);
   return height / study.scene().surface.rmsHeight;
 }

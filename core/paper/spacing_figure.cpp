@@ -47,7 +47,7 @@ Claim maximumClaim(const std::vector<Study>& studies) {
   claim.criterion = "within 0.1 of 1";
   const auto exponent = [&](int out) {
     return slopeExponent(studies, [&](const Study& study) {
-      return plateauOf(study, 0, out).normalizedMu * study.line().rmsSlope;
+      return findPlateau(study, 0, out).normalizedMu * study.line().rmsSlope;
     });
   };
   decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.1));

@@ -8,7 +8,6 @@
 #include "core/friction/ensemble.h"
 #include "core/paper/element_curves.h"
 #include "core/paper/figure_parts.h"
-#include "core/paper/region_claims.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -184,10 +183,11 @@ Claim plateauClaim(const Study& study) {
               "largest \u03BC / rms slope of the line"};
   claim.expected = std::sqrt(2.0);
   claim.criterion = "within 10 % of \u221A2";
-  decide(claim,
-         jackknife(study.groups(), [&](int out) { return plateauOf(study, 0, out).normalizedMu; }),
-         within(claim.expected, 0.1 * claim.expected));
-  const Plateau plateau = plateauOf(study, 0);
+  decide(
+      claim,
+      jackknife(study.groups(), [&](int out) { return findPlateau(study, 0, out).normalizedMu; }),
+      within(claim.expected, 0.1 * claim.expected));
+  const Plateau plateau = findPlateau(study, 0);
   claim.note =
       message("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
   return claim;

@@ -1,10 +1,10 @@
-#include "core/paper/zone_claims.h"
-#include "core/base/number_text.h"
+#include "core/paper/figure_parts.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_features.h"
 #include "core/friction/ensemble.h"
 #include "core/paper/load_shares.h"
@@ -199,7 +199,8 @@ Claim oneSidedClaim(const Study& study, FigureWork& work) {
 
 Claim plateauSpreadClaim(const Study& study) {
   std::vector<double> tops;
-  for (std::size_t j = 0; j < study.forces(); ++j) tops.push_back(plateauOf(study, j).normalizedMu);
+  for (std::size_t j = 0; j < study.forces(); ++j)
+    tops.push_back(findPlateau(study, j).normalizedMu);
   Claim claim{"plateau_depends_weakly_on_force", "p. 1, abstract",
               "The coefficient of friction on the plateau depends only weakly on the normal force",
               "smallest over largest plateau, over five decades of force"};
@@ -209,7 +210,8 @@ Claim plateauSpreadClaim(const Study& study) {
   claim.expected = 1;
   claim.criterion = "above 0.8";
   const auto ratio = [&](int out) {
-    return plateauOf(study, lowest, out).normalizedMu / plateauOf(study, highest, out).normalizedMu;
+    return findPlateau(study, lowest, out).normalizedMu /
+           findPlateau(study, highest, out).normalizedMu;
   };
   decide(claim, jackknife(study.groups(), ratio), above(0.8));
   return claim;
@@ -219,7 +221,7 @@ Claim plateauSpreadClaim(const Study& study) {
 /// each has been shifted along ln v so that its region I lies on that of the first.
 double distanceOfShifted(const Study& study, int out) {
   const double reference = study.mu(0, 0, out);
-  const double end = plateauOf(study, 0, out).velocity;
+  const double end = findPlateau(study, 0, out).velocity;
   double worst = 0;
   for (std::size_t j = 1; j < study.forces(); ++j) {
     const double shift = reference / study.mu(j, 0, out);

@@ -48,7 +48,7 @@ Message motionInWords(const Frame& frame) {
 
 /// Returns where the bodies touch. The stretches are those of the picture.
 Message touchInWords(const Frame& frame, const ContactState& state) {
-  const std::vector<ContactStretch> contacts = stretchesOf(frame, false);
+  const std::vector<ContactStretch> contacts = findStretches(frame, false);
   if (contacts.empty()) return message("The bodies do not touch.");
   if (state.contactFraction >= 1) return message("All of the surface is in contact.");
   double longest = 0;
@@ -65,7 +65,7 @@ Message touchInWords(const Frame& frame, const ContactState& state) {
 
 /// Returns what friction is and where it comes from.
 Message frictionInWords(const Frame& frame, const ContactState& state) {
-  const bool isElastic = lawOf(frame.scene->elastomer).kind() == ElementKind::Elastic;
+  const bool isElastic = elementLaw(frame.scene->elastomer).kind() == ElementKind::Elastic;
   if (!(state.normalForce > 0)) return message("Without a normal force there is no friction.");
   if (velocityOf(frame) == 0 && !frame.transient)
     return message("At rest there is no friction here.");
@@ -90,7 +90,7 @@ Message frictionInWords(const Frame& frame, const ContactState& state) {
       coefficient(state.mu), printed(std::abs(state.tangentialForce), "N"));
 }
 
-/// Returns what the friction curve says; empty where it says nothing.
+/// Returns the friction of other lines by the friction curve; empty where it is not known.
 Message curveInWords(const CurveAtVelocity& curve) {
   Message mean, region;
   // All lines agree where they are the same line, except for rounding.
@@ -101,7 +101,7 @@ Message curveInWords(const CurveAtVelocity& curve) {
                    percent(share, 1));
   if (!curve.region.empty())
     region = message("This is region {} of the friction curve, {}.", curve.region,
-                     Message(wordOfRegion(curve.region)));
+                     Message(regionWord(curve.region)));
   return sentences({mean, region});
 }
 
@@ -117,7 +117,7 @@ ContactState drawnState(const Frame& frame) {
           frame.muInterface};
 }
 
-std::vector<Message> contactInWords(const Frame& frame, const CurveAtVelocity& curve) {
+std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& curve) {
   if (!frame.scene) return {};
   const ContactState state = drawnState(frame);
   std::vector<Message> said;
@@ -133,7 +133,8 @@ std::vector<Message> contactInWords(const Frame& frame, const CurveAtVelocity& c
             ? message("The picture still moves to the steady state, whose coefficient is {}.",
                       coefficient(frame.muSteady))
             : message("The picture still moves to the steady state."));
-  for (const Note note : curve.notes.list()) said.push_back(message("Note: {}.", sentenceOf(note)));
+  for (const Note note : curve.notes.list())
+    said.push_back(message("Note: {}.", noteSentence(note)));
   return said;
 }
 

@@ -28,6 +28,6 @@ struct CurveAtVelocity {
 /// Returns the state as short sentences: how the line moves and presses, where the bodies touch,
 /// what friction is and where it comes from, what other lines have, and, one sentence each, how far
 /// this holds. Their numbers are those of the picture and of the status line.
-std::vector<Message> contactInWords(const Frame& frame, const CurveAtVelocity& curve = {});
+std::vector<Message> describeContact(const Frame& frame, const CurveAtVelocity& curve = {});
 
 }  // namespace asperity

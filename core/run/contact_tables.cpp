@@ -105,7 +105,7 @@ FrameFields fieldsForTables() {
   return {.lineSlope = true, .sinceContact = true, .power = true};
 }
 
-std::vector<ContactStretch> stretchesOf(const Frame& frame, bool isGap) {
+std::vector<ContactStretch> findStretches(const Frame& frame, bool isGap) {
   const std::size_t n = frame.pressure.size();
   std::vector<ContactStretch> stretches;
   const auto belongs = [&](std::size_t i) { return touches(frame, i % n) != isGap; };
@@ -125,7 +125,7 @@ std::vector<double> timeInContact(const Frame& frame) {
   const std::size_t n = frame.pressure.size();
   std::vector<double> times(n, 0);
   const bool isKnown = !frame.transient && !frame.isSettling && frame.velocity != 0;
-  for (const ContactStretch& contact : stretchesOf(frame, false)) {
+  for (const ContactStretch& contact : findStretches(frame, false)) {
     const bool hasEdge = contact.points < n;
     for (std::size_t k = 0; k < contact.points; ++k) {
       // The line moves towards +x for v > 0, so its edge on that side meets the elastomer first.
@@ -154,7 +154,7 @@ DataTable contactsTable(const Frame& frame) {
   DataTable table{names({"start", "length", "normal_force", "tangential_force", "mean_line_load",
                          "largest_line_load"}),
                   {}};
-  for (const ContactStretch& contact : stretchesOf(frame, false)) {
+  for (const ContactStretch& contact : findStretches(frame, false)) {
     const StretchForces forces = forcesOf(frame, contact);
     table.rows.push_back({contact.start, contact.length, forces.normal, forces.tangential,
                           forces.normal / contact.length, forces.largest});
@@ -164,7 +164,7 @@ DataTable contactsTable(const Frame& frame) {
 
 DataTable gapsTable(const Frame& frame) {
   DataTable table{names({"start", "length", "mean_gap", "largest_gap", "area"}), {}};
-  for (const ContactStretch& gap : stretchesOf(frame, true)) {
+  for (const ContactStretch& gap : findStretches(frame, true)) {
     const GapSize size = sizeOf(frame, gap);
     table.rows.push_back({gap.start, gap.length, size.area / gap.length, size.largest, size.area});
   }
@@ -180,8 +180,8 @@ DataTable powerTable(const Frame& frame) {
 }
 
 Json derivedNumbers(const Frame& frame) {
-  const std::vector<ContactStretch> contacts = stretchesOf(frame, false);
-  const std::vector<ContactStretch> gaps = stretchesOf(frame, true);
+  const std::vector<ContactStretch> contacts = findStretches(frame, false);
+  const std::vector<ContactStretch> gaps = findStretches(frame, true);
   double largestLoad = 0, longest = 0, inContact = 0, largestGap = 0, area = 0;
   for (const ContactStretch& contact : contacts) {
     largestLoad = std::max(largestLoad, forcesOf(frame, contact).largest);

@@ -25,7 +25,7 @@ struct ContactStretch {
 
 /// Returns the stretches in contact, or with `isGap` those that are free, in order of their start.
 /// A contact or a gap that is the whole period starts at its first point.
-std::vector<ContactStretch> stretchesOf(const Frame& frame, bool isGap);
+std::vector<ContactStretch> findStretches(const Frame& frame, bool isGap);
 
 /// Returns for each point the time since it came into contact, s: in steady sliding the way to the
 /// edge of contact that moves ahead over the velocity; 0 outside of contact. Not applicable where

@@ -159,8 +159,9 @@ Diagram pressureDiagram(const Frame& frame) {
   const double mean = frame.normalForce / (frame.contactFraction * frame.length);
   const double most = std::isfinite(mean) ? std::max(mean, belowWhichMostIs(pressures, weights))
                                           : belowWhichMostIs(pressures, weights);
-  diagram.series = {stepsOf(
-      histogramOf(pressures, 0, 1.2 * most, binsFor(pressures.size()), weights), "in contact", 0)};
+  diagram.series = {
+      stepsOf(makeHistogram(pressures, 0, 1.2 * most, binsFor(pressures.size()), weights),
+              "in contact", 0)};
   if (!std::isfinite(mean)) return diagram;
   double highest = 0;
   for (const DiagramPoint& point : diagram.series[0].points) highest = std::max(highest, point.y);
@@ -317,8 +318,8 @@ DiagramSheet spectrumSheet(const Scene& scene) {
   return sheet;
 }
 
-Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins,
-                      std::span<const double> weights) {
+Histogram makeHistogram(const std::vector<double>& values, double from, double to, std::size_t bins,
+                        std::span<const double> weights) {
   Histogram histogram{from, to, std::vector<double>(bins)};
   if (values.empty()) return histogram;
   const double whole = weights.empty() ? static_cast<double>(values.size())
@@ -352,9 +353,9 @@ SlopeStatistics slopeStatistics(const Frame& frame) {
     climbing += slopes[i] > 0 ? 1 : 0;
   }
   const std::size_t bins = binsFor(contact.empty() ? slopes.size() : contact.size());
-  statistics.whole = histogramOf(slopes, -kMostSlopes, kMostSlopes, bins);
+  statistics.whole = makeHistogram(slopes, -kMostSlopes, kMostSlopes, bins);
   if (contact.empty()) return statistics;
-  statistics.contact = histogramOf(contact, -kMostSlopes, kMostSlopes, bins);
+  statistics.contact = makeHistogram(contact, -kMostSlopes, kMostSlopes, bins);
   statistics.climbing = climbing / static_cast<double>(contact.size());
   statistics.rmsContact = std::sqrt(contactSquare / static_cast<double>(contact.size()));
   return statistics;

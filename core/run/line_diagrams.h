@@ -54,8 +54,8 @@ struct Histogram {
 
 /// Makes `bins` intervals; values outside belong to no interval but count in the total. Each value
 /// has its weight, or all have the same without weights.
-Histogram histogramOf(const std::vector<double>& values, double from, double to, std::size_t bins,
-                      std::span<const double> weights = {});
+Histogram makeHistogram(const std::vector<double>& values, double from, double to, std::size_t bins,
+                        std::span<const double> weights = {});
 
 /// Slopes of the line over the elements in contact and over all, in units of the rms slope;
 /// positive where the line climbs against the approaching elastomer.

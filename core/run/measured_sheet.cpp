@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kStretches = 1500;  // along the profile
 
-/// Points of a profile about `mean`. Of a long one the lowest and the highest of each stretch, so
-/// that no summit is lost.
+/// Returns the points of a profile relative to `mean`; of a long one the lowest and the highest of
+/// each part, so that no summit is lost.
 std::vector<DiagramPoint> profilePoints(std::span<const double> heights, double spacing,
                                         double mean) {
   std::vector<DiagramPoint> points;
@@ -39,7 +39,7 @@ std::vector<DiagramPoint> profilePoints(std::span<const double> heights, double 
   return points;
 }
 
-double meanOf(std::span<const double> heights) {
+double meanWithoutGaps(std::span<const double> heights) {
   double sum = 0, count = 0;
   for (const double height : heights)
     if (!std::isnan(height)) {
@@ -57,12 +57,14 @@ DiagramSeries seriesNamed(const char* name, int colour, std::vector<DiagramPoint
   return series;
 }
 
-/// Both profiles in one frame, or in two where the form that was removed dwarfs the roughness.
+/// Makes the diagrams of both profiles: in one frame, or in two where the removed form is much
+/// larger than the roughness.
 std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   constexpr double kDwarfs = 4;
   const ProcessedProfile& profile = summary.profile;
-  DiagramSeries raw = seriesNamed("raw, about its mean", 1,
-                                  profilePoints(profile.raw, profile.spacing, meanOf(profile.raw)));
+  DiagramSeries raw =
+      seriesNamed("raw, about its mean", 1,
+                  profilePoints(profile.raw, profile.spacing, meanWithoutGaps(profile.raw)));
   DiagramSeries used = seriesNamed("used", 0, profilePoints(profile.used, profile.spacing, 0));
   Diagram frame;
   frame.x = {"position", "m", AxisScale::Linear, 0, summary.used.length};
@@ -78,7 +80,7 @@ std::vector<Diagram> profileDiagrams(const MeasuredSummary& summary) {
   return {frame, below};
 }
 
-/// Means over stretches of log q, which the eye would take anyway.
+/// Returns means over intervals of log q, as the eye would average them.
 std::vector<DiagramPoint> spectrumPoints(const SpectralDensity& spectrum) {
   constexpr double kToDecade = 24;
   std::vector<DiagramPoint> points;
@@ -105,7 +107,7 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
   diagram.y = {"spectral density C", "m\u00B3", AxisScale::Logarithmic};
   std::vector<DiagramPoint> raw = spectrumPoints(summary.rawSpectrum);
   std::vector<DiagramPoint> used = spectrumPoints(summary.usedSpectrum);
-  // What a filter has taken away whole would stretch the axis over rounding errors.
+  // A part that a filter has removed completely would extend the axis to rounding errors.
   constexpr double kDeepest = 1e-12;
   double greatest = 0, least = HUGE_VAL;
   for (const auto* points : {&raw, &used})
@@ -133,7 +135,7 @@ Diagram spectrumDiagram(const MeasuredSummary& summary) {
   return diagram;
 }
 
-/// Shares of heights, in rms heights of the used profile.
+/// Makes the diagram of the distribution of heights, in rms heights of the used profile.
 Diagram heightDistribution(const MeasuredSummary& summary) {
   constexpr double kMost = 5;
   Diagram diagram;
@@ -141,7 +143,7 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
                -kMost, kMost};
   diagram.y = {"share", "%", AxisScale::Linear};
   std::vector<double> heights;
-  const double mean = meanOf(summary.profile.used);
+  const double mean = meanWithoutGaps(summary.profile.used);
   if (!(summary.used.pq > 0)) {
     diagram.blank = "all heights are equal";
     return diagram;
@@ -150,7 +152,7 @@ Diagram heightDistribution(const MeasuredSummary& summary) {
     heights.push_back((height - mean) / summary.used.pq);
   const auto bins = static_cast<std::size_t>(
       std::clamp(std::sqrt(static_cast<double>(heights.size())), 20.0, 100.0));
-  const Histogram histogram = histogramOf(heights, -kMost, kMost, bins);
+  const Histogram histogram = makeHistogram(heights, -kMost, kMost, bins);
   DiagramSeries steps = seriesNamed("used", 0, {});
   for (std::size_t i = 0; i < histogram.share.size(); ++i) {
     const double from = histogram.from + histogram.width() * static_cast<double>(i);

@@ -6,7 +6,8 @@
 
 #include "core/accuracy/pilot.h"
 #include "core/base/processor_time.h"
-#include "core/friction/study.h"
+#include "core/base/statistics.h"
+#include "core/base/stop.h"
 #include "core/material/element_law.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
@@ -104,12 +105,6 @@ Scene refined(const Scene& scene) {
   return fine;
 }
 
-double meanOf(const std::vector<double>& values, std::size_t first, std::size_t count) {
-  double sum = 0;
-  for (std::size_t i = first; i < first + count; ++i) sum += values[i];
-  return sum / static_cast<double>(count);
-}
-
 /// Returns the difference of friction at the beginning from that after the distance in which memory
 /// fades, or as much of it as `work` allows. On a rigid line friction in steady sliding does not
 /// vary.
@@ -131,8 +126,8 @@ double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& ri
   piece.leastSteps = std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
   piece.windows = std::max(2.0 * kEnds, std::floor(steps / kWindow));
   const std::vector<double> mu = marchThrough(piece, rigid, 1, stop).mu;
-  const double settled = meanOf(mu, mu.size() - kEnds, kEnds);
-  return settled != 0 ? std::abs(meanOf(mu, 0, kEnds) / settled - 1) : kNotApplicable;
+  const double settled = mean(std::span(mu).last(kEnds));
+  return settled != 0 ? std::abs(mean(std::span(mu).first(kEnds)) / settled - 1) : kNotApplicable;
 }
 
 struct Measured {
@@ -198,7 +193,7 @@ struct Beginning {
 }  // namespace
 
 Prediction predictMotion(const Scene& scene, const std::stop_token& stop) {
-  const double weight = weightOf(lawOf(scene.elastomer)), leastSteps = kLeastWindows * kWindow;
+  const double weight = weightOf(elementLaw(scene.elastomer)), leastSteps = kLeastWindows * kWindow;
   const PilotScene whole(scene, lineExtent(scene));
   // A shorter line has the same number of steps; it first determines how much the pilot may do.
   const double steps = Beginning(sampleFor(whole, weight, kLeastWork)).transient.countSteps();

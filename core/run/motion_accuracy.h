@@ -8,7 +8,7 @@
 //               the resolved line, not in its own. Not of a start from rest, which begins exactly
 // Each is the root mean square over windows of 16 steps of the difference in friction, relative to
 // that of friction itself.
-// Threading: one thread at a time (time is measured). Failure: as Transient; StudyStopped.
+// Threading: one thread at a time (time is measured). Failure: as Transient; StopRequested.
 #pragma once
 
 #include <cstdint>

@@ -13,9 +13,9 @@
 #include "core/base/jobs.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/chart/curve_words.h"
 #include "core/friction/curve_file.h"
-#include "core/friction/study.h"
 #include "core/run/rigid_line.h"
 #include "core/run/transient.h"
 #include "core/run/transient_diagram.h"
@@ -40,7 +40,7 @@ double withoutRounding(double time) {
   return rounded;
 }
 
-/// The columns in the order of the table, without the realization, which follows them.
+/// The columns in the order of the table, without the realization, which is the last one.
 struct MotionColumn {
   ColumnName name;
   double (*value)(const TransientSample& row);
@@ -65,7 +65,7 @@ double muInterface(const MotionTable& table, const TransientSample& row) {
   return table.hasInterface && row.velocity != 0 ? row.muInterface : kNotApplicable;
 }
 
-/// Means of single steps over parts of the duration, and sums of their errors.
+/// Computes means of single steps over parts of the duration, and sums of their errors.
 class MotionMeans {
  public:
   explicit MotionMeans(double duration) : duration_(duration) {}
@@ -134,8 +134,8 @@ class MotionMeans {
   double errors_ = 0, values_ = 0, known_ = 0;
 };
 
-/// The lowest and the highest value of every part of a motion, in the order in which they occurred:
-/// a picture of them shows the peaks of all steps, however many there are.
+/// Keeps the lowest and the highest value of every part of a motion, in the order in which they
+/// occurred: a picture of them shows the peaks of all steps, however many there are.
 class MotionEnvelope {
  public:
   explicit MotionEnvelope(double duration) : duration_(duration) {}
@@ -309,7 +309,7 @@ std::string motionCsv(const MotionTable& table) {
 
 Json motionProvenance(const std::string& verb, const Scene& scene, const MotionTable& table) {
   Json root = provenance(verb, scene);
-  // At the end, so that their place does not depend on how they were given.
+  // They stand at the end, so that their position does not depend on how they were given.
   for (const char* own : {"every", "lines"})
     if (root.contains("options")) root["options"].erase(own);
   root["options"]["every"] = table.every;
@@ -339,7 +339,7 @@ DiagramSheet motionSheet(const Scene& scene, const MotionTable& table) {
   DiagramSheet sheet = transientSheet(scene, table.drawn, table.spacing, table.length);
   sheet.diagrams.push_back(contactStrip(scene, table.drawn));
   sheet.title = scene.title;
-  sheet.subtitle = parametersInWords(scene);
+  sheet.subtitle = describeParameters(scene);
   if (sheet.status.empty()) sheet.note = {};  // without a guide no explanation is needed
   std::vector<Message> notes{sheet.note};
   if (table.lines.size() > 1) notes.push_back(message("mean of {} lines", table.lines.size()));

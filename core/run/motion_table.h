@@ -2,7 +2,7 @@
 // lines, and the same as a picture.
 // Threading: lines are marched on all threads; equal options give equal bytes for any number of
 // them. Failure: InputError for a scene or options that cannot run; std::runtime_error where the
-// first steady state has no balance; StudyStopped where `stop` was requested.
+// first steady state has no balance; StopRequested where `stop` was requested.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ RigidLine RigidLine::coarser(std::size_t every) const {
   return {std::move(coarse), prepared.scheme};
 }
 
-MarchLoad marchLoadOf(const Load& load) {
+MarchLoad marchLoad(const Load& load) {
   return {load.kind, load.normalForce, load.depth};
 }
 
@@ -70,10 +70,10 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, doubl
 }
 
 TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distance) {
-  needEquilibrium(scene);
-  TimeMarch march(rigid.line, rigid.prepared.lowestHeight, lawOf(scene.elastomer));
+  requireEquilibrium(scene);
+  TimeMarch march(rigid.line, rigid.prepared.lowestHeight, elementLaw(scene.elastomer));
   march.setDistance(distance);
-  march.settleAtRest(marchLoadOf(loadOn(scene.load, rigid.line->length)));
+  march.settleAtRest(marchLoad(loadOn(scene.load, rigid.line->length)));
   return march;
 }
 

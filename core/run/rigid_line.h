@@ -32,7 +32,7 @@ struct RigidLine {
   RigidLine(Line made, Scheme scheme);
 };
 
-MarchLoad marchLoadOf(const Load& load);
+MarchLoad marchLoad(const Load& load);
 
 /// Begins in the steady state, with the line moved to the node nearest to `distance` (m).
 TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,

@@ -41,7 +41,7 @@ struct Runner::Body {
 
   // ---- the march -------------------------------------------------------------------------------
 
-  struct Orders {
+  struct Commands {
     std::optional<PostedScene> scene;
     std::optional<FrameFields> fields;
     bool reset = false;
@@ -56,70 +56,71 @@ struct Runner::Body {
     std::optional<Simulation> simulation;
     Clock::time_point next = Clock::now();
     while (!stop.stop_requested()) {
-      const Orders orders = takeOrders(stop, next, simulation.has_value());
+      const Commands commands = takeCommands(stop, next, simulation.has_value());
       if (stop.stop_requested()) return;
       try {
-        obey(orders, simulation, next);
+        execute(commands, simulation, next);
       } catch (const InputError& error) {
-        say(orders.scene ? orders.scene->number : 0, error.key(), error.message());
+        report(commands.scene ? commands.scene->number : 0, error.key(), error.message());
       } catch (const std::exception& error) {
-        say(orders.scene ? orders.scene->number : 0, "", messageOf(error));
+        report(commands.scene ? commands.scene->number : 0, "", errorMessage(error));
       }
     }
   }
 
-  /// Waits for orders, or for the time of the next frame while playing.
-  Orders takeOrders(std::stop_token stop, Clock::time_point next, bool running) {
+  /// Waits for commands, or for the time of the next frame while playing.
+  Commands takeCommands(std::stop_token stop, Clock::time_point next, bool running) {
     std::unique_lock guard(lock);
-    const auto ordered = [this] { return waiting.any(); };
-    const auto moves = [&] { return running && playing && isSeen; };
+    const auto hasCommands = [this] { return pending.any(); };
+    const auto moves = [&] { return running && playing && isVisible; };
     if (wantedMoment) {
-      // The way to a moment waits for nothing.
+      // Going to a moment does not wait.
     } else if (moves()) {
-      changed.wait_until(guard, stop, next, ordered);
+      changed.wait_until(guard, stop, next, hasCommands);
     } else {
-      changed.wait(guard, stop, [&] { return ordered() || moves(); });
+      changed.wait(guard, stop, [&] { return hasCommands() || moves(); });
     }
-    Orders orders = std::move(waiting);
-    waiting = {};
-    orders.play = playing && isSeen;
-    orders.part = options.secondsPerFrame() / pace;
-    return orders;
+    Commands commands = std::move(pending);
+    pending = {};
+    commands.play = playing && isVisible;
+    commands.part = options.secondsPerFrame() / pace;
+    return commands;
   }
 
-  void obey(const Orders& orders, std::optional<Simulation>& simulation, Clock::time_point& next) {
-    if (orders.scene) {
+  void execute(const Commands& commands, std::optional<Simulation>& simulation,
+               Clock::time_point& next) {
+    if (commands.scene) {
       if (simulation)
         // While time is paused the old shape cannot relax.
-        simulation->update(orders.scene->scene, orders.scene->number,
-                           orders.play ? Simulation::Shape::Present : Simulation::Shape::Steady);
+        simulation->update(commands.scene->scene, commands.scene->number,
+                           commands.play ? Simulation::Shape::Present : Simulation::Shape::Steady);
       else
-        simulation.emplace(orders.scene->scene, orders.scene->number);
+        simulation.emplace(commands.scene->scene, commands.scene->number);
     }
-    if (orders.fields) fields = *orders.fields;
+    if (commands.fields) fields = *commands.fields;
     if (!simulation) return;
-    if (orders.fields || orders.scene) simulation->want(fields);
-    if (orders.reset) simulation->reset();
-    for (const double part : orders.steps) simulation->singleStep(part);
+    if (commands.fields || commands.scene) simulation->requestFields(fields);
+    if (commands.reset) simulation->reset();
+    for (const double part : commands.steps) simulation->singleStep(part);
     const std::chrono::duration<double> interval(options.secondsPerFrame());
-    if (orders.scene || orders.reset || !orders.steps.empty()) wantedMoment.reset();
-    if (orders.seek) wantedMoment = orders.seek;
+    if (commands.scene || commands.reset || !commands.steps.empty()) wantedMoment.reset();
+    if (commands.seek) wantedMoment = commands.seek;
     if (wantedMoment) {
       next = Clock::now() + std::chrono::duration_cast<Clock::duration>(interval);
       const double moment = *std::exchange(wantedMoment, {});  // a failure ends the way
       bool isThere = false;
       while (!isThere && Clock::now() < next)
-        isThere = simulation->seek(moment, orders.part, interval.count());
+        isThere = simulation->seek(moment, commands.part, interval.count());
       if (!isThere) wantedMoment = moment;
       publish(simulation->frame());
       return;
     }
-    const bool due = orders.play && Clock::now() >= next;
+    const bool due = commands.play && Clock::now() >= next;
     if (due) {
-      simulation->advance(orders.part, interval.count());
+      simulation->advance(commands.part, interval.count());
       next = std::max(next + std::chrono::duration_cast<Clock::duration>(interval), Clock::now());
     }
-    if (due || orders.any()) publish(simulation->frame());
+    if (due || commands.any()) publish(simulation->frame());
   }
 
   void publish(Frame&& frame) {
@@ -168,9 +169,9 @@ struct Runner::Body {
       last.isComplete = true;
       offer(work.number, last);
     } catch (const InputError& error) {
-      say(work.scene.number, error.key(), error.message());
+      report(work.scene.number, error.key(), error.message());
     } catch (const std::exception& error) {
-      say(work.scene.number, "", messageOf(error));
+      report(work.scene.number, "", errorMessage(error));
     }
   }
 
@@ -179,19 +180,19 @@ struct Runner::Body {
       const std::lock_guard guard(lock);
       if (!curves.offer(curve, update)) return;
     }
-    if (options.curveNews) options.curveNews();
+    if (options.curveUpdated) options.curveUpdated();
   }
 
   /// Returns the number of the scene. It is called under the lock.
   std::uint64_t take(Scene&& scene) {
     present = {std::make_shared<const Scene>(std::move(scene)), present.number + 1};
-    waiting.scene = present;
+    pending.scene = present;
     curves.post(present);
     changed.notify_all();
     return present.number;
   }
 
-  void say(std::uint64_t number, const std::string& key, const Message& text) {
+  void report(std::uint64_t number, const std::string& key, const Message& text) {
     const std::lock_guard guard(lock);
     messages.push_back({number, key, text});
   }
@@ -202,12 +203,12 @@ struct Runner::Body {
   std::mutex lock;  // protects everything down to the threads; never held while computing
   std::condition_variable_any changed;
   bool playing = true;
-  bool isSeen = true;
+  bool isVisible = true;
   double pace;  // s on the screen for a period
-  Orders waiting;
+  Commands pending;
   PostedScene present;
   std::shared_ptr<const Frame> newest;
-  CurveOrders curves;
+  CurveRequests curves;
   std::vector<RunnerMessage> messages;
   std::jthread marchThread, curveThread;  // last: they use all members above
 };
@@ -222,13 +223,13 @@ std::uint64_t Runner::post(Scene scene) {
 
 std::uint64_t Runner::open(Scene scene) {
   const std::lock_guard guard(body_->lock);
-  body_->waiting.reset = true;  // carried out together with the scene
+  body_->pending.reset = true;  // carried out together with the scene
   return body_->take(std::move(scene));
 }
 
-void Runner::want(const FrameFields& fields) {
+void Runner::requestFields(const FrameFields& fields) {
   const std::lock_guard guard(body_->lock);
-  body_->waiting.fields = fields;
+  body_->pending.fields = fields;
   body_->changed.notify_all();
 }
 
@@ -250,7 +251,7 @@ bool Runner::isPlaying() const {
 
 void Runner::singleStep(double part) {
   const std::lock_guard guard(body_->lock);
-  body_->waiting.steps.push_back(part);
+  body_->pending.steps.push_back(part);
   body_->changed.notify_all();
 }
 
@@ -261,19 +262,19 @@ void Runner::setPace(double secondsPerPeriod) {
 
 void Runner::seek(double time) {
   const std::lock_guard guard(body_->lock);
-  body_->waiting.seek = time;
+  body_->pending.seek = time;
   body_->changed.notify_all();
 }
 
-void Runner::setSeen(bool seen) {
+void Runner::setVisible(bool seen) {
   const std::lock_guard guard(body_->lock);
-  body_->isSeen = seen;
+  body_->isVisible = seen;
   body_->changed.notify_all();
 }
 
 void Runner::reset() {
   const std::lock_guard guard(body_->lock);
-  body_->waiting.reset = true;
+  body_->pending.reset = true;
   body_->changed.notify_all();
 }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/run/curve_orders.h"
+#include "core/run/curve_requests.h"
 #include "core/run/frame.h"
 #include "core/scene/scene.h"
 
@@ -31,7 +31,7 @@ struct RunnerOptions {
   double framesPerSecond = 60;   // maximum number of frames
   double secondsPerPeriod = 12;  // on screen, in which the line passes once, or a motion ends
   /// Called on the curve's thread when there is a curve update; must return at once. May be empty.
-  std::function<void()> curveNews{};
+  std::function<void()> curveUpdated{};
 
   double secondsPerFrame() const { return 1 / framesPerSecond; }
   /// Returns the part of the period, or of a motion's duration, between two frames.
@@ -53,7 +53,7 @@ class Runner {
   std::uint64_t open(Scene scene);
 
   /// Requests frames with these optional values; while paused, one more frame is made with them.
-  void want(const FrameFields& fields);
+  void requestFields(const FrameFields& fields);
 
   void play();
   void pause();
@@ -72,7 +72,7 @@ class Runner {
 
   /// Sets whether the frames are visible. Invisible ones do not advance, as if paused; curves and
   /// answers to new scenes continue.
-  void setSeen(bool seen);
+  void setVisible(bool seen);
   /// Returns to the scene's steady state at time 0.
   void reset();
 

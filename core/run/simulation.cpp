@@ -38,7 +38,7 @@ constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
 // States of a motion that are kept to go back to: how many, and their size in bytes together.
 constexpr double kMostKept = 32, kKeptBytes = 64e6;
 
-/// Normal force (N) and contact fraction of the elements as they are drawn.
+/// The normal force (N) and contact fraction of the elements as they are drawn.
 struct Pressed {
   double force = 0, fraction = 0;
 };
@@ -62,8 +62,8 @@ std::shared_ptr<const RigidLine> rigidOf(const Scene& scene, const Scene* last,
   return same ? known : std::make_shared<RigidLine>(scene);
 }
 
-/// Whether two scenes of the same line slide alike: texts, sweep, realizations and comparisons may
-/// differ.
+/// Returns whether two scenes of the same line slide alike: texts, sweep, realizations and
+/// comparisons may differ.
 bool slideAlike(const Scene& a, const Scene& b) {
   return a.elastomer == b.elastomer && a.load == b.load && a.sliding == b.sliding &&
          a.interface == b.interface;
@@ -127,18 +127,18 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   if (shape == Shape::Steady) return settle(march_->distance());
   TimeMarch march(ready_->rigid->line, ready_->rigid->prepared.lowestHeight,
                   ready_->sliding->law());
-  march.goOnFrom(*march_);
+  march.continueFrom(*march_);
   march_ = std::move(march);
   settlesUntil_ = time_ + longestMemory();
   isChanged_ = true;
   settlesFrom_ = 0;
   framesNoNearer_ = 0;
   recordFields();
-  // Another line may be in the present shape, or above it: the load presses it in before it is
-  // shown.
+  // Another line may penetrate the present shape, or be above it: the load presses it in before it
+  // is shown.
   if (!isSameLine) {
     const double velocity = ready_->velocity();
-    march_->step(marchLoadOf(ready_->scene->load),
+    march_->step(marchLoad(ready_->scene->load),
                  velocity > 0 ? naturalStep() / velocity : restingStep(), 0);
   }
   clearReading();
@@ -180,7 +180,7 @@ void Simulation::begin() {
   clearReading();
 }
 
-void Simulation::want(const FrameFields& fields) {
+void Simulation::requestFields(const FrameFields& fields) {
   fields_ = fields;
   still_.reset();
   recordFields();
@@ -230,8 +230,7 @@ double Simulation::restingStep() const {
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ =
-      march_->step(marchLoadOf(loadOn(ready_->scene->load, ready_->line().length)), dt, distance);
+  last_ = march_->step(marchLoad(loadOn(ready_->scene->load, ready_->line().length)), dt, distance);
   lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
   const RetardationModes& modes = march_->modes();

@@ -34,7 +34,7 @@ class Simulation {
               Shape shape = Shape::Present);
 
   /// Requests optional values for all later frames.
-  void want(const FrameFields& fields);
+  void requestFields(const FrameFields& fields);
 
   /// Returns to the steady state at time 0.
   void reset();

@@ -117,7 +117,7 @@ SteadyFrames::SteadyFrames(std::shared_ptr<const Scene> scene, const FrameFields
                            double seen)
     : scene_(std::move(scene)) {
   const Accuracy& accuracy = scene_->accuracy;
-  needSteadySliding(*scene_, "a picture of one shape");
+  requireSteadySliding(*scene_, "a picture of one shape");
   const SteadySolver sliding(*scene_);
   const double velocity = scene_->sliding.velocity;
   const LineSource own(*scene_, pointsPerElement(*scene_));

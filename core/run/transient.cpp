@@ -20,7 +20,7 @@ constexpr std::size_t kRecent = 16;  // samples
 
 TimeMarch beginning(const Scene& scene, const RigidLine& rigid) {
   checkEffects(scene);
-  if (callsFor(scene, Purpose::Picture, Stage::StartFromRest)) {
+  if (needsStage(scene, Purpose::Picture, Stage::StartFromRest)) {
     countStage(Stage::StartFromRest);
     return restingMarch(rigid, scene);
   }
@@ -76,8 +76,8 @@ Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
     : load_(loadOn(scene.load, rigid->line->length)),
       interface_(scene.interface),
       temperatureShift_(temperatureShift(scene.elastomer)),
-      hasInterface_(callsFor(scene, Purpose::Picture, Stage::Interface)),
-      startsAtRest_(callsFor(scene, Purpose::Picture, Stage::StartFromRest)),
+      hasInterface_(needsStage(scene, Purpose::Picture, Stage::Interface)),
+      startsAtRest_(needsStage(scene, Purpose::Picture, Stage::StartFromRest)),
       motion_(scene.sliding),
       longestStep_(scene.sliding.duration / static_cast<double>(leastSteps)),
       division_(division),
@@ -178,7 +178,7 @@ double Transient::timeAfter(double dt) {
 void Transient::stepOnce(double dt, Means& means) {
   const double next = timeAfter(dt);
   const double distance = motion_.distanceAt(next) - motion_.distanceAt(time_);
-  last_ = march_.step(marchLoadOf(load_), dt, distance);
+  last_ = march_.step(marchLoad(load_), dt, distance);
   means.add(last_, dt, distance);
   time_ = next;
   ++steps_;
@@ -256,9 +256,9 @@ double recentError(const std::vector<TransientSample>& samples) {
   return count > 0 ? std::sqrt(squares / count) : kNotApplicable;
 }
 
-std::shared_ptr<const std::vector<TransientSample>> transientOf(const Scene& scene,
-                                                                std::int64_t count,
-                                                                const std::stop_token& stop) {
+std::shared_ptr<const std::vector<TransientSample>> computeTransient(const Scene& scene,
+                                                                     std::int64_t count,
+                                                                     const std::stop_token& stop) {
   Transient transient(scene, std::make_shared<RigidLine>(scene),
                       std::max<std::int64_t>(count, 500));
   auto samples = std::make_shared<std::vector<TransientSample>>();

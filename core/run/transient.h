@@ -100,8 +100,7 @@ double recentError(const std::vector<TransientSample>& samples);
 
 /// Returns `count` samples at equal distances over the scene's duration, after one at time 0 from
 /// its first step. Ends early, with the samples so far, where `stop` is requested.
-std::shared_ptr<const std::vector<TransientSample>> transientOf(const Scene& scene,
-                                                                std::int64_t count,
-                                                                const std::stop_token& stop = {});
+std::shared_ptr<const std::vector<TransientSample>> computeTransient(
+    const Scene& scene, std::int64_t count, const std::stop_token& stop = {});
 
 }  // namespace asperity

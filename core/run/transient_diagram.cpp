@@ -78,7 +78,7 @@ double newestJump(const Sliding& sliding, double now) {
 
 /// Returns whether there will be a guide at the end: it is then explained from the beginning.
 bool willRelax(const Scene& scene) {
-  return lawOf(scene.elastomer).kind() == ElementKind::Kelvin &&
+  return elementLaw(scene.elastomer).kind() == ElementKind::Kelvin &&
          std::isfinite(newestJump(scene.sliding, scene.sliding.duration));
 }
 
@@ -156,12 +156,12 @@ Diagram contactStrip(const Scene& scene, std::span<const TransientSample> sample
                &TransientSample::contactFraction, kContactFloor);
 }
 
-AxesFactors factorsOf(const Frame& frame, CurveAxes axes) {
+AxesFactors axesFactors(const Frame& frame, CurveAxes axes) {
   if (axes == CurveAxes::Physical) return {1, 1};
   AxesFactors factors;
   if (!(frame.rmsHeight > 0) || !(frame.rmsSlope > 0)) return factors;
   factors.friction = 1 / frame.rmsSlope;
-  const ElementLaw law = lawOf(frame.scene->elastomer);
+  const ElementLaw law = elementLaw(frame.scene->elastomer);
   if (law.kind() != ElementKind::Kelvin) return factors;
   LawInput in;
   in.relaxationTime = law.relaxationTime;
@@ -216,8 +216,8 @@ double quantityOf(const Frame& frame, CurveQuantity quantity, double mu) {
 
 }  // namespace
 
-DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y) {
-  const AxesFactors factors = factorsOf(frame, axes);
+DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
+  const AxesFactors factors = axesFactors(frame, axes);
   const Scene& scene = *frame.scene;
   const bool isOfVelocity = axes == CurveAxes::Dimensionless || scene.sweep.isOfVelocity();
   DiagramMarker marker;
@@ -244,7 +244,7 @@ DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   if (axes == CurveAxes::Dimensionless)
     label = message("v\u0304 = {}", PrintedNumber{printedNumber(marker.x, 3)});
   else if (!isOfVelocity)
-    label = parameterInWords(scene.sweep.key, scene);
+    label = describeParameter(scene.sweep.key, scene);
   // A logarithmic axis has no place for rest.
   const bool isLogarithmic =
       axes == CurveAxes::Dimensionless || scene.sweep.scale == SweepScale::Logarithmic;

@@ -31,10 +31,10 @@ Diagram contactStrip(const Scene& scene, std::span<const TransientSample> sample
 /// the magnitude of its present velocity and the present friction, with a trace of both since its
 /// beginning. Over another key than velocity it stands at the scene's own value of that key. y:
 /// what physical axes show. It has no name at rest on a logarithmic axis, where it is not drawn.
-DiagramMarker markerOf(const Frame& frame, CurveAxes axes, CurveQuantity y = CurveQuantity::Mu);
+DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y = CurveQuantity::Mu);
 
 /// Returns the factors to dimensionless axes, for the line in a frame.
-AxesFactors factorsOf(const Frame& frame, CurveAxes axes);
+AxesFactors axesFactors(const Frame& frame, CurveAxes axes);
 
 /// Returns the expected relaxation of friction after a jump of the velocity: mu_end + (mu_0 -
 /// mu_end) exp(-integral of (1/tau + |v|/l) dt) from the first sample after the newest jump on;

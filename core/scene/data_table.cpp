@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kOption = "--columns";
 
-std::string textOf(const TableCell& cell) {
+std::string cellText(const TableCell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return csvNumber(*number);
   if (const auto* count = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *count);
   return csvCell(std::get<std::string>(cell));
@@ -94,16 +94,16 @@ std::string csvCell(std::string_view text) {
   return quoted + "\"";
 }
 
-std::string csvOf(const DataTable& table) {
+std::string tableCsv(const DataTable& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.columns, ","));
   for (const std::vector<TableCell>& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + textOf(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i > 0 ? "," : "") + cellText(row[i]);
     text += "\n";
   }
   return text;
 }
 
-Json jsonOf(const DataTable& table) {
+Json tableJson(const DataTable& table) {
   Json rows = Json::array();
   for (const std::vector<TableCell>& row : table.rows) {
     Json object;
@@ -123,7 +123,7 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
       return key == word || key.substr(key.rfind('.') + 1) == word;
     });
     if (!known.contains(word) && !isKey) {
-      const std::string_view nearest = nearestOf(word, list);
+      const std::string_view nearest = nearestWord(word, list);
       throw InputError(
           "", kOption,
           nearest.empty() ? message("'{}' is no column of this table; 'asperity columns' lists all",
@@ -137,7 +137,7 @@ ColumnChoice::ColumnChoice(const std::string& words, const std::vector<std::stri
   }
 }
 
-std::string ColumnChoice::of(const std::string& csv) const {
+std::string ColumnChoice::select(const std::string& csv) const {
   if (isAll()) return csv;
   std::size_t at = 0;
   while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
@@ -160,17 +160,17 @@ std::string ColumnChoice::of(const std::string& csv) const {
   return text;
 }
 
-std::string ColumnChoice::amongThoseOf(const std::string& csv) const {
+std::string ColumnChoice::selectAvailable(const std::string& csv) const {
   std::size_t at = 0;
   while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
   const std::vector<std::string_view> names = cellsAt(csv, at);
   ColumnChoice known;
   for (const std::string& column : columns_)
     if (std::ranges::find(names, column) != names.end()) known.columns_.push_back(column);
-  return known.of(csv);
+  return known.select(csv);
 }
 
-Json ColumnChoice::of(const Json& rows) const {
+Json ColumnChoice::select(const Json& rows) const {
   if (isAll()) return rows;
   Json chosen = Json::array();
   for (const Json& row : rows) {

@@ -25,10 +25,10 @@ struct DataTable {
 std::string csvCell(std::string_view text);
 
 /// Returns a line of names and one line for each row.
-std::string csvOf(const DataTable& table);
+std::string tableCsv(const DataTable& table);
 
 /// Returns a list of objects, one for each row.
-nlohmann::ordered_json jsonOf(const DataTable& table);
+nlohmann::ordered_json tableJson(const DataTable& table);
 
 /// The columns that a user wants of the tables that a command writes.
 class ColumnChoice {
@@ -46,12 +46,12 @@ class ColumnChoice {
   /// last word where the table has none of the whole key. A column that this table has not,
   /// because its scene gives it no meaning, is empty. csv: a line of names, then rows; lines of
   /// comment before them stay.
-  std::string of(const std::string& csv) const;
+  std::string select(const std::string& csv) const;
   /// The same of one of several tables that a command writes: those columns that it has. A table
   /// that has none of them stays whole.
-  std::string amongThoseOf(const std::string& csv) const;
+  std::string selectAvailable(const std::string& csv) const;
   /// The same for a list of objects; a column that an object has not is null.
-  nlohmann::ordered_json of(const nlohmann::ordered_json& rows) const;
+  nlohmann::ordered_json select(const nlohmann::ordered_json& rows) const;
 
  private:
   std::vector<std::string> columns_;

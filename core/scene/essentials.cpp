@@ -9,7 +9,8 @@ namespace asperity {
 
 namespace {
 
-/// In the order in which they are shown. Rows of another kind have no meaning and are left out.
+/// The keys in the order in which they are shown. Rows of another kind have no meaning and are left
+/// out.
 constexpr std::array<std::string_view, 20> kShown{"sliding.velocity",
                                                   "sliding.velocity_after",
                                                   "sliding.amplitude",
@@ -31,7 +32,7 @@ constexpr std::array<std::string_view, 20> kShown{"sliding.velocity",
                                                   "surface.radius",
                                                   "interface.friction_coefficient"};
 
-/// The first of these that are too many are left out, beginning with the last.
+/// If there are too many keys, these are left out, beginning with the last one.
 constexpr std::array<std::string_view, 4> kLeastImportant{"elastomer.equilibrium_modulus",
                                                           "surface.hurst", "elastomer.temperature",
                                                           "elastomer.relaxation_time"};
@@ -40,7 +41,7 @@ bool hasMeaning(std::string_view key, const Scene& scene) {
   return isApplicable(*findParameter(key), scene);
 }
 
-/// Whether the row is essential in this scene, beside having a meaning.
+/// Returns whether a row that has a meaning is also essential in this scene.
 bool isWanted(std::string_view key, const Scene& scene) {
   const bool isShifted = scene.elastomer.rheology == Rheology::StandardSolid ||
                          scene.elastomer.rheology == Rheology::Prony;
@@ -75,7 +76,7 @@ std::vector<std::string_view> essentialKeys(const Scene& scene) {
   return keys;
 }
 
-std::string_view keyOfNote(Note note, const Scene& scene) {
+std::string_view noteKey(Note note, const Scene& scene) {
   switch (note) {
     case Note::SlopeAbove:
       return firstOf(kRoughness, scene);

@@ -18,6 +18,6 @@ std::vector<std::string_view> essentialKeys(const Scene& scene);
 
 /// Returns the key of the number or the file that a note is about, which has a meaning in the
 /// scene: the one whose change makes the note go away.
-std::string_view keyOfNote(Note note, const Scene& scene);
+std::string_view noteKey(Note note, const Scene& scene);
 
 }  // namespace asperity

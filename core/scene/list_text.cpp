@@ -89,7 +89,7 @@ std::span<const ArmMember> armMembers() {
   return kArmMembers;
 }
 
-std::vector<Arm> armsFrom(std::string_view json, const std::string& key) {
+std::vector<Arm> parseArms(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedArms());
   if (list.size() > kMostArms)
     throw InputError("", key, message("has {} arms; allowed is {}", list.size(), allowedArms()));
@@ -101,7 +101,7 @@ std::vector<Arm> armsFrom(std::string_view json, const std::string& key) {
   return arms;
 }
 
-std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string& key) {
+std::vector<ShiftPoint> parseShiftTable(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedShiftTable());
   if (list.empty() || list.size() > kMostShiftPoints)
     throw InputError("", key,
@@ -121,11 +121,11 @@ std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string&
   return table;
 }
 
-std::string textOf(const std::vector<Arm>& arms) {
+std::string listText(const std::vector<Arm>& arms) {
   return listText(arms, kArmMembers);
 }
 
-std::string textOf(const std::vector<ShiftPoint>& table) {
+std::string listText(const std::vector<ShiftPoint>& table) {
   return listText(table, kShiftMembers);
 }
 
@@ -139,7 +139,7 @@ Message allowedShiftTable() {
                  allowed(kShiftMembers[0]), allowed(kShiftMembers[1]));
 }
 
-std::vector<DataFile> dataFilesFrom(std::string_view json, const std::string& key) {
+std::vector<DataFile> parseDataFiles(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedDataFiles());
   if (list.size() > kMostDataFiles)
     throw InputError("", key,
@@ -162,7 +162,7 @@ std::vector<DataFile> dataFilesFrom(std::string_view json, const std::string& ke
   return files;
 }
 
-std::string textOf(const std::vector<DataFile>& files) {
+std::string listText(const std::vector<DataFile>& files) {
   Json list = Json::array();
   for (const DataFile& data : files) {
     Json one = {{"file", data.file}};
@@ -178,7 +178,7 @@ std::span<const std::string_view> theoryWords() {
   return kWords;
 }
 
-std::vector<Theory> theoriesFrom(std::string_view json, const std::string& key) {
+std::vector<Theory> parseTheories(std::string_view json, const std::string& key) {
   const Json list = parsedList(json, key, allowedTheories());
   std::vector<Theory> theories;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -195,7 +195,7 @@ std::vector<Theory> theoriesFrom(std::string_view json, const std::string& key) 
   return theories;
 }
 
-std::string textOf(const std::vector<Theory>& theories) {
+std::string listText(const std::vector<Theory>& theories) {
   Json list = Json::array();
   for (const Theory theory : theories)
     list.push_back(theoryWords()[static_cast<std::size_t>(theory)]);

@@ -31,24 +31,24 @@ std::span<const ArmMember> armMembers();
 std::span<const ListMember<ShiftPoint>> shiftMembers();
 
 /// Reads a list. Throws InputError that names the member, such as KEY[1].modulus.
-std::vector<Arm> armsFrom(std::string_view json, const std::string& key);
+std::vector<Arm> parseArms(std::string_view json, const std::string& key);
 
 /// The same of a table of shifts, whose temperatures must rise from row to row.
-std::vector<ShiftPoint> shiftTableFrom(std::string_view json, const std::string& key);
+std::vector<ShiftPoint> parseShiftTable(std::string_view json, const std::string& key);
 
 /// Returns JSON text with numbers in the shortest form that reads back to the same value.
-std::string textOf(const std::vector<Arm>& arms);
-std::string textOf(const std::vector<ShiftPoint>& table);
+std::string listText(const std::vector<Arm>& arms);
+std::string listText(const std::vector<ShiftPoint>& table);
 
 /// Tables of measured friction: [{"file": "mine.csv", "label": "compound A"}, ...].
 inline constexpr std::size_t kMostDataFiles = 32;
-std::vector<DataFile> dataFilesFrom(std::string_view json, const std::string& key);
-std::string textOf(const std::vector<DataFile>& files);
+std::vector<DataFile> parseDataFiles(std::string_view json, const std::string& key);
+std::string listText(const std::vector<DataFile>& files);
 
 /// Theories by their words: ["eq_11", "persson_half_space"]; each once.
 std::span<const std::string_view> theoryWords();
-std::vector<Theory> theoriesFrom(std::string_view json, const std::string& key);
-std::string textOf(const std::vector<Theory>& theories);
+std::vector<Theory> parseTheories(std::string_view json, const std::string& key);
+std::string listText(const std::vector<Theory>& theories);
 
 /// Returns in words what a list may contain.
 Message allowedArms();

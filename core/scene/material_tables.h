@@ -7,15 +7,16 @@
 
 namespace asperity {
 
-/// One row for every measured point, in the order of temperature and frequency: what was measured,
-/// where it lies on the master curve, and the Prony series there.
+/// Returns one row for every measured point, in the order of temperature and frequency: the
+/// measured values, their position on the master curve, and the Prony series there.
 std::string isothermsCsv(const Material& material);
 
-/// One row for every isotherm: its shift, from both moduli and from each alone, and by the fitted
-/// formulas; how well it and the next warmer one overlap.
+/// Returns one row for every isotherm: its shift, from both moduli and from each alone, and by the
+/// fitted formulas; and the overlap with the next warmer isotherm.
 std::string shiftsCsv(const Material& material);
 
-/// One row for every arm; the equilibrium modulus is the first row, without a relaxation time.
+/// Returns one row for every arm; the first row is the equilibrium modulus, without a relaxation
+/// time.
 std::string pronyCsv(const Material& material);
 
 }  // namespace asperity

@@ -34,11 +34,11 @@ constexpr std::array<NoteText, kNotes> kTexts{{
 
 }  // namespace
 
-std::string_view wordOf(Note note) {
+std::string_view noteWord(Note note) {
   return kTexts[static_cast<std::size_t>(note)].word;
 }
 
-Message sentenceOf(Note note) {
+Message noteSentence(Note note) {
   return Message(kTexts[static_cast<std::size_t>(note)].sentence);
 }
 
@@ -53,7 +53,7 @@ std::string NoteSet::words() const {
   std::string text;
   for (const Note note : list()) {
     if (!text.empty()) text += ' ';
-    text += wordOf(note);
+    text += noteWord(note);
   }
   return text;
 }

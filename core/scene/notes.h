@@ -1,5 +1,5 @@
-// What a user must know about how far a result holds: one list for the column `notes` of tables,
-// for `asperity explain`, for `asperity surface` and for the window. Constant; any thread.
+// The notes on the validity of a result: one list for the column `notes` of tables, for `asperity
+// explain`, for `asperity surface` and for the window. Constant; any thread.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace asperity {
 
-/// In the order in which they are said.
+/// The notes in the order in which they are shown.
 enum class Note : std::uint8_t {
   SlopeAbove,               // rms slope of the line above kSmallSlope
   FewContacts,              // few summits carry the load (region IV)
@@ -27,12 +27,12 @@ inline constexpr std::size_t kNotes = static_cast<std::size_t>(Note::UnresolvedF
 /// The model takes slopes for small: beyond this rms slope it is an estimate.
 inline constexpr double kSmallSlope = 0.3;
 
-/// The word of tables: "slope_above_0.3".
-std::string_view wordOf(Note note);
-/// One sentence for people, without a full stop.
-Message sentenceOf(Note note);
+/// Returns the word of a note in tables: "slope_above_0.3".
+std::string_view noteWord(Note note);
+/// Returns the note as one sentence without a full stop.
+Message noteSentence(Note note);
 
-/// Some of the notes: a plain value.
+/// A set of notes: a plain value.
 class NoteSet {
  public:
   void add(Note note, bool holds = true) {
@@ -42,7 +42,7 @@ class NoteSet {
   bool has(Note note) const { return (bits_ >> static_cast<unsigned>(note) & 1) != 0; }
   bool empty() const { return bits_ == 0; }
   std::vector<Note> list() const;
-  /// Their words, separated by blanks.
+  /// Returns their words, separated by blanks.
   std::string words() const;
 
   bool operator==(const NoteSet&) const = default;

@@ -20,7 +20,7 @@ std::string valueText(const ParameterValue& value) {
 std::string parameterTableText() {
   std::string text;
   for (const Parameter& row : parameters()) {
-    const std::string usual = valueText(defaultOf(row));
+    const std::string usual = valueText(defaultValue(row));
     text += fmt::format("  {:<28} {} ({}{})\n", row.key, row.sentence, allowedText(row),
                         usual.empty() ? "" : "; default " + usual);
   }
@@ -42,7 +42,7 @@ std::string parameterListMarkdown() {
   for (const Parameter& row : parameters()) {
     std::string anchor(row.key);
     std::ranges::replace(anchor, '.', '-');
-    const std::string usual = valueText(defaultOf(row));
+    const std::string usual = valueText(defaultValue(row));
     text += fmt::format("[`{}`]{{#key-{}}} {}{}\n\n:   {}\n\n", row.key, anchor,
                         escapedMarkdown(allowedText(row).english()),
                         usual.empty() ? "" : "; default " + escapedMarkdown(usual),

@@ -109,14 +109,14 @@ void setArms(const Parameter& parameter, const ArmsField& field, Scene& scene,
              const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
-  field.member(scene) = armsFrom(*text, std::string(parameter.key));
+  field.member(scene) = parseArms(*text, std::string(parameter.key));
 }
 
 void setShiftTable(const Parameter& parameter, const ShiftTableField& field, Scene& scene,
                    const ParameterValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   if (!text) refuse(parameter, message("a number is not {}", allowedText(parameter)));
-  field.member(scene) = shiftTableFrom(*text, std::string(parameter.key));
+  field.member(scene) = parseShiftTable(*text, std::string(parameter.key));
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ namespace {
 bool holds(const Applicability& applies, const Scene& scene) {
   const Parameter* choice = findParameter(applies.choiceKey);
   return isApplicable(*choice, scene) &&
-         containsWord(applies.words, std::get<std::string>(valueOf(*choice, scene))) !=
+         containsWord(applies.words, std::get<std::string>(parameterValue(*choice, scene))) !=
              applies.isExcept;
 }
 
@@ -159,7 +159,7 @@ bool isApplicable(const Parameter& parameter, const Scene& scene) {
   return !parameter.alsoApplies.choiceKey.empty() && holds(parameter.alsoApplies, scene);
 }
 
-ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
+ParameterValue parameterValue(const Parameter& parameter, const Scene& scene) {
   return std::visit(
       Overloaded{
           [&](const RealField& field) -> ParameterValue { return field.member(readable(scene)); },
@@ -171,17 +171,17 @@ ParameterValue valueOf(const Parameter& parameter, const Scene& scene) {
           },
           [&](const TextField& field) -> ParameterValue { return field.member(readable(scene)); },
           [&](const ArmsField& field) -> ParameterValue {
-            return textOf(field.member(readable(scene)));
+            return listText(field.member(readable(scene)));
           },
           [&](const ShiftTableField& field) -> ParameterValue {
-            return textOf(field.member(readable(scene)));
+            return listText(field.member(readable(scene)));
           },
           [&](const ListField& field) -> ParameterValue { return field.read(scene); }},
       parameter.field);
 }
 
-ParameterValue defaultOf(const Parameter& parameter) {
-  return valueOf(parameter, Scene{});
+ParameterValue defaultValue(const Parameter& parameter) {
+  return parameterValue(parameter, Scene{});
 }
 
 void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {

@@ -173,7 +173,7 @@ const std::array kTable{
     Parameter{"elastomer.measured.frequency_to", "measured to", "", "Hz", "Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.", kLive, {"elastomer.rheology", "prony"},
               RealField{ASPERITY_MEMBER(elastomer.measured, frequencyTo), 0, 1e15, 1e-6, 1e12, kNoneOrLog}, {}, kNewOfMaterial},
     Parameter{"elastomer.measured.temperature_from", "measured above", "", "K", "Lowest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
-              RealField{ASPERITY_MEMBER(elastomer.measured, temperatureFrom), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
+              RealField{ASPERITY_MEMBER(elastomer.measured, parseTemperature), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
     Parameter{"elastomer.measured.temperature_to", "measured below", "", "K", "Highest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
               RealField{ASPERITY_MEMBER(elastomer.measured, temperatureTo), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
     Parameter{"elastomer.measured.strain_amplitude", "measured strain", "", "", "Amplitude of the strain with which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
@@ -239,12 +239,12 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(accuracy, targetRelativeError), 0, 0.5, 0, 0.1, kLin}},
 
     Parameter{"comparison.data", "measured friction", "", "", "Tables of measured friction that are shown beside the curve: velocity and mu, with or without errors, force, temperature.", kLive, {},
-              ListField{[](const Scene& scene) { return textOf(scene.comparison.data); },
-                        [](Scene& scene, std::string_view json, const std::string& key) { scene.comparison.data = dataFilesFrom(json, key); },
+              ListField{[](const Scene& scene) { return listText(scene.comparison.data); },
+                        [](Scene& scene, std::string_view json, const std::string& key) { scene.comparison.data = parseDataFiles(json, key); },
                         allowedDataFiles}, {}, kUnlessDefault},
     Parameter{"comparison.theory", "theories", "", "", "Theories that are drawn beside the curve.", kLive, {},
-              ListField{[](const Scene& scene) { return textOf(scene.comparison.theory); },
-                        [](Scene& scene, std::string_view json, const std::string& key) { scene.comparison.theory = theoriesFrom(json, key); },
+              ListField{[](const Scene& scene) { return listText(scene.comparison.theory); },
+                        [](Scene& scene, std::string_view json, const std::string& key) { scene.comparison.theory = parseTheories(json, key); },
                         allowedTheories}, {}, kUnlessDefault},
 };
 // clang-format on
@@ -278,7 +278,7 @@ std::string_view nearestKey(std::string_view key) {
       return row.key;
   std::vector<std::string_view> keys;
   for (const Parameter& row : kTable) keys.push_back(row.key);
-  return nearestOf(key, keys);
+  return nearestWord(key, keys);
 }
 
 }  // namespace asperity

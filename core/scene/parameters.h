@@ -68,7 +68,8 @@ struct ListField {
   Message (*allowed)();
 };
 
-/// What a change asks of a running simulation: go on with the new value, or a new line.
+/// The effect of a change on a running simulation: it continues with the new value, or makes a new
+/// line.
 enum class Change { Live, Rebuild };
 
 /// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
@@ -79,7 +80,7 @@ struct Applicability {
   bool isExcept = false;
 };
 
-/// How a row stands in scene files.
+/// The rules for a row in scene files.
 struct FileRule {
   bool isOfMaterial = false;        // a material gives the value where the scene does not state it
   bool isLeftOutAtDefault = false;  // not written where it has its default, unless a material is
@@ -123,14 +124,14 @@ bool isApplicable(const Parameter& parameter, const Scene& scene);
 /// Returns whether the row decides which others have a meaning: a kind.
 bool isKind(const Parameter& parameter);
 
-/// Whether its value is a list in JSON: arms, a table of shifts.
+/// Returns whether its value is a list in JSON: arms, a table of shifts.
 bool isList(const Parameter& parameter);
 
-/// The value in the scene; choices as their word, lists as JSON text.
-ParameterValue valueOf(const Parameter& parameter, const Scene& scene);
+/// Returns the value in the scene; choices as their word, lists as JSON text.
+ParameterValue parameterValue(const Parameter& parameter, const Scene& scene);
 
 /// Returns the value in a new scene.
-ParameterValue defaultOf(const Parameter& parameter);
+ParameterValue defaultValue(const Parameter& parameter);
 
 /// Sets one value. Throws InputError (core/base/input_error.h) with the key and what is allowed
 /// where the value is of the wrong type, outside its range or not finite.
@@ -155,7 +156,7 @@ inline bool isNumber(const Parameter& parameter) {
 /// Returns "0 to 1", "1e-6 to 1e15 Pa", "one of nodal, linear, cubic" or "text".
 Message allowedText(const Parameter& parameter);
 
-/// Whether this number of the parameter stands for "as the surface's file says": a 0 of the length
+/// Returns whether this number of the parameter means "as in the surface's file": a 0 of the length
 /// or the elements of a line that has a file, or of the realizations of a measured surface.
 bool isLeftToProfile(const Parameter& parameter, const Scene& scene, double number);
 

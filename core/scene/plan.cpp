@@ -19,28 +19,31 @@ bool hasElastomer(Purpose purpose) {
   return purpose != Purpose::Surface;
 }
 
-/// A curve is steady at every velocity, whatever the motion of the scene.
+/// Returns whether sliding is steady; a curve is so at every velocity, whatever the motion of the
+/// scene.
 bool isSteady(const Scene& scene, Purpose purpose) {
   return purpose == Purpose::Curve || scene.sliding.kind == SlidingKind::Steady;
 }
 
-/// Whether the scene states the spectrum that its waves have.
+/// Returns whether the scene states the spectrum of its waves.
 bool isSelfAffine(const Scene& scene) {
   return scene.surface.kind == SurfaceKind::SelfAffine;
 }
 
-/// One number of lines is known from the scene; that of rows stands in their file.
+/// Returns whether results are averaged. The scene states the number of lines, except for rows,
+/// whose number is in their file.
 bool isAveraged(const Scene& scene) {
   return mayHaveManyLines(scene.surface) && scene.ensemble.realizations != 1;
 }
 
-/// Steady sliding needs the answer as it begins, other motions but from rest start from it.
+/// Returns whether the steady state is needed: for steady sliding, and as the beginning of other
+/// motions except those from rest.
 bool hasSteadyState(const Scene& scene, Purpose purpose) {
   return isSteady(scene, purpose) ||
          (scene.sliding.kind != SlidingKind::Start && scene.sliding.velocity > 0);
 }
 
-/// How a measured surface becomes a line.
+/// Returns how a measured surface becomes a line.
 Message whyMeasured(const Surface& surface) {
   const bool isEquivalent = surface.line == LineKind::IsotropicEquivalent;
   const Message line = isEquivalent
@@ -100,20 +103,20 @@ Message whyShift(const Scene& scene, bool runs) {
   if (runs)
     return message("at {} K all relaxation times are {:.4g} times as long", elastomer.temperature,
                    shiftFactor(elastomer.shift, elastomer.temperature));
-  return lawOf(elastomer).kind() == ElementKind::Elastic
+  return elementLaw(elastomer).kind() == ElementKind::Elastic
              ? "nothing relaxes"
              : "the elastomer is at its reference temperature";
 }
 
 Message whyFreeSurface(const Scene& scene, bool runs) {
   if (!runs) return "the elastomer is elastic and has no memory";
-  return lawOf(scene.elastomer).kind() == ElementKind::Kelvin
+  return elementLaw(scene.elastomer).kind() == ElementKind::Kelvin
              ? "a free surface comes back with one relaxation time"
              : "a free surface comes back with several relaxation times";
 }
 
 Message whyArms(const Scene& scene, bool runs) {
-  const std::size_t arms = lawOf(scene.elastomer).arms.size();
+  const std::size_t arms = elementLaw(scene.elastomer).arms.size();
   if (runs)
     return arms == 1 ? Message("1 internal variable an element")
                      : message("{} internal variables an element", arms);
@@ -146,12 +149,12 @@ Message whySearch(const Scene& scene, bool runs) {
 
 Message whyPeriodicity(const Scene& scene, bool runs) {
   if (runs) return "arms must be after a period as they were before";
-  return lawOf(scene.elastomer).arms.empty()
+  return elementLaw(scene.elastomer).arms.empty()
              ? "the lowest point is always in contact: the period closes in one pass"
              : "there is no steady state";
 }
 
-/// A value as it was given, with a unit that is easy to read.
+/// Returns a value as it was given, with a readable unit.
 PrintedNumber printedValue(double value, std::string_view unit) {
   constexpr int kDigits = 6;
   return {printedQuantity(value, unit, kDigits)};
@@ -220,7 +223,7 @@ std::array<std::atomic<std::uint64_t>, kStages> counts{};
 
 }  // namespace
 
-bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
+bool needsStage(const Scene& scene, Purpose purpose, Stage stage) {
   if (stage == Stage::Line) return true;
   if (stage == Stage::RollOff)
     return isSelfAffine(scene) && scene.surface.rollOffWavelength > 0 &&
@@ -229,22 +232,24 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
     return isSelfAffine(scene) && scene.surface.summitCorrelation != 0;
   if (!hasElastomer(purpose)) return false;
   if (purpose == Purpose::Window && stage != Stage::TimeMarch)
-    return callsFor(scene, Purpose::Curve, stage) || callsFor(scene, Purpose::Picture, stage);
+    return needsStage(scene, Purpose::Curve, stage) || needsStage(scene, Purpose::Picture, stage);
   const bool steady = isSteady(scene, purpose);
   switch (stage) {
     case Stage::TemperatureShift:
-      return lawOf(scene.elastomer).kind() != ElementKind::Elastic && shiftsTimes(scene.elastomer);
+      return elementLaw(scene.elastomer).kind() != ElementKind::Elastic &&
+             shiftsTimes(scene.elastomer);
     case Stage::FreeSurface:
-      return lawOf(scene.elastomer).kind() != ElementKind::Elastic;
+      return elementLaw(scene.elastomer).kind() != ElementKind::Elastic;
     case Stage::Arms:
-      return lawOf(scene.elastomer).kind() == ElementKind::Arms;
+      return elementLaw(scene.elastomer).kind() == ElementKind::Arms;
     case Stage::StartFromRest:
       return !steady && (scene.sliding.kind == SlidingKind::Start || scene.sliding.velocity == 0);
     case Stage::SteadyPass:
     case Stage::ContactSearch:
       return hasSteadyState(scene, purpose);
     case Stage::Periodicity:
-      return hasSteadyState(scene, purpose) && lawOf(scene.elastomer).kind() == ElementKind::Arms;
+      return hasSteadyState(scene, purpose) &&
+             elementLaw(scene.elastomer).kind() == ElementKind::Arms;
     case Stage::ForceBalance:
       return scene.load.kind != LoadKind::Indentation;
     case Stage::TimeMarch:
@@ -260,12 +265,12 @@ bool callsFor(const Scene& scene, Purpose purpose, Stage stage) {
   }
 }
 
-std::vector<PlanStage> planOf(const Scene& scene, Purpose purpose) {
+std::vector<PlanStage> planStages(const Scene& scene, Purpose purpose) {
   checkEffects(scene);
   std::vector<PlanStage> stages;
   for (std::size_t i = 0; i < kStages; ++i) {
     const auto stage = static_cast<Stage>(i);
-    const bool runs = callsFor(scene, purpose, stage);
+    const bool runs = needsStage(scene, purpose, stage);
     const bool about = i <= static_cast<std::size_t>(Stage::SummitCorrelation);
     stages.push_back({stage, std::string(kNames[i]), runs,
                       runs || about || hasElastomer(purpose)
@@ -275,7 +280,7 @@ std::vector<PlanStage> planOf(const Scene& scene, Purpose purpose) {
   return stages;
 }
 
-std::string_view nameOf(Stage stage) {
+std::string_view stageName(Stage stage) {
   return kNames[static_cast<std::size_t>(stage)];
 }
 

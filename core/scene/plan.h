@@ -1,6 +1,7 @@
-// The plan: which effects a scene calls for, and so which stages run. Each question is answered in
-// one place, callsFor, which the code that runs asks as well: what the plan says is what is done.
-// Pure functions; any thread. stageCounts() is for tests: it counts what really ran.
+// The plan: the effects that a scene needs, and therefore the stages that run. Each question is
+// answered in one place, needsStage, which the running code asks as well, so the plan shows what is
+// really done. Pure functions; any thread. stageCounts() is for tests: it counts the stages that
+// ran.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace asperity {
 
-/// In the order in which they run.
+/// The stages in the order in which they run.
 enum class Stage {
   Line,               // the rigid line from its spectrum, formula or file
   RollOff,            // of its spectrum
@@ -36,11 +37,11 @@ enum class Stage {
 };
 inline constexpr std::size_t kStages = static_cast<std::size_t>(Stage::Shape) + 1;
 
-/// What a scene is run for. The window moves the picture, and draws the curve beside it.
+/// The purpose of a run. The window moves the picture, and draws the curve beside it.
 enum class Purpose { Curve, Picture, Surface, Window };
 
-/// Whether the scene calls for the stage. Effects of no strength are not called for.
-bool callsFor(const Scene& scene, Purpose purpose, Stage stage);
+/// Returns whether the scene needs the stage. Effects of strength 0 are not needed.
+bool needsStage(const Scene& scene, Purpose purpose, Stage stage);
 
 struct PlanStage {
   Stage stage;
@@ -49,15 +50,15 @@ struct PlanStage {
   Message reason;  // one sentence without a full stop: why it runs, or why it does not
 };
 
-/// All stages in order. Throws InputError where effects exclude each other (checkEffects).
-std::vector<PlanStage> planOf(const Scene& scene, Purpose purpose);
+/// Returns all stages in order. Throws InputError where effects exclude each other (checkEffects).
+std::vector<PlanStage> planStages(const Scene& scene, Purpose purpose);
 
-std::string_view nameOf(Stage stage);
+std::string_view stageName(Stage stage);
 
-/// How often each stage has run in this process.
+/// The number of runs of each stage in this process.
 using StageCounts = std::array<std::uint64_t, kStages>;
 StageCounts stageCounts();
-/// Called by the code of a stage; costs one addition.
+/// Counts a run of a stage; called by its code. It costs one addition.
 void countStage(Stage stage);
 
 }  // namespace asperity

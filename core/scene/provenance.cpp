@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "core/base/file_digest.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
@@ -52,16 +52,16 @@ std::string withoutMarkup(std::string_view json) {
 }
 
 /// Returns null where a curve with a target accuracy has another number at each velocity.
-Json oversamplingOf(std::string_view verb, const Scene& scene) {
+Json levelOversampling(std::string_view verb, const Scene& scene) {
   if (verb == "curve" && choosesAccuracy(scene)) return {};
   const bool isOfCurve = verb == "curve" || verb == "map" || verb == "sensitivity" ||
                          verb == "cutoff" || verb == "figure" || verb == "accuracy";
-  return isOfCurve ? pointsPerElementOfCurve(scene) : pointsPerElement(scene);
+  return isOfCurve ? curvePointsPerElement(scene) : pointsPerElement(scene);
 }
 
 constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from
 
-/// The files that a scene names, without their digests.
+/// Returns the files that a scene names, without their digests.
 std::vector<InputFile> filesOf(const Scene& scene) {
   std::vector<InputFile> files;
   const auto add = [&files](const char* key, const std::string& name) {
@@ -88,7 +88,7 @@ std::string digestOf(const InputFile& file, const std::filesystem::path& folder)
   }
 }
 
-/// The files that a scene names, each with the SHA-256 of its content.
+/// Returns the files that a scene names, each with the SHA-256 of its content.
 Json inputsJson(const Scene& scene) {
   Json inputs = Json::array();
   for (const InputFile& file : filesOf(scene)) {
@@ -105,7 +105,7 @@ std::string textIn(const Json& object, const char* member) {
   return object[member].get<std::string>();
 }
 
-/// Gives each file the digest that the result states for it.
+/// Sets the digest of each file that the result states for it.
 void addDigests(const Json& inputs, std::vector<InputFile>& files) {
   if (!inputs.is_array()) return;
   for (InputFile& file : files)
@@ -114,8 +114,8 @@ void addDigests(const Json& inputs, std::vector<InputFile>& files) {
         file.sha256 = textIn(input, "sha256");
 }
 
-/// The first of the folders in which all files are what they were; else the first that has them
-/// all, of which it can be said what is wrong; else the first.
+/// Returns the first folder in which all files have their recorded content; else the first one that
+/// has all of them, whose difference an error can name; else the first one.
 std::filesystem::path folderOf(const std::vector<InputFile>& files,
                                const std::vector<std::filesystem::path>& folders) {
   std::error_code ignored;
@@ -133,8 +133,8 @@ std::filesystem::path folderOf(const std::vector<InputFile>& files,
   return folders.front();
 }
 
-/// Refuses a result whose file has another content than the one that the result was made from. A
-/// missing file is reported by the command that needs it.
+/// Throws InputError for a file that has another content than the one from which the result was
+/// made. A missing file is reported by the command that needs it.
 void checkInputs(const std::vector<InputFile>& files, const std::filesystem::path& folder) {
   for (const InputFile& file : files) {
     const std::string present = file.sha256.empty() ? std::string() : digestOf(file, folder);
@@ -146,11 +146,11 @@ void checkInputs(const std::vector<InputFile>& files, const std::filesystem::pat
   }
 }
 
-/// The scene of a result, or of one of its parts, with the folder of its files.
+/// Returns the scene of a result, or of one of its parts, with the folder of its files.
 FoundScene resultFrom(Json origin, const std::string& name,
                       const std::vector<std::filesystem::path>& folders) {
   FoundScene found;
-  found.isCarried = true;
+  found.isEmbedded = true;
   found.verb = textIn(origin, "verb");
   if (const auto scene = origin.find("scene"); scene != origin.end() && scene->is_object())
     found.scene = readScene(scene->dump(), name, folders.front());
@@ -182,7 +182,7 @@ void addOptions(Json& provenance) {
 }
 
 void addCurveOversampling(Json& provenance, const Scene& scene) {
-  const std::int64_t ofCurve = pointsPerElementOfCurve(scene);
+  const std::int64_t ofCurve = curvePointsPerElement(scene);
   if (provenance["oversampling_used"] != ofCurve) provenance["curve_oversampling_used"] = ofCurve;
 }
 
@@ -192,7 +192,7 @@ Json provenance(const std::string& verb, const Scene& scene) {
   root["verb"] = verb;
   root["version"] = ASPERITY_VERSION;
   root["seed"] = hasRandomPhases(scene.surface) ? Json(scene.surface.seed) : Json();
-  root["oversampling_used"] = oversamplingOf(verb, scene);
+  root["oversampling_used"] = levelOversampling(verb, scene);
   if (verb == "batch") addCurveOversampling(root, scene);
   if (Json inputs = inputsJson(scene); !inputs.empty()) root["inputs"] = std::move(inputs);
   addOptions(root);
@@ -237,7 +237,7 @@ namespace {
 FoundScene found(std::string_view bytes, const std::string& name,
                  const std::vector<std::filesystem::path>& folders, bool toRemake) {
   const bool isText = beginsAsObject(bytes);
-  const std::string carried = isText ? std::string() : carriedText(bytes);
+  const std::string carried = isText ? std::string() : embeddedProvenance(bytes);
   const std::string_view json = isText ? bytes : carried;
   try {
     Json origin = beginsAsObject(json) ? membersUpTo(json, "scene", kDeepest) : Json();
@@ -322,7 +322,7 @@ double nodesOf(const Scene& scene, const fs::path& file) {
 
 }  // namespace
 
-SceneDemands demandsOf(const Scene& scene) {
+SceneDemands sceneDemands(const Scene& scene) {
   SceneDemands demands;
   const fs::path file =
       hasSurfaceFile(scene.surface) ? scene.folder / scene.surface.file : fs::path();

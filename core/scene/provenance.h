@@ -55,7 +55,7 @@ struct FoundScene {
   Scene scene;
   /// Whether the file is a result (picture, film, table, answer) that contains the scene, which may
   /// come from another user; otherwise the file is a scene file.
-  bool isCarried = false;
+  bool isEmbedded = false;
   // What a result says of its making, to make it again; empty and null where it does not say it.
   std::string verb{};
   nlohmann::ordered_json options{};
@@ -68,7 +68,7 @@ struct InputFile {
   std::string key, name, sha256;
 };
 
-/// The files that a result was made from and that are still needed to make it again.
+/// Returns the files that a result was made from and that are still needed to make it again.
 std::vector<InputFile> inputsOf(const FoundScene& found);
 
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),
@@ -83,7 +83,7 @@ FoundScene findScene(const std::filesystem::path& file);
 /// none, as a material is. from: the folder of the files that it was made from; empty: as above.
 FoundScene findResult(const std::filesystem::path& file, const std::filesystem::path& from = {});
 
-/// The folders in which the inputs of a result are looked for, in this order.
+/// Returns the folders in which the inputs of a result are searched, in this order.
 std::vector<std::filesystem::path> foldersAround(const std::filesystem::path& file);
 
 /// Finds the scene in the bytes of a file; `name` is named in errors.
@@ -107,6 +107,6 @@ struct SceneDemands {
 };
 
 /// Returns the demands. scene.folder: the folder of the file that contains the scene.
-SceneDemands demandsOf(const Scene& scene);
+SceneDemands sceneDemands(const Scene& scene);
 
 }  // namespace asperity

@@ -37,8 +37,8 @@ bool isWholeNumber(const Parameter& row) {
   return std::holds_alternative<IntegerField>(row.field);
 }
 
-double numberOf(const Parameter& row, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
+double parameterNumber(const Parameter& row, const Scene& scene) {
+  const ParameterValue value = parameterValue(row, scene);
   const auto* whole = std::get_if<std::int64_t>(&value);
   return whole ? static_cast<double>(*whole) : std::get<double>(value);
 }
@@ -47,10 +47,10 @@ void setNumber(const Parameter& row, Scene& scene, double number) {
   setValue(row, scene, isWholeNumber(row) ? std::round(number) : number);
 }
 
-double numberFromText(const Parameter& row, std::string_view text) {
+double parseNumber(const Parameter& row, std::string_view text) {
   Scene scratch;
   setFromText(row, scratch, text);
-  return numberOf(row, scratch);
+  return parameterNumber(row, scratch);
 }
 
 bool hasLogarithmicSlider(const Parameter& row) {
@@ -60,7 +60,7 @@ bool hasLogarithmicSlider(const Parameter& row) {
   return false;
 }
 
-ParameterRange rangeFrom(std::string_view key, std::string_view text) {
+ParameterRange parseRange(std::string_view key, std::string_view text) {
   const Parameter& row = numberRow(key);
   const std::vector<std::string_view> parts = splitAtColons(text);
   const auto refuseText = [&] {
@@ -71,8 +71,8 @@ ParameterRange rangeFrom(std::string_view key, std::string_view text) {
   };
   if (parts.size() != 3 && parts.size() != 4) refuseText();
   ParameterRange range{&row, 0, 0, 1, hasLogarithmicSlider(row)};
-  range.from = numberFromText(row, parts[0]);
-  range.to = numberFromText(row, parts[1]);
+  range.from = parseNumber(row, parts[0]);
+  range.to = parseNumber(row, parts[1]);
   if (!readNumber(parts[2], range.points)) refuseText();
   if (range.points < 1 || range.points > kMostRangePoints)
     refuse(key, message("{} points are outside 1 to {}", range.points, kMostRangePoints));
@@ -85,13 +85,13 @@ ParameterRange rangeFrom(std::string_view key, std::string_view text) {
   return range;
 }
 
-ParameterRange rangeFromOption(const std::string& option, std::string_view text) {
+ParameterRange parseRangeOption(const std::string& option, std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos || equals == 0)
     throw InputError("", option,
                      message("'{}' is not KEY=FROM:TO:N, such as load.normal_force=0.001:10:41",
                              shortened(text)));
-  return rangeFrom(text.substr(0, equals), text.substr(equals + 1));
+  return parseRange(text.substr(0, equals), text.substr(equals + 1));
 }
 
 void checkRange(const ParameterRange& range, const Scene& scene) {
@@ -102,7 +102,7 @@ void checkRange(const ParameterRange& range, const Scene& scene) {
                                 plain(range.from > 0 ? range.to : range.from)));
 }
 
-std::vector<double> valuesOf(const ParameterRange& range) {
+std::vector<double> rangeValues(const ParameterRange& range) {
   std::vector<double> values = range.isLogarithmic
                                    ? logSpaced(range.from, range.to, range.points)
                                    : linearSpaced(range.from, range.to, range.points);
@@ -113,7 +113,7 @@ std::vector<double> valuesOf(const ParameterRange& range) {
   return values;
 }
 
-std::string textOf(const ParameterRange& range) {
+std::string formatRange(const ParameterRange& range) {
   return fmt::format("{}:{}:{}:{}", plainNumber(range.from), plainNumber(range.to), range.points,
                      range.isLogarithmic ? "log" : "linear");
 }

@@ -1,6 +1,6 @@
 // A range of values of one parameter, as an axis of a chart or a map: "FROM:TO:N", logarithmic
-// where the parameter's slider is; "FROM:TO:N:linear" or ":log" says otherwise. FROM and TO may
-// have units ("1mN:10N:41"). The one grammar of such options. Pure; any thread.
+// where the parameter's slider is; "FROM:TO:N:linear" or ":log" overrides that. FROM and TO may
+// have units ("1mN:10N:41"). All such options share this syntax. Pure; any thread.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +27,11 @@ inline constexpr std::int64_t kMostRangePoints = 100000;
 /// Returns the row of a number. Throws InputError with the key where it is unknown or no number.
 const Parameter& numberRow(std::string_view key);
 
-/// Whether the row's numbers are whole.
+/// Returns whether the row's numbers are whole.
 bool isWholeNumber(const Parameter& row);
 
 /// Returns the number that a real or whole parameter has in a scene.
-double numberOf(const Parameter& row, const Scene& scene);
+double parameterNumber(const Parameter& row, const Scene& scene);
 
 /// Sets a real or whole parameter; a whole one to the nearest whole number. Throws InputError with
 /// the key where the number is outside what the parameter allows.
@@ -39,17 +39,17 @@ void setNumber(const Parameter& row, Scene& scene, double number);
 
 /// Returns a number of the row as people type it, with or without a unit. Throws InputError with
 /// the key where it is none or outside what the parameter allows.
-double numberFromText(const Parameter& row, std::string_view text);
+double parseNumber(const Parameter& row, std::string_view text);
 
-/// Whether the row's slider is logarithmic.
+/// Returns whether the row's slider is logarithmic.
 bool hasLogarithmicSlider(const Parameter& row);
 
 /// Reads "FROM:TO:N" with ":log" or ":linear" behind it where wanted. Throws InputError with the
 /// key.
-ParameterRange rangeFrom(std::string_view key, std::string_view text);
+ParameterRange parseRange(std::string_view key, std::string_view text);
 
 /// Reads "KEY=FROM:TO:N". Throws InputError with the key, or with the option's name.
-ParameterRange rangeFromOption(const std::string& option, std::string_view text);
+ParameterRange parseRangeOption(const std::string& option, std::string_view text);
 
 /// Throws InputError with the key where the parameter has no meaning in the scene, a logarithmic
 /// range touches 0, or there are too few or too many points.
@@ -57,9 +57,9 @@ void checkRange(const ParameterRange& range, const Scene& scene);
 
 /// Returns from (to/from)^(i/(N - 1)) or from + (to - from) i/(N - 1), the last one exactly `to`.
 /// Whole numbers are rounded and repeats left out; one point is `from`.
-std::vector<double> valuesOf(const ParameterRange& range);
+std::vector<double> rangeValues(const ParameterRange& range);
 
-/// The range as text that reads back to the same.
-std::string textOf(const ParameterRange& range);
+/// Returns the range as text that reads back to the same range.
+std::string formatRange(const ParameterRange& range);
 
 }  // namespace asperity

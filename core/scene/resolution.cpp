@@ -86,7 +86,7 @@ std::int64_t pointsPerElement(const Scene& scene) {
   return withinMemory(scene, isStraight ? kStraightPoints : kPointsOfOneLine);
 }
 
-std::int64_t pointsPerElementOfCurve(const Scene& scene) {
+std::int64_t curvePointsPerElement(const Scene& scene) {
   if (const std::int64_t stated = statedPoints(scene); stated > 0) return stated;
   if (scene.accuracy.scheme == Scheme::Linear) return withinMemory(scene, kStraightPoints);
   // Of measured rows and of spectra neither height nor Hurst exponent stands in the scene.

@@ -128,7 +128,7 @@ struct DataFile {
   bool operator==(const DataFile&) const = default;
 };
 
-/// What stands beside the friction curve.
+/// The comparisons beside the friction curve.
 struct Comparisons {
   std::vector<DataFile> data;
   std::vector<Theory> theory{Theory::Eq11};
@@ -170,8 +170,8 @@ struct Scene {
   bool operator==(const Scene&) const = default;
 };
 
-/// The load on a line of this period (m): a nominal pressure as the force that it means, F_N = p_0
-/// L width; any other load stays as it is.
+/// Returns the load on a line of this period (m): a nominal pressure as the force that follows from
+/// it, F_N = p_0 L width; any other load is unchanged.
 inline Load loadOn(const Load& load, double length) {
   Load same = load;
   if (load.kind != LoadKind::Pressure) return same;
@@ -180,38 +180,39 @@ inline Load loadOn(const Load& load, double length) {
   return same;
 }
 
-/// Whether the line comes from a file: surface.file names it.
+/// Returns whether the line comes from a file: surface.file names it.
 inline bool hasSurfaceFile(const Surface& surface) {
   return surface.kind == SurfaceKind::Profile || surface.kind == SurfaceKind::Measured ||
          surface.kind == SurfaceKind::Spectrum;
 }
 
-/// Whether the phases of the line's waves are random, so that there are as many lines as one wants.
+/// Returns whether the phases of the line's waves are random, so that there are any number of
+/// lines.
 inline bool hasRandomPhases(const Surface& surface) {
   return surface.kind == SurfaceKind::SelfAffine || surface.kind == SurfaceKind::Spectrum ||
          (surface.kind == SurfaceKind::Measured && surface.processing.seam == Seam::RandomPhases);
 }
 
-/// Whether results are means over several lines: random ones, or all rows of a measured surface,
-/// which may turn out to have only one.
+/// Returns whether results are means over several lines: random ones, or all rows of a measured
+/// surface, which may turn out to have only one.
 inline bool mayHaveManyLines(const Surface& surface) {
   return hasRandomPhases(surface) ||
          (surface.kind == SurfaceKind::Measured && surface.reading.row == 0);
 }
 
-/// Whether resolution and number of lines follow from a target accuracy.
+/// Returns whether resolution and number of lines follow from a target accuracy.
 inline bool choosesAccuracy(const Scene& scene) {
   return scene.accuracy.scheme == Scheme::Cubic && scene.accuracy.targetRelativeError > 0;
 }
 
-/// Points per element that resolve one line: of a picture, a motion, a profile. What the scene
-/// states, or what is chosen for it; the paper's separate elements have one each. With a target
-/// accuracy it is what a single state of the line needs for it.
+/// Returns the points per element of one line: of a picture, a motion, a profile. It is the number
+/// that the scene states or else the program chooses; the paper's separate elements have one point
+/// each. With a target accuracy it is the number that a single state of the line needs.
 std::int64_t pointsPerElement(const Scene& scene);
 
-/// The same of the lines that a friction curve is averaged over: chosen so that the error of the
+/// Returns the points per element of the lines of a friction curve, chosen so that the error of the
 /// resolution stays below half of the standard error. A curve to a target accuracy does not use it,
 /// because it chooses at each velocity.
-std::int64_t pointsPerElementOfCurve(const Scene& scene);
+std::int64_t curvePointsPerElement(const Scene& scene);
 
 }  // namespace asperity

@@ -27,7 +27,7 @@ void checkScene(const Scene& scene) {
 }
 
 void checkEffects(const Scene& scene) {
-  const ElementLaw law = lawOf(scene.elastomer);
+  const ElementLaw law = elementLaw(scene.elastomer);
   if (law.kind() == ElementKind::Arms && scene.accuracy.scheme == Scheme::Nodal)
     throw InputError("", "accuracy.scheme",
                      "nodal is the paper's rule for Kelvin elements: where its force jumps arms "
@@ -38,17 +38,17 @@ void checkEffects(const Scene& scene) {
         "stands beside interface.friction_coefficient; only one of them may be above 0");
 }
 
-void needSteadySliding(const Scene& scene, const Message& what) {
+void requireSteadySliding(const Scene& scene, const Message& what) {
   if (scene.sliding.kind != SlidingKind::Steady) {
-    const ParameterValue kind = valueOf(*findParameter("sliding.kind"), scene);
+    const ParameterValue kind = parameterValue(*findParameter("sliding.kind"), scene);
     throw InputError("", "sliding.kind",
                      message("{} needs steady sliding, not {}", what, std::get<std::string>(kind)));
   }
-  needEquilibrium(scene);
+  requireEquilibrium(scene);
 }
 
-void needEquilibrium(const Scene& scene) {
-  if (lawOf(scene.elastomer).equilibriumModulus == 0)
+void requireEquilibrium(const Scene& scene) {
+  if (elementLaw(scene.elastomer).equilibriumModulus == 0)
     throw InputError("", "elastomer.equilibrium_modulus",
                      "is 0: arms and dashpots carry nothing on average over a period, so sliding "
                      "or not the elastomer sinks for ever; it needs more than 0");

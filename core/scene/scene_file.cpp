@@ -139,7 +139,7 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
   for (; !isApplicable(*decides, scene); decides = findParameter(decides->applies.choiceKey))
     of = decides;
   const Parameter& choice = *decides;
-  const std::string word = std::get<std::string>(valueOf(choice, scene));
+  const std::string word = std::get<std::string>(parameterValue(choice, scene));
   throw InputError(
       "", std::string(row.key),
       of->applies.isExcept
@@ -148,11 +148,12 @@ void refuseOtherKind(const Parameter& row, const Scene& scene) {
                     withCommas(of->applies.words)));
 }
 
-/// Whether --set has changed a kind that the row hangs on, directly or by another choice.
-bool hangsOn(const std::set<std::string_view>& changedKinds, const Parameter& row) {
+/// Returns whether --set has changed a kind on which the row depends, directly or by another
+/// choice.
+bool dependsOn(const std::set<std::string_view>& changedKinds, const Parameter& row) {
   for (const Applicability& applies : {row.applies, row.alsoApplies})
     if (!applies.choiceKey.empty() && (changedKinds.contains(applies.choiceKey) ||
-                                       hangsOn(changedKinds, *findParameter(applies.choiceKey))))
+                                       dependsOn(changedKinds, *findParameter(applies.choiceKey))))
       return true;
   return false;
 }
@@ -199,25 +200,25 @@ void chooseAccuracy(std::vector<Assignment>& assignments) {
 constexpr std::string_view kMaterial = "elastomer.material";
 constexpr std::string_view kRheology = "elastomer.rheology";
 
-/// What a material file says for people and for its own history.
+/// Members of a material file that describe it for people, and its own history.
 constexpr std::string_view kMaterialRemarks[]{"schema", "verb",   "version",     "name",
                                               "source", "origin", "measurement", "fit"};
 
-/// The last value of a text's key among the assignments; null where none has it.
-const Assignment* lastOf(const std::vector<Assignment>& assignments, std::string_view key) {
+/// Returns the last value of a text's key among the assignments; null where none has it.
+const Assignment* lastValue(const std::vector<Assignment>& assignments, std::string_view key) {
   const auto found =
       std::ranges::find(assignments.rbegin(), assignments.rend(), key, &Assignment::key);
   return found == assignments.rend() ? nullptr : &*found;
 }
 
 std::string nameOfMaterial(const std::vector<Assignment>& assignments) {
-  const Assignment* named = lastOf(assignments, kMaterial);
+  const Assignment* named = lastValue(assignments, kMaterial);
   const auto* name = named ? std::get_if<std::string>(&named->value) : nullptr;
   return name ? *name : std::string();
 }
 
-/// The values of a material as keys of the scene's elastomer. What a material says of itself
-/// besides (source, quality of the fit) is passed over.
+/// Returns the values of a material as keys of the scene's elastomer, without those that only
+/// describe the material (source, quality of the fit).
 std::vector<Assignment> materialValues(const std::string& name,
                                        const std::filesystem::path& folder) {
   const MaterialText material = readMaterialText(name, folder);
@@ -239,7 +240,7 @@ std::vector<Assignment> materialValues(const std::string& name,
         throw InputError("", shortened(key), "unknown key of a material");
     }
     for (const char* needed : {"elastomer.equilibrium_modulus", "elastomer.arms"})
-      if (!lastOf(values, needed)) throw InputError("", needed + 10, "is missing");
+      if (!lastValue(values, needed)) throw InputError("", needed + 10, "is missing");
     // Each value is checked here, where an error can name the material's file.
     Scene ignored;
     for (const Assignment& value : values) apply(value, ignored);
@@ -249,23 +250,23 @@ std::vector<Assignment> materialValues(const std::string& name,
   }
 }
 
-/// Whether the scene itself says everything that the material would give: then its file is not
-/// needed, and the scene means the same when the material changes.
+/// Returns whether the scene itself states everything that the material would give. Its file is
+/// then not needed, and the scene does not change when the material does.
 bool isWholeWithoutMaterial(const std::vector<Assignment>& assignments, const Scene& scene) {
   return std::ranges::all_of(parameters(), [&](const Parameter& row) {
-    return !row.rule.isOfMaterial || !isApplicable(row, scene) || lastOf(assignments, row.key);
+    return !row.rule.isOfMaterial || !isApplicable(row, scene) || lastValue(assignments, row.key);
   });
 }
 
-/// A material means a Prony series. One from --set replaces the rheology of the file and all that a
-/// material gives.
+/// A material implies a Prony series. One from --set replaces the rheology of the file and all
+/// values that a material gives.
 void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
                     std::set<std::string_view>& changedKinds) {
   const auto namesMaterial = [](const Assignment& assignment) {
     return assignment.key == kMaterial && assignment.value != ParameterValue(std::string());
   };
   if (std::ranges::none_of(assignments, namesMaterial)) return;
-  const Assignment& last = *lastOf(assignments, kMaterial);
+  const Assignment& last = *lastValue(assignments, kMaterial);
   if (!last.fromFile && namesMaterial(last)) {
     std::erase_if(assignments, [](const Assignment& assignment) {
       return assignment.fromFile &&
@@ -276,15 +277,15 @@ void chooseMaterial(std::vector<Assignment>& assignments, Scene& scene,
   scene.elastomer.rheology = Rheology::Prony;
 }
 
-/// Puts the values of a material before those that the scene states, which win.
+/// Inserts the values of a material before those that the scene states, which override them.
 void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
                        const std::filesystem::path& folder) {
   const std::string name = nameOfMaterial(assignments);
   if (name.empty() || scene.elastomer.rheology != Rheology::Prony) return;
-  if (lastOf(assignments, "elastomer.shift.kind") && isWholeWithoutMaterial(assignments, scene))
+  if (lastValue(assignments, "elastomer.shift.kind") && isWholeWithoutMaterial(assignments, scene))
     return;
   std::vector<Assignment> values = materialValues(name, folder);
-  std::erase_if(values, [&](const Assignment& value) { return lastOf(assignments, value.key); });
+  std::erase_if(values, [&](const Assignment& value) { return lastValue(assignments, value.key); });
   for (const Assignment& value : values)
     if (isKind(value)) apply(value, scene);
   // A key beside the material may choose another shift, for which the material's has no meaning.
@@ -294,7 +295,8 @@ void addMaterialValues(std::vector<Assignment>& assignments, Scene& scene,
   assignments.insert(assignments.begin(), values.begin(), values.end());
 }
 
-/// Whether the file says "every row" of a surface that --set has made another kind.
+/// Returns whether the file asks for "every row" of a surface that --set has changed to another
+/// kind.
 bool isEveryRow(const Assignment& assignment, const Parameter& row, const Scene& scene,
                 const std::set<std::string_view>& changedKinds) {
   Scene measured;
@@ -305,8 +307,8 @@ bool isEveryRow(const Assignment& assignment, const Parameter& row, const Scene&
          row.key.starts_with("ensemble.");
 }
 
-/// Where --set chooses another kind, what the file must state of its own kind says nothing of the
-/// new one: the ends of a sweep.
+/// Drops the required keys of the file's own kind where --set chooses another kind: they do not
+/// apply to the new one, such as the ends of a sweep.
 void dropRequired(std::vector<Assignment>& assignments) {
   std::set<std::string_view> otherKinds;
   for (const Assignment& assignment : assignments) {
@@ -319,17 +321,17 @@ void dropRequired(std::vector<Assignment>& assignments) {
   }
   std::erase_if(assignments, [&](const Assignment& assignment) {
     const Parameter& row = knownParameter(assignment.key);
-    return assignment.fromFile && row.rule.isRequired && hangsOn(otherKinds, row);
+    return assignment.fromFile && row.rule.isRequired && dependsOn(otherKinds, row);
   });
 }
 
 void checkRequired(const std::vector<Assignment>& assignments, const Scene& scene) {
   for (const Parameter& row : parameters())
-    if (row.rule.isRequired && isApplicable(row, scene) && !lastOf(assignments, row.key))
-      throw InputError(
-          "", std::string(row.key),
-          message("is missing; {} {} needs it", row.applies.choiceKey,
-                  std::get<std::string>(valueOf(*findParameter(row.applies.choiceKey), scene))));
+    if (row.rule.isRequired && isApplicable(row, scene) && !lastValue(assignments, row.key))
+      throw InputError("", std::string(row.key),
+                       message("is missing; {} {} needs it", row.applies.choiceKey,
+                               std::get<std::string>(
+                                   parameterValue(*findParameter(row.applies.choiceKey), scene))));
 }
 
 /// Kinds come first, because they decide which other keys have a meaning.
@@ -358,9 +360,9 @@ Scene build(std::vector<Assignment> assignments, const std::filesystem::path& fo
     if (applies && !isKind(assignment) && !isEveryRow(assignment, row, scene, changedKinds))
       apply(assignment, scene);
     if (applies || isHarmless(assignment)) continue;
-    if (!assignment.fromFile || !hangsOn(changedKinds, row)) refuseOtherKind(row, scene);
+    if (!assignment.fromFile || !dependsOn(changedKinds, row)) refuseOtherKind(row, scene);
     // A choice of the file's kind was taken before it was known that it has no meaning any more.
-    if (isKind(assignment)) setValue(row, scene, defaultOf(row));
+    if (isKind(assignment)) setValue(row, scene, defaultValue(row));
   }
   checkRequired(assignments, scene);
   return scene;
@@ -379,18 +381,19 @@ void checkSweepAndEnds(const Scene& scene) {
     }
 }
 
-Json jsonOf(const Parameter& row, const ParameterValue& value) {
+Json valueJson(const Parameter& row, const ParameterValue& value) {
   if (isList(row)) return Json::parse(std::get<std::string>(value));
   return std::visit([](const auto& held) { return Json(held); }, value);
 }
 
 bool isLeftOut(const Parameter& row, const Scene& scene) {
   const bool isGivenByMaterial = row.rule.isOfMaterial && !scene.elastomer.material.empty();
-  return row.rule.isLeftOutAtDefault && !isGivenByMaterial && valueOf(row, scene) == defaultOf(row);
+  return row.rule.isLeftOutAtDefault && !isGivenByMaterial &&
+         parameterValue(row, scene) == defaultValue(row);
 }
 
-/// The place of a dotted key.
-Json& placeOf(Json& root, std::string_view key) {
+/// Returns the member of a dotted key.
+Json& memberAt(Json& root, std::string_view key) {
   Json* place = &root;
   for (std::size_t dot; (dot = key.find('.')) != std::string_view::npos; key.remove_prefix(dot + 1))
     place = &(*place)[std::string(key.substr(0, dot))];
@@ -429,11 +432,11 @@ std::string writeScene(const Scene& scene) {
     if (isLeftOut(row, scene)) continue;
     if (row.key == "accuracy.scheme" && choosesAccuracy(scene)) continue;
     if (row.key == "accuracy.target_relative_error" && !choosesAccuracy(scene)) continue;
-    const ParameterValue value = valueOf(row, scene);
+    const ParameterValue value = parameterValue(row, scene);
     const bool hasFile = hasSurfaceFile(scene.surface);
     if (hasFile && row.key == "surface.length" && scene.surface.length == 0) continue;
     if (hasFile && row.key == "surface.elements" && scene.surface.elements == 0) continue;
-    placeOf(root, row.key) = jsonOf(row, value);
+    memberAt(root, row.key) = valueJson(row, value);
   }
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -442,7 +445,7 @@ namespace {
 
 constexpr char kBetween = ';', kEscape = '\\';  // of several assignments in one word
 
-std::string textOf(const ParameterValue& value) {
+std::string assignedValue(const ParameterValue& value) {
   return std::visit([](const auto& held) { return fmt::format("{}", held); }, value);
 }
 
@@ -450,31 +453,33 @@ bool isResolution(const Parameter& row) {
   return row.key == "accuracy.scheme" || row.key == "accuracy.oversampling";
 }
 
-/// A target chooses the resolution, and the other way round: only one of them may be said.
+/// A target accuracy determines the resolution, so only one of them may be stated.
 bool isSaid(const Parameter& row, const Scene& scene) {
   if (!isApplicable(row, scene)) return false;
   if (row.key == "accuracy.target_relative_error") return choosesAccuracy(scene);
   return !isResolution(row) || !choosesAccuracy(scene);
 }
 
-/// Whether the base's own text would leave another value here. What has no meaning in the base does
-/// not stand there, and then the default counts.
+/// Returns whether the base's own text would leave another value here. A key without a meaning in
+/// the base is not part of its text, so its default counts.
 bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
-  const ParameterValue value = valueOf(row, scene);
+  const ParameterValue value = parameterValue(row, scene);
   if (isResolution(row) && choosesAccuracy(base)) return true;
   if (row.rule.isOfMaterial && base.elastomer.material != scene.elastomer.material) return true;
   if (row.rule.isRequired && differs(*findParameter(row.applies.choiceKey), base, scene))
     return true;
-  return value != valueOf(row, base) || (!isApplicable(row, base) && value != defaultOf(row));
+  return value != parameterValue(row, base) ||
+         (!isApplicable(row, base) && value != defaultValue(row));
 }
 
 }  // namespace
 
-std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene) {
+std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene) {
   std::vector<std::string> assignments;
   for (const Parameter& row : parameters())
     if (isSaid(row, scene) && differs(row, base, scene))
-      assignments.push_back(fmt::format("{}={}", row.key, textOf(valueOf(row, scene))));
+      assignments.push_back(
+          fmt::format("{}={}", row.key, assignedValue(parameterValue(row, scene))));
   return assignments;
 }
 

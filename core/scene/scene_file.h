@@ -19,20 +19,22 @@ inline constexpr std::size_t kLargestScene = std::size_t{1} << 20;  // bytes of 
 Scene readSceneFile(const std::filesystem::path& file,
                     const std::vector<std::string>& assignments = {});
 
-/// The same from text; `name` stands for the file in errors, `folder` resolves surface.file.
+/// Reads a scene from text; name: of the file, in errors; folder: against it surface.file is
+/// resolved.
 Scene readScene(std::string_view json, const std::string& name,
                 const std::filesystem::path& folder = {},
                 const std::vector<std::string>& assignments = {});
 
-/// The canonical text: every applicable key, in the table's order, numbers in shortest form that
-/// reads back to the same value. readScene(writeScene(s)) == s up to the folder.
+/// Returns the canonical text: every applicable key in the table's order, numbers in the shortest
+/// form that reads back to the same value. readScene(writeScene(s)) == s up to the folder.
 std::string writeScene(const Scene& scene);
 
-/// "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base, ...,
-/// assignments) is `scene` up to the folder and to keys that have no meaning in it.
-std::vector<std::string> assignmentsFrom(const Scene& base, const Scene& scene);
+/// Returns "KEY=VALUE" of every key that differs, in the table's order: readScene(text of base,
+/// ..., assignments) is `scene` up to the folder and to keys that have no meaning in it.
+std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene);
 
-/// "KEY=VALUE;KEY=VALUE" and back. A ';' inside a value is written "\;", and a '\' "\\".
+/// Join assignments to "KEY=VALUE;KEY=VALUE", and separate them. A ';' inside a value is written
+/// "\;", and a '\' "\\".
 std::string joinedAssignments(const std::vector<std::string>& assignments);
 std::vector<std::string> separatedAssignments(std::string_view text);
 

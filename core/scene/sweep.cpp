@@ -14,7 +14,7 @@
 namespace asperity {
 namespace {
 
-/// What local friction amounts to, without what has no influence on it.
+/// Returns the local friction without the members that do not influence it.
 Interface effective(Interface interface) {
   const Interface none;
   if (interface.shearStress == 0) interface.shearVelocity = 0;
@@ -27,7 +27,7 @@ bool slideAlike(const Scene& a, const Scene& b) {
   return a.surface == b.surface && a.load == b.load && a.accuracy == b.accuracy &&
          a.sliding.velocity == b.sliding.velocity &&
          effective(a.interface) == effective(b.interface) &&
-         lawOf(a.elastomer) == lawOf(b.elastomer);
+         elementLaw(a.elastomer) == elementLaw(b.elastomer);
 }
 
 /// Returns whether friction depends on the parameter anywhere in the range of its slider.
@@ -61,7 +61,7 @@ Message whyInapplicable(const Parameter& parameter, const Scene& scene) {
   if (!choice || choosesAccuracy(scene))
     return message("{} has no meaning in this scene", parameter.key);
   return message("{} has no meaning for {} {}", parameter.key, choice->key,
-                 std::get<std::string>(valueOf(*choice, scene)));
+                 std::get<std::string>(parameterValue(*choice, scene)));
 }
 
 int decadeOf(double value) {
@@ -134,8 +134,8 @@ std::vector<double> linearSpaced(double from, double to, std::int64_t points) {
 }
 
 std::vector<double> sweepVelocities(const Sweep& sweep) {
-  return valuesOf({findParameter(kVelocityKey), sweep.velocityFrom, sweep.velocityTo, sweep.points,
-                   sweep.scale == SweepScale::Logarithmic});
+  return rangeValues({findParameter(kVelocityKey), sweep.velocityFrom, sweep.velocityTo,
+                      sweep.points, sweep.scale == SweepScale::Logarithmic});
 }
 
 const Parameter& sweptParameter(const Scene& scene) {
@@ -166,7 +166,7 @@ Scene sceneOver(const ParameterRange& range, Scene scene) {
 }
 
 std::vector<double> sweepValues(const Scene& scene) {
-  return valuesOf(sweepRange(scene));
+  return rangeValues(sweepRange(scene));
 }
 
 Scene sceneAt(const Scene& scene, double value) {
@@ -177,7 +177,7 @@ Scene sceneAt(const Scene& scene, double value) {
 }
 
 double ownSweptValue(const Scene& scene) {
-  return numberOf(sweptParameter(scene), scene);
+  return parameterNumber(sweptParameter(scene), scene);
 }
 
 Scene withSweptValue(Scene scene, double value) {
@@ -189,7 +189,7 @@ Scene withSweptValue(Scene scene, double value) {
 
 namespace {
 
-/// Whether the scene can be at this value of the parameter.
+/// Returns whether this value of the parameter is possible in the scene.
 bool canBe(const Parameter& parameter, const Scene& scene, double value) {
   try {
     Scene state = scene;
@@ -208,7 +208,7 @@ ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
   constexpr double kAround = 100;
   constexpr int kAttempts = 8;
   const AllowedRange allowed = *allowedRange(parameter);
-  const double own = numberOf(parameter, scene);
+  const double own = parameterNumber(parameter, scene);
   ParameterRange range{&parameter, 0, 0, kPoints, hasLogarithmicSlider(parameter)};
   const auto* real = std::get_if<RealField>(&parameter.field);
   const auto* whole = std::get_if<IntegerField>(&parameter.field);
@@ -217,7 +217,7 @@ ParameterRange usualRange(const Parameter& parameter, const Scene& scene) {
   const bool isAround = range.isLogarithmic && own > 0;
   range.from = std::clamp(isAround ? own / kAround : from, allowed.minimum, allowed.maximum);
   range.to = std::clamp(isAround ? own * kAround : to, allowed.minimum, allowed.maximum);
-  // A logarithmic slider may begin at none, which has no logarithm.
+  // A logarithmic slider may begin at "none", which has no logarithm.
   if (range.isLogarithmic && !(range.from > 0)) range.from = from;
   for (double* end : {&range.from, &range.to})
     for (int i = 0; i < kAttempts && !canBe(parameter, scene, *end); ++i)
@@ -239,7 +239,7 @@ Scene withMeaningfulAxis(Scene scene) {
   return scene;
 }
 
-Scene sceneOfCurve(Scene scene) {
+Scene canonicalCurveScene(Scene scene) {
   scene.title.clear();
   scene.description.clear();
   scene.chapter.clear();
@@ -277,7 +277,7 @@ Message whyNotBeside(const Parameter& parameter, const Scene& scene, const Param
   return reason;
 }
 
-void needVelocityAxis(const Scene& scene, const Message& what) {
+void requireVelocityAxis(const Scene& scene, const Message& what) {
   if (!scene.sweep.isOfVelocity())
     throw InputError("", "sweep.key",
                      message("{} goes over velocities, not over {}", what, scene.sweep.key));

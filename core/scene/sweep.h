@@ -58,7 +58,7 @@ Scene withMeaningfulAxis(Scene scene);
 /// Returns the scene with defaults in place of all on which its friction curve does not depend:
 /// texts, the motion (but the velocity at which a curve over another key slides), the scene's own
 /// value of the swept key. Scenes that are equal then have the same curve.
-Scene sceneOfCurve(Scene scene);
+Scene canonicalCurveScene(Scene scene);
 
 /// Returns why a friction curve cannot go over this parameter in the scene: no number, a rule of
 /// the curve itself, no meaning, or no influence on friction. Empty where it can.
@@ -71,7 +71,7 @@ Message whyNotBeside(const Parameter& parameter, const Scene& scene, const Param
 
 /// Throws InputError (sweep.key) where the scene's curve does not go over velocity, which `what`
 /// needs.
-void needVelocityAxis(const Scene& scene, const Message& what);
+void requireVelocityAxis(const Scene& scene, const Message& what);
 
 /// Throws InputError that names the key of the sweep where it cannot be: the reason above, ends
 /// that the key does not allow, a logarithm of what is not above 0.

@@ -10,7 +10,7 @@
 namespace asperity {
 namespace {
 
-/// The points of a curve that have a logarithm, with x ascending.
+/// The points of a curve whose values have a logarithm, with x ascending.
 struct KnownCurve {
   std::vector<double> x, mu;
   std::vector<CurvePoint> points;
@@ -30,8 +30,8 @@ struct KnownCurve {
   std::size_t highest() const {
     return static_cast<std::size_t>(std::ranges::max_element(mu) - mu.begin());
   }
-  /// Whether the point and its neighbours have equal distances in ln x, as a parabola through them
-  /// needs. Those of whole numbers, and of a linear axis, have not.
+  /// Returns whether the point and its neighbours have equal distances in ln x, as a parabola
+  /// through them needs. The points of whole numbers and of a linear axis do not.
   bool isEvenAround(std::size_t i) const {
     constexpr double kEven = 1e-6;
     const double before = std::log(x[i] / x[i - 1]), after = std::log(x[i + 1] / x[i]);
@@ -43,13 +43,14 @@ double& at(CurveFitValues& values, CurveFit fit) {
   return values[static_cast<std::size_t>(fit)];
 }
 
-/// The next of the values like this one.
+/// Returns the fit that stands `count` entries after this one.
 CurveFit after(CurveFit first, std::size_t count) {
   return static_cast<CurveFit>(static_cast<std::size_t>(first) + count);
 }
 
 /// Returns ln x where the curve passes `level` beside its highest point, by a straight line between
-/// logarithms; NaN where it does not come down to it on this side. step: 1 to the right.
+/// logarithms; NaN where it does not fall to the level on this side. step: 1 to the right, -1 to
+/// the left.
 double passing(const KnownCurve& curve, std::size_t top, double level, int step) {
   for (std::size_t i = top; step > 0 ? i + 1 < curve.size() : i > 0;) {
     const std::size_t next = step > 0 ? i + 1 : i - 1;
@@ -65,7 +66,7 @@ double passing(const KnownCurve& curve, std::size_t top, double level, int step)
 void addMaximum(const KnownCurve& curve, CurveFitValues& fits) {
   const std::size_t top = curve.highest();
   at(fits, CurveFit::Maximum) = curve.mu[top];
-  if (top == 0 || top + 1 == curve.size()) return;  // it may lie beyond the curve
+  if (top == 0 || top + 1 == curve.size()) return;  // the maximum may lie beyond the curve
   CurveMaximum maximum{curve.x[top], curve.mu[top]};
   if (curve.isEvenAround(top)) maximum = curveMaximum(curve.x, curve.mu);
   at(fits, CurveFit::Maximum) = maximum.value;
@@ -77,7 +78,7 @@ void addMaximum(const KnownCurve& curve, CurveFitValues& fits) {
 }
 
 void addRegions(const Scene& scene, const KnownCurve& curve, CurveFitValues& fits) {
-  for (const CurveRegion& region : regionsOfCurve(scene, curve.points)) {
+  for (const CurveRegion& region : findRegions(scene, curve.points)) {
     const std::size_t number = region.name == "IV" ? 3 : region.name.size() - 1;  // from 0
     std::vector<double> x, mu;
     double sum = 0;
@@ -103,7 +104,7 @@ CurveFitValues curveFits(const Scene& scene, std::span<const double> values,
   CurveFitValues fits;
   fits.fill(kNotApplicable);
   const KnownCurve curve(values, points);
-  const bool isElastic = lawOf(scene.elastomer).kind() == ElementKind::Elastic;
+  const bool isElastic = elementLaw(scene.elastomer).kind() == ElementKind::Elastic;
   if (isElastic || curve.size() < kLeastFitted) return fits;
   addMaximum(curve, fits);
   const LineFit power = fitPower(curve.x, curve.mu);

@@ -1,6 +1,6 @@
-// Numbers that sum up a whole friction curve, as outputs of a study: its maximum, exponents by
-// least squares, and where its regions begin. Each is a column of the study's table under its own
-// name. Pure; any thread.
+// Numbers that summarize a whole friction curve, as outputs of a study: its maximum, exponents by
+// least squares, and the velocities at which its regions begin. Each is a column of the study's
+// table under its own name. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -53,13 +53,13 @@ inline constexpr std::array<CurveFitEntry, 13> kCurveFits{{
     {"fit.exponent_region_4", true},
 }};
 
-/// A fit needs so many points.
+/// The minimum number of points of a fit.
 inline constexpr std::size_t kLeastFitted = 3;
 
 using CurveFitValues = std::array<double, kCurveFits.size()>;
 
-/// Returns all fits of a scene's curve: `points` at the values of its sweep, in their order. NaN:
-/// the curve has no such number, or too few of its points show it.
+/// Returns all fits of a scene's curve: `points` belong to the values of its sweep, in their order.
+/// NaN: the curve has no such number, or too few of its points show it.
 CurveFitValues curveFits(const Scene& scene, std::span<const double> values,
                          std::span<const CurvePoint> points);
 

@@ -16,10 +16,10 @@ struct Dimension {
   std::uint32_t first[kHighestDegree];
 };
 
-/// Of the second dimension and on; the first is van der Corput's sequence. From the table
-/// new-joe-kuo-6.21201 of S. Joe and F. Y. Kuo, SIAM J. Sci. Comput. 30, 2635 (2008),
-/// https://web.maths.unsw.edu.au/~fkuo/sobol/ (Copyright 2008 Frances Y. Kuo and Stephen Joe, BSD
-/// licence).
+/// The polynomials from the second dimension on; the first dimension is van der Corput's sequence.
+/// From the table new-joe-kuo-6.21201 of S. Joe and F. Y. Kuo, SIAM J. Sci. Comput. 30, 2635
+/// (2008), https://web.maths.unsw.edu.au/~fkuo/sobol/ (Copyright 2008 Frances Y. Kuo and Stephen
+/// Joe, BSD licence).
 constexpr Dimension kDimensions[kMostSobolDimensions - 1] = {
     {1, 0, {1}},
     {2, 1, {1, 3}},
@@ -90,7 +90,7 @@ using Directions = std::array<std::uint32_t, kBits>;
 
 /// Returns the direction numbers v_j = m_j 2^(32 - j) of one dimension, by the recurrence of
 /// Bratley and Fox, ACM Trans. Math. Softw. 14, 88 (1988).
-Directions directionsOf(int dimension) {
+Directions directionNumbers(int dimension) {
   Directions v{};
   if (dimension == 0) {
     for (int j = 0; j < kBits; ++j) v[static_cast<std::size_t>(j)] = 1U << (kBits - 1 - j);
@@ -116,7 +116,7 @@ const std::array<Directions, kMostSobolDimensions>& allDirections() {
   static const auto all = [] {
     std::array<Directions, kMostSobolDimensions> made{};
     for (int d = 0; d < kMostSobolDimensions; ++d)
-      made[static_cast<std::size_t>(d)] = directionsOf(d);
+      made[static_cast<std::size_t>(d)] = directionNumbers(d);
     return made;
   }();
   return all;

@@ -8,9 +8,10 @@ namespace asperity {
 
 inline constexpr int kMostSobolDimensions = 64;
 
-/// Returns one coordinate of a point, times 2^32; the points are in the order of Gray codes, in
-/// which every first 2^m of them are the same set as in the order of the original. 0 <= dimension <
-/// kMostSobolDimensions. It needs no earlier point, so any process makes the same.
+/// Returns one coordinate of a point, times 2^32. The points are in the order of Gray codes, in
+/// which the first 2^m of them are, for every m, the same set as in the original order. 0 <=
+/// dimension < kMostSobolDimensions. No earlier point is needed, so every process makes the same
+/// points.
 std::uint32_t sobolNumber(std::uint32_t index, int dimension);
 
 }  // namespace asperity

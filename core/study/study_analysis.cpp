@@ -28,8 +28,8 @@ struct RunningCovariance {
   double correlation() const { return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : kNotApplicable; }
 };
 
-/// Linear between the order statistics, as R's type 7.
-double percentileOf(const std::vector<double>& ascending, double percent) {
+/// Returns a percentile by linear interpolation between the order statistics, as R's type 7.
+double percentile(const std::vector<double>& ascending, double percent) {
   if (ascending.empty()) return kNotApplicable;
   const double place = percent / 100 * static_cast<double>(ascending.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -37,15 +37,15 @@ double percentileOf(const std::vector<double>& ascending, double percent) {
   return std::lerp(ascending[below], ascending[above], place - static_cast<double>(below));
 }
 
-std::array<double, kPercentiles.size()> percentilesOf(std::vector<double> values) {
+std::array<double, kPercentiles.size()> computePercentiles(std::vector<double> values) {
   std::ranges::sort(values);
   std::array<double, kPercentiles.size()> found{};
-  for (std::size_t i = 0; i < found.size(); ++i) found[i] = percentileOf(values, kPercentiles[i]);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = percentile(values, kPercentiles[i]);
   return found;
 }
 
-/// Ranks from 1 on; equal values share the mean of theirs.
-std::vector<double> ranksOf(const std::vector<double>& values) {
+/// Returns the ranks from 1 on; equal values share the mean of their ranks.
+std::vector<double> computeRanks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
@@ -58,19 +58,19 @@ std::vector<double> ranksOf(const std::vector<double>& values) {
   return ranks;
 }
 
-double rankCorrelationOf(const std::vector<std::pair<double, double>>& sample) {
+double spearmanCorrelation(const std::vector<std::pair<double, double>>& sample) {
   std::vector<double> x, y;
   for (const auto& [a, b] : sample) {
     x.push_back(a);
     y.push_back(b);
   }
-  const std::vector<double> ranksX = ranksOf(x), ranksY = ranksOf(y);
+  const std::vector<double> ranksX = computeRanks(x), ranksY = computeRanks(y);
   RunningCovariance both;
   for (std::size_t i = 0; i < x.size(); ++i) both.add(ranksX[i], ranksY[i]);
   return both.correlation();
 }
 
-/// The parts of one column whose means are its main effect.
+/// The parts of one column, whose means are its main effect.
 class ColumnParts {
  public:
   ColumnParts(const StudyAxis& axis, std::size_t column) {
@@ -93,7 +93,7 @@ class ColumnParts {
     } else {
       for (std::size_t i = 1; i < one.words.size(); ++i) edges_.push_back(static_cast<double>(i));
     }
-    // A whole number may take up several parts.
+    // A whole number may cover several parts.
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   }
 
@@ -116,7 +116,7 @@ class SobolSums {
   SobolSums(std::size_t axes, double centre)
       : axes_(axes), centre_(centre), sums_(kGroups * (3 + 2 * axes)) {}
 
-  /// block: y of A, of A with one coordinate of B, ..., of B.
+  /// block: y of A, then y of A with each coordinate of B in turn, then y of B.
   void add(std::int64_t number, std::span<const double> block) {
     double* const sums = sums_.data() + static_cast<std::size_t>(number % kGroups) * stride();
     const double a = block.front() - centre_, b = block.back() - centre_;
@@ -174,7 +174,7 @@ class SobolSums {
   std::int64_t blocks_ = 0;
 };
 
-/// Everything of one output that a single pass over the simulations gives.
+/// The statistics of one output, from a single pass over the simulations.
 struct OutputSums {
   RunningMean y;
   double least = kNotApplicable, largest = kNotApplicable;
@@ -211,14 +211,14 @@ class Analysis {
         number += output.values.size();
       }
     }
-    // Only some simulations are kept, at equal distances, for what needs them in order.
+    // Statistics that need an order use only some simulations, at equal distances.
     const std::int64_t used = space.size() / members_ * (members_ > 1 ? 2 : 1);
     stride_ = std::max<std::int64_t>(1, (used + kMostSampled - 1) / kMostSampled);
   }
 
   void add(std::int64_t index, std::span<const double> numbers) {
     ++simulations_;
-    // The points of a Saltelli design that depend on each other count once: A and B.
+    // Of the dependent points of a Saltelli design only A and B count, each once.
     const std::int64_t member = index % members_;
     if (members_ > 1 && member != 0 && member != members_ - 1) return;
     const bool isSampled = counted_++ % stride_ == 0;
@@ -244,7 +244,7 @@ class Analysis {
       } else {
         CurveBand band{output.name, output.values, {}};
         for (std::vector<double>& sample : curveSamples_[curve])
-          band.percentiles.push_back(percentilesOf(std::move(sample)));
+          band.percentiles.push_back(computePercentiles(std::move(sample)));
         ++curve;
         analysis.bands.push_back(std::move(band));
       }
@@ -282,13 +282,13 @@ class Analysis {
     if (output.count > 1) output.deviation = std::sqrt(sums.y.variance());
     output.least = sums.least;
     output.largest = sums.largest;
-    output.percentiles = percentilesOf(std::move(sums.sample));
+    output.percentiles = computePercentiles(std::move(sums.sample));
     for (std::size_t c = 0; c < parts_.size(); ++c) {
       ColumnEffect effect;
       effect.column = c;
       effect.isLogarithmic = parts_[c].isLogarithmic();
       effect.correlation = sums.correlations[c].correlation();
-      effect.rankCorrelation = rankCorrelationOf(sums.scatter[c]);
+      effect.rankCorrelation = spearmanCorrelation(sums.scatter[c]);
       for (std::size_t p = 0; p < parts_[c].count(); ++p) {
         const RunningMean& y = sums.effects[c][p];
         if (y.count() == 0) continue;
@@ -309,7 +309,7 @@ class Analysis {
     std::int64_t expected = -1;
     each([&](std::int64_t index, std::span<const double> numbers) {
       const std::int64_t member = index % members_;
-      // A gap in the numbers ends a block that is not whole.
+      // A gap in the numbers ends an incomplete block.
       if (member == 0 || index != expected)
         for (std::vector<double>& block : blocks) block.clear();
       expected = index + 1;

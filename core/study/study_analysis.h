@@ -1,5 +1,5 @@
-// What the results of a study say together: how much of the scatter each key is responsible for
-// (Sobol indices), the mean over all other keys (main effects), correlations, percentiles.
+// Analyses the results of a study: the part of the variance that each key is responsible for (Sobol
+// indices), the mean over all other keys (main effects), correlations, percentiles.
 // The numbers come one simulation after the other, in the order of the study, and are not kept:
 // memory does not grow with the study. Pure; any thread.
 #pragma once
@@ -19,18 +19,19 @@ namespace asperity {
 /// Sensitivity indices of one axis, with the standard errors of the jackknife.
 struct SobolIndex {
   std::size_t axis = 0;
-  Estimate first;  // Var(E(y | x)) / Var(y): what the scatter loses where the axis is known
-  Estimate total;  // E(Var(y | all others)) / Var(y): what is left where all others are known
+  Estimate first;  // Var(E(y | x)) / Var(y): the part of the variance that goes if x is known
+  Estimate total;  // E(Var(y | all others)) / Var(y): the part that stays if all others are known
 };
 
-/// The mean of an output over all simulations with one value, or in one part, of a column.
+/// The mean of an output over all simulations with one value of a column, or with a value in one
+/// part of it.
 struct MainEffect {
   double x = 0;  // mean of the column in the part
   double mean = 0, standardError = kNotApplicable;
   std::int64_t count = 0;
 };
 
-/// One column of the space against one output.
+/// The effect of one column of the space on one output.
 struct ColumnEffect {
   std::size_t column = 0;
   double correlation = kNotApplicable;      // Pearson's, of the logarithm where isLogarithmic
@@ -49,7 +50,7 @@ struct OutputAnalysis {
   double least = kNotApplicable, largest = kNotApplicable;
   std::array<double, kPercentiles.size()> percentiles{};
   std::vector<SobolIndex> indices;    // of a Saltelli design
-  std::int64_t blocks = 0;            // of the design, that were whole
+  std::int64_t blocks = 0;            // number of complete blocks of the design
   std::vector<ColumnEffect> effects;  // one for each column
 };
 
@@ -64,10 +65,10 @@ struct StudyAnalysis {
   std::vector<OutputAnalysis> outputs;  // those that are not curves
   std::vector<CurveBand> bands;
   std::int64_t simulations = 0;
-  std::int64_t sampled = 0;  // of them, that percentiles and rank correlations are made of
+  std::int64_t sampled = 0;  // number of them that percentiles and rank correlations use
 };
 
-/// Called with simulations in ascending order; numbers are NaN where one failed.
+/// Called with the simulations in ascending order; the numbers of a failed one are NaN.
 using UseSimulation = std::function<void(std::int64_t index, std::span<const double> numbers)>;
 using EachSimulation = std::function<void(const UseSimulation& use)>;
 
@@ -77,7 +78,7 @@ struct AnalysedOutput {
   std::vector<double> values;  // of the key that a curve goes over; empty: not a curve
 };
 
-/// `each` is called more than once.
+/// Analyses simulations. `each` is called more than once.
 StudyAnalysis analyseSimulations(const StudySpace& space,
                                  const std::vector<AnalysedOutput>& outputs,
                                  const EachSimulation& each);

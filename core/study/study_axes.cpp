@@ -25,7 +25,8 @@ constexpr NamedChoices<DistributionKind, 3> kDistributions{
      {"lognormal", DistributionKind::Lognormal},
      {"uniform", DistributionKind::Uniform}}};
 
-/// Throws InputError where no value of the key would be a simulation of its own.
+/// Throws InputError where the key cannot be varied, because its values do not make different
+/// simulations.
 void checkKey(const Parameter& row, const std::string& where) {
   const std::string_view key = row.key;
   for (const std::string_view section : {"sweep.", "comparison."})
@@ -70,13 +71,14 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   const Parameter& row = *axis.columns.front().row;
   if (!isNumber(row))
     refuseMember(where, "is not a number, so it has no range; a list names its values");
-  ParameterRange range{&row, numberIn(spec, where, "from"), numberIn(spec, where, "to"), 1, false};
+  ParameterRange range{&row, numberMember(spec, where, "from"), numberMember(spec, where, "to"), 1,
+                       false};
   checkValue(row, range.from, where + ".from");
   checkValue(row, range.to, where + ".to");
   const bool isPositive = range.from > 0 && range.to > 0;
   range.isLogarithmic = hasLogarithmicSlider(row) && isPositive;
   if (spec.contains("scale")) {
-    const std::string scale = textIn(spec, "scale", "", where);
+    const std::string scale = textMember(spec, "scale", "", where);
     if (scale != "log" && scale != "linear")
       refuseMember(where + ".scale", "is neither log nor linear");
     range.isLogarithmic = scale == "log";
@@ -93,8 +95,8 @@ void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool
   }
   if (!spec.contains("points"))
     refuseMember(where + ".points", "is missing; a grid needs the number of values");
-  range.points = wholeIn(spec, "points", 1, kMostRangePoints, where);
-  axis.columns.front().numbers = valuesOf(range);
+  range.points = integerMember(spec, "points", 1, kMostRangePoints, where);
+  axis.columns.front().numbers = rangeValues(range);
 }
 
 void readDistribution(StudyAxis& axis, const Json& spec, const std::string& where, bool isGrid) {
@@ -106,16 +108,17 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
                  "a distribution needs sampling latin_hypercube, sobol or saltelli, not a grid");
   Distribution made;
   made.kind =
-      chosen(kDistributions, textIn(spec, "distribution", "", where), where + ".distribution");
-  const auto from = optionalNumber(spec, where, "from"), to = optionalNumber(spec, where, "to");
+      chosen(kDistributions, textMember(spec, "distribution", "", where), where + ".distribution");
+  const auto from = optionalNumberMember(spec, where, "from"),
+             to = optionalNumberMember(spec, where, "to");
   const bool hasMoments = spec.contains("mean") || spec.contains("deviation");
   if (made.kind == DistributionKind::Uniform && hasMoments == (from || to))
     refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (made.kind == DistributionKind::Uniform && !hasMoments && !(from && to))
     refuseMember(where, "a uniform distribution has either from and to, or mean and deviation");
   if (hasMoments || made.kind != DistributionKind::Uniform) {
-    made.mean = numberIn(spec, where, "mean");
-    made.deviation = numberIn(spec, where, "deviation");
+    made.mean = numberMember(spec, where, "mean");
+    made.deviation = numberMember(spec, where, "deviation");
     if (!(made.deviation > 0)) refuseMember(where + ".deviation", "is not above 0");
   }
   if (made.kind == DistributionKind::Lognormal && !(made.mean > 0))
@@ -125,7 +128,7 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
   made.from = from.value_or(made.from);
   made.to = to.value_or(made.to);
   if (!(made.from < made.to)) refuseMember(where + ".to", "is not above from");
-  // Limits that leave nothing of the distribution would leave its last digits alone.
+  // Limits that cut off nearly all of the distribution would leave only its last digits.
   const double middle = made.quantile(0.5);
   if (!(middle > made.from && middle < made.to) || !(made.quantile(0.25) < made.quantile(0.75)))
     refuseMember(where, "almost nothing of the distribution is between from and to");
@@ -249,7 +252,7 @@ Json axisJson(const StudyAxis& axis) {
             {"to", axis.range->to},
             {"scale", axis.range->isLogarithmic ? "log" : "linear"}};
   if (const auto& given = axis.distribution) {
-    Json json = {{"distribution", wordOf(kDistributions, given->kind)}};
+    Json json = {{"distribution", choiceWord(kDistributions, given->kind)}};
     const bool hasLimits = std::isfinite(given->from) && std::isfinite(given->to);
     if (given->kind != DistributionKind::Uniform || !hasLimits) {
       json["mean"] = given->mean;

@@ -1,6 +1,6 @@
-// The axes of a study's space in its file: lists, ranges, distributions and tables of rows.
-// Pure but for reading a table. Failure: InputError with the place, or the file and line of a
-// table.
+// Reads the axes of a study's space from its file: lists, ranges, distributions and tables of rows.
+// Pure except for reading a table. Failure: InputError with the path, or with the file and line of
+// a table.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,15 @@
 
 namespace asperity {
 
-/// Reads what a key is varied over.
+/// Reads the values over which a key is varied.
 StudyAxis readAxis(const std::string& key, const nlohmann::ordered_json& spec, bool isGrid);
 
-/// Reads the rows of a table, whose columns are named by keys; in a canonical text they stand in
-/// it.
+/// Reads the rows of a table whose columns have the names of keys. In a canonical text the rows
+/// themselves are part of the text.
 StudyAxis readRows(const nlohmann::ordered_json& spec, const std::string& where,
                    const std::filesystem::path& folder);
 
-/// Return the canonical forms of both.
+/// Return the canonical form of an axis and of rows.
 nlohmann::ordered_json axisJson(const StudyAxis& axis);
 nlohmann::ordered_json rowsJson(const StudyAxis& axis);
 

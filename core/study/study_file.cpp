@@ -60,7 +60,7 @@ StudyOutput readOutput(const Json& json) {
     if (isFit) output.fit = static_cast<CurveFit>(found - known.begin());
     return output;
   }
-  const std::string_view nearest = nearestOf(output.column, known);
+  const std::string_view nearest = nearestWord(output.column, known);
   const std::string all = fmt::format("{}", fmt::join(known, ", "));
   if (isFit && nearest.empty())
     refuseMember("outputs", message("'{}' is unknown; known are {}", shortened(output.name), all));
@@ -75,7 +75,7 @@ StudyOutput readOutput(const Json& json) {
                                    : std::string(nearest)));
 }
 
-/// About how many simulations take a second: as many as are lost at most where a process is killed.
+/// Returns how many simulations take about a second: a killed process loses no more than these.
 std::int64_t usualChunk(const ParameterStudy& study) {
   constexpr double kNodesInSecond = 2e8;
   const Scene& scene = study.base;
@@ -102,14 +102,15 @@ class StudyReader {
     checkMembers(root_, "",
                  {"schema", "title", "scene", "set", "space", "sampling", "samples", "seed",
                   "outputs", "chunk", "inputs"});
-    if (textIn(root_, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
-    sampling_ = chosen(kSamplings, textIn(root_, "sampling", "grid"), "sampling");
+    if (textMember(root_, "schema") != kSchema)
+      refuseMember("schema", message("is not {}", kSchema));
+    sampling_ = chosen(kSamplings, textMember(root_, "sampling", "grid"), "sampling");
     readBase();
     readSpace();
-    study_.title = textIn(root_, "title", study_.base.title);
+    study_.title = textMember(root_, "title", study_.base.title);
     readOutputs();
-    study_.chunk =
-        root_.contains("chunk") ? wholeIn(root_, "chunk", 1, kMostInChunk) : usualChunk(study_);
+    study_.chunk = root_.contains("chunk") ? integerMember(root_, "chunk", 1, kMostInChunk)
+                                           : usualChunk(study_);
     checkSteady();
     setCanonical();
     return std::move(study_);
@@ -184,8 +185,8 @@ class StudyReader {
     if (!isGrid) {
       if (!root_.contains("samples"))
         refuseMember("samples", "is missing; only sampling grid does without");
-      samples = wholeIn(root_, "samples", 1, isSobol ? kMostSobol : kMostSimulations);
-      if (root_.contains("seed")) seed = wholeIn(root_, "seed", 0, std::int64_t{1} << 53);
+      samples = integerMember(root_, "samples", 1, isSobol ? kMostSobol : kMostSimulations);
+      if (root_.contains("seed")) seed = integerMember(root_, "seed", 0, std::int64_t{1} << 53);
     }
     study_.space = StudySpace(std::move(axes), sampling_, samples, seed);
     if (study_.space.size() > kMostSimulations)
@@ -214,8 +215,8 @@ class StudyReader {
       if (output.fit) checkFit(output);
   }
 
-  /// A fit that the base scene's curve cannot have would be an empty column. Where kinds are varied
-  /// some simulations may have it.
+  /// Throws InputError for a fit that the curve of the base scene cannot have, as its column would
+  /// be empty. Where kinds are varied, some simulations may have it.
   void checkFit(const StudyOutput& output) const {
     const std::size_t points = study_.curveValues().size();
     if (points < kLeastFitted)
@@ -238,7 +239,7 @@ class StudyReader {
   }
 
   void checkSteady() const {
-    needSteadySliding(study_.base, "a study");
+    requireSteadySliding(study_.base, "a study");
     if (choosesAccuracy(study_.base))
       refuseMember("accuracy.target_relative_error",
                    "a study needs a stated accuracy, not a target");
@@ -261,7 +262,7 @@ class StudyReader {
       else
         space[std::string(axis.columns.front().key())] = axisJson(axis);
     }
-    text["sampling"] = wordOf(kSamplings, sampling_);
+    text["sampling"] = choiceWord(kSamplings, sampling_);
     if (sampling_ != Sampling::Grid) {
       text["samples"] = study_.space.samples();
       text["seed"] = study_.space.seed();
@@ -269,7 +270,7 @@ class StudyReader {
     Json& outputs = text["outputs"] = Json::array();
     for (const StudyOutput& output : study_.outputs) outputs.push_back(output.name);
     text["chunk"] = study_.chunk;
-    // The content of files that the scene names; a text from a store has it already.
+    // This adds the content of the files that the scene names; a text from a store has it already.
     if (root_.contains("inputs")) {
       text["inputs"] = root_["inputs"];
     } else {
@@ -360,7 +361,7 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
   }
 }
 
-Message differenceOf(std::string_view expected, std::string_view found) {
+Message describeDifference(std::string_view expected, std::string_view found) {
   constexpr std::size_t kMost = 3;
   const Json before = Json::parse(expected).flatten(), now = Json::parse(found).flatten();
   const auto named = [](std::string path) {

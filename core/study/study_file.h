@@ -1,6 +1,6 @@
-// The file of a study: a space of scene keys over a base scene and the numbers wanted of every
-// simulation. Reading checks everything that can be checked without a simulation.
-// Pure but for reading the files that a study names. Failure: InputError with file, key, what is
+// The file of a study: a space of scene keys around a base scene, and the numbers that every
+// simulation has to give. The reader checks everything that can be checked without a simulation.
+// Pure except for reading the files that a study names. Failure: InputError with file, key, what is
 // wrong and what is allowed.
 #pragma once
 
@@ -20,8 +20,8 @@
 
 namespace asperity {
 
-/// A number wanted of every simulation: a column of its friction curve, at the scene's own velocity
-/// or (`curve.mu`) at every value of its sweep; or one that sums up the whole curve
+/// A number that every simulation has to give: a column of its friction curve, at the scene's own
+/// velocity or (`curve.mu`) at every value of its sweep; or one that summarizes the whole curve
 /// (`fit.maximum`).
 struct StudyOutput {
   std::string name;    // "mu", "curve.mu", "fit.maximum"
@@ -47,18 +47,19 @@ struct ParameterStudy {
 
   bool wantsPoint() const;  // whether an output is at the scene's own velocity
   bool wantsCurve() const;  // for itself or for a fit
-  /// The values of the key over which the curves go; empty where no output needs a curve.
+  /// Returns the values of the key over which the curves go; empty where no output needs a curve.
   std::vector<double> curveValues() const;
-  /// Numbers stored of one simulation: one for an output, or one for each value of the curve.
+  /// Returns how many numbers of one simulation are stored: one for an output, or one for each
+  /// value of the curve.
   std::size_t numbers() const;
 
   /// Returns the scene of a point. Throws InputError with the key where it cannot be.
   Scene sceneAt(std::span<const double> point) const;
-  /// The value of a column of a point as text: a number, or the word for which it stands.
+  /// Returns the value of a column of a point as text: a number, or the word that it stands for.
   std::string textAt(std::size_t column, double value) const;
 
-  /// The text that a store keeps: a study file again, with everything that has an influence on the
-  /// results, and nothing else. Equal studies have equal texts.
+  /// The text that a store keeps: a study file with everything that influences the results, and
+  /// nothing else. Equal studies have equal texts.
   std::string canonical;
   std::string digest;  // SHA-256 of that text
 
@@ -66,7 +67,7 @@ struct ParameterStudy {
   std::string baseText;  // of the base scene, for such points
 };
 
-/// Finds a scene that a study names.
+/// Reads a scene that a study names.
 using SceneReader =
     std::function<Scene(const std::string& name, const std::filesystem::path& folder,
                         const std::vector<std::string>& assignments)>;
@@ -74,7 +75,7 @@ using SceneReader =
 /// Describes for users what the file may contain.
 extern const char* const kStudyFormat;
 
-/// readScene: null means files relative to the folder of the study.
+/// Reads a study. readNamed: null means files relative to the folder of the study.
 ParameterStudy readStudy(const std::filesystem::path& file, const SceneReader& readNamed = {});
 
 /// Reads the same from a text; `name` is named in errors.
@@ -83,6 +84,6 @@ ParameterStudy readStudy(std::string_view json, const std::string& name,
 
 /// Returns the first differences between two canonical texts: "space.surface.hurst.to: 1 instead of
 /// 0.9".
-Message differenceOf(std::string_view expected, std::string_view found);
+Message describeDifference(std::string_view expected, std::string_view found);
 
 }  // namespace asperity

@@ -18,7 +18,7 @@ MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& ou
   std::vector<StudyStore> stores;
   std::error_code ignored;
   for (const fs::path& input : inputs) {
-    if (fs::equivalent(input, output, ignored)) continue;  // it counts anyway
+    if (fs::equivalent(input, output, ignored)) continue;  // the output is read in any case
     stores.emplace_back(input);
   }
   if (fs::exists(output, ignored)) stores.emplace_back(output);
@@ -26,9 +26,10 @@ MergedStores mergeStores(const std::vector<fs::path>& inputs, const fs::path& ou
   const StudyStore& first = stores.front();
   for (const StudyStore& store : stores)
     if (store.study().digest != first.study().digest)
-      throw InputError(store.file().string(), "",
-                       message("is of another study than {}: {}", first.file().string(),
-                               differenceOf(first.study().canonical, store.study().canonical)));
+      throw InputError(
+          store.file().string(), "",
+          message("is of another study than {}: {}", first.file().string(),
+                  describeDifference(first.study().canonical, store.study().canonical)));
 
   fs::path part = output;
   part += fmt::format(".{}.part", ::getpid());

@@ -1,4 +1,4 @@
-// Stores of shards joined into one store of the whole study, in any order.
+// Merges the stores of shards into one store of the whole study, in any order.
 // Failure: as StudyStore; InputError where the stores do not belong together.
 #pragma once
 
@@ -10,17 +10,17 @@
 
 namespace asperity {
 
-/// What a merge found.
+/// The result of a merge.
 struct MergedStores {
   std::int64_t chunks = 0, chunksWanted = 0;
-  std::vector<Shard> missingShards;         // that none of the stores is of, where they are shards
-  std::vector<std::int64_t> missingChunks;  // the first of them
+  std::vector<Shard> missingShards;         // those without a store, where the stores are shards
+  std::vector<std::int64_t> missingChunks;  // the first ones
 
   bool isWhole() const { return chunks == chunksWanted; }
 };
 
-/// Joins stores of one study in any order; a store that is at `output` already counts too. Throws
-/// InputError where one of them is of another study, or two have different results of a chunk.
+/// Merges stores of one study in any order, together with a store that exists at `output`. Throws
+/// InputError where one of them belongs to another study, or two have different results of a chunk.
 MergedStores mergeStores(const std::vector<std::filesystem::path>& inputs,
                          const std::filesystem::path& output);
 

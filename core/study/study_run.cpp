@@ -51,8 +51,8 @@ class ChunkWork {
   }
 
  private:
-  /// Makes the states of all simulations that can be: the scene's own velocity first, then those of
-  /// its curve.
+  /// Makes the states of all simulations that are possible: first at the scene's own velocity, then
+  /// along its curve.
   void makeStates() {
     std::vector<double> point(study_.space.columns());
     const std::size_t each = statesOfOne();
@@ -73,8 +73,8 @@ class ChunkWork {
     }
   }
 
-  /// Slides some of the simulations together. Where one of them cannot be, its half of them is slid
-  /// again without the other half: which halves there are depends on the chunk alone.
+  /// Slides some of the simulations together. Where one of them fails, its half is slid again
+  /// without the other half; the halves depend on the chunk alone.
   void slide(std::int64_t begin, std::int64_t end) {
     if (begin == end || options_.stop.stop_requested()) return;
     const std::size_t each = statesOfOne();
@@ -98,7 +98,7 @@ class ChunkWork {
     }
   }
 
-  /// Stores the numbers of a simulation, which is counted among those that can be.
+  /// Stores the numbers of a simulation, which is counted among the possible ones.
   void take(std::int64_t number, std::span<const CurvePoint> points) {
     const auto index = static_cast<std::size_t>(number);
     auto place = static_cast<std::size_t>(simulations_[index]);
@@ -119,7 +119,7 @@ class ChunkWork {
   }
 
   void fail(std::int64_t simulation, const std::exception& error) {
-    chunk_.failures.push_back({chunk_.first + simulation, messageOf(error).english()});
+    chunk_.failures.push_back({chunk_.first + simulation, errorMessage(error).english()});
   }
 
   std::size_t statesOfOne() const { return curveValues_.size() + (study_.wantsPoint() ? 1 : 0); }
@@ -130,7 +130,7 @@ class ChunkWork {
   StateOptions options_;
   std::vector<std::function<double(const CurvePoint&)>> columns_;
   StudyChunk chunk_;
-  std::vector<std::int64_t> simulations_;  // that can be, counted in the chunk
+  std::vector<std::int64_t> simulations_;  // the possible ones, counted in the chunk
   std::vector<Scene> states_;
   std::vector<Scene> curveScenes_;  // of the same simulations, where fits are wanted
 
@@ -139,14 +139,14 @@ class ChunkWork {
   }
 };
 
-/// Chunks that several threads take from a store.
+/// The chunks of a store, which several threads take.
 class StudyRun {
  public:
   StudyRun(StudyStore& store, const StudyRunOptions& options)
       : store_(store), options_(options), done_(store.simulationsDone()) {}
 
   std::int64_t run() {
-    // What another process leaves when it ends is taken in a further round.
+    // A further round takes the chunks that another process has left.
     while (runRound() > 0 && !isStopping_) {
     }
     if (failure_) std::rethrow_exception(failure_);
@@ -155,15 +155,15 @@ class StudyRun {
   }
 
  private:
-  /// Takes every chunk once that is free; returns how many it added.
+  /// Computes every free chunk once; returns the number of simulations that it added.
   std::int64_t runRound() {
     next_ = 0;
     addedInRound_ = 0;
-    const int threads = threadsOf(options_.threads);
+    const int threads = threadCount(options_.threads);
     const std::int64_t missing =
         static_cast<std::int64_t>(store_.missing(static_cast<std::size_t>(threads)).size());
     if (missing == 0) return 0;
-    // Few chunks are done one after the other, each on all threads.
+    // Few chunks are computed one after the other, each on all threads.
     const bool isWide = missing >= threads;
     const int workers = isWide ? threads : 1, each = isWide ? 1 : threads;
     {
@@ -236,15 +236,15 @@ StudyBudget studyBudget(const ParameterStudy& study, std::int64_t all, std::int6
   budget.done = done;
   budget.chunks = study.chunks();
   budget.chunk = study.chunk;
-  budget.threads = threadsOf(threads);
+  budget.threads = threadCount(threads);
   const std::size_t each = study.curveValues().size() + (study.wantsPoint() ? 1 : 0);
   budget.states = all * static_cast<std::int64_t>(each);
   budget.lines = mayHaveManyLines(study.base.surface) ? study.base.ensemble.realizations : 1;
   constexpr double kBytesOfRow = 150;
   budget.bytes = static_cast<double>(all) * static_cast<double>(8 * study.numbers()) +
                  static_cast<double>(all) / static_cast<double>(study.chunk) * kBytesOfRow;
-  // Twice as many simulations each time, in the middle of the study, until they take long enough:
-  // many together share their lines, as they will in the run.
+  // The trial doubles the number of simulations, from the middle of the study, until they take long
+  // enough: together they share their lines, as in the run.
   const std::int64_t most = std::min(study.chunk, study.simulations());
   double seconds = 0;
   for (std::int64_t count = 1; budget.trial == 0 || seconds < trialSeconds / 2; count *= 2) {

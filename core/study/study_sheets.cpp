@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostDots = 1500;  // of one diagram of scattered points
 
-/// Every axis or column gets a place at 1, 2, ... with its name over it.
+/// Every axis or column gets a position 1, 2, ... with its name above it.
 void addNames(Diagram& diagram, const std::vector<std::string>& names,
               const std::vector<std::string>& shortNames) {
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -25,10 +25,10 @@ void addNames(Diagram& diagram, const std::vector<std::string>& names,
 }
 
 /// The label of a key, and its symbol.
-std::string labelOf(const StudyColumn& column) {
+std::string keyLabel(const StudyColumn& column) {
   return std::string(column.row->label);
 }
-std::string shortOf(const StudyColumn& column) {
+std::string shortLabel(const StudyColumn& column) {
   return std::string(column.row->symbol.empty() ? column.row->label : column.row->symbol);
 }
 
@@ -45,8 +45,8 @@ DiagramSheet sensitivitySheet(const ParameterStudy& study, const StudyAnalysis& 
   std::vector<std::string> names, shortNames;
   for (const StudyAxis& axis : study.space.axes()) {
     const bool isSingle = axis.columns.size() == 1;
-    names.push_back(isSingle ? labelOf(axis.columns.front()) : "rows");
-    shortNames.push_back(isSingle ? shortOf(axis.columns.front()) : "rows");
+    names.push_back(isSingle ? keyLabel(axis.columns.front()) : "rows");
+    shortNames.push_back(isSingle ? shortLabel(axis.columns.front()) : "rows");
   }
   for (const OutputAnalysis& output : analysis.outputs) {
     if (output.indices.empty()) continue;
@@ -97,8 +97,8 @@ DiagramSheet correlationSheet(const ParameterStudy& study, const StudyAnalysis& 
     for (const ColumnEffect& effect : output.effects) {
       const StudyColumn& column = study.space.column(effect.column);
       if (column.hasWords()) continue;  // words have no order
-      names.push_back(labelOf(column));
-      shortNames.push_back(shortOf(column));
+      names.push_back(keyLabel(column));
+      shortNames.push_back(shortLabel(column));
       const auto x = static_cast<double>(names.size());
       values.points.push_back({x - 0.1, effect.correlation});
       ranks.points.push_back({x + 0.1, effect.rankCorrelation});

@@ -10,8 +10,8 @@
 
 namespace asperity {
 
-/// "sensitivity" (of a Saltelli design), "correlation", and for each output "effects_NAME"; for
-/// each curve "band_NAME".
+/// Returns "sensitivity" (of a Saltelli design), "correlation", and for each output "effects_NAME";
+/// for each curve "band_NAME".
 std::vector<NamedSheet> studySheets(const ParameterStudy& study, const StudyAnalysis& analysis);
 
 }  // namespace asperity

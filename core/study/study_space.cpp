@@ -31,8 +31,8 @@ double unitNumber(std::uint64_t bits) {
   return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
 }
 
-/// Returns the place of an index in a random order of 0 to count - 1: a Feistel network on the next
-/// even number of bits, walked until it is in the range. It needs no memory.
+/// Returns the position of an index in a random permutation of 0 to count - 1: a Feistel network on
+/// the next even number of bits, repeated until the result is in the range. It needs no memory.
 std::uint64_t shuffled(std::uint64_t index, std::uint64_t count, std::int64_t seed,
                        std::size_t axis) {
   constexpr int kRounds = 4;
@@ -57,8 +57,8 @@ double normalBelow(double x) {
   return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-/// A Sobol coordinate moved by a random digital shift, which keeps the evenness of the points and
-/// leaves none of them on the edge.
+/// Returns a Sobol coordinate with a random digital shift, which preserves the evenness of the
+/// points and leaves none of them on the edge.
 double shiftedSobol(std::int64_t index, std::size_t dimension, std::int64_t seed) {
   const auto shift = static_cast<std::uint32_t>(randomBits(seed, dimension, 0) >> 32);
   const std::uint32_t number =
@@ -70,7 +70,8 @@ double shiftedSobol(std::int64_t index, std::size_t dimension, std::int64_t seed
 
 double normalQuantile(double p) {
   if (p > 0.5) return -normalQuantile(1 - p);
-  // A start that is good to 4.5e-4 (Abramowitz and Stegun 26.2.23), then Halley's method.
+  // The initial value is accurate to 4.5e-4 (Abramowitz and Stegun 26.2.23); Halley's method
+  // refines it.
   const double t = std::sqrt(-2 * std::log(p));
   double x = -(t - (2.515517 + t * (0.802853 + t * 0.010328)) /
                        (1 + t * (1.432788 + t * (0.189269 + t * 0.001308))));
@@ -91,7 +92,7 @@ double Distribution::quantile(double u) const {
     return low + (high - low) * u;
   }
   const bool isLog = kind == DistributionKind::Lognormal;
-  // Moments of the logarithm of a lognormal quantity.
+  // These are the moments of the logarithm of a lognormal quantity.
   const double variance = isLog ? std::log1p(std::pow(deviation / mean, 2)) : deviation * deviation;
   const double centre = isLog ? std::log(mean) - variance / 2 : mean, width = std::sqrt(variance);
   const auto below = [&](double limit, double otherwise) {
@@ -129,7 +130,7 @@ double StudyAxis::valueAt(double u, std::size_t column) const {
     const double value = low * std::pow(high / low, u);
     return isWhole ? std::round(value) : value;
   }
-  // Every whole number is as likely as the others.
+  // Every whole number is equally likely.
   if (isWhole) return std::min(std::floor(low + u * (high - low + 1)), std::max(low, high));
   return low + (high - low) * u;
 }
@@ -166,7 +167,7 @@ double StudySpace::coordinate(std::int64_t index, std::size_t axis) const {
       return shiftedSobol(block, isOfB ? axes_.size() + axis : axis, seed_);
     }
     default: {
-      // Each of `samples` equal parts of the axis has one point, at a random place in it.
+      // Each of `samples` equal parts of the axis has one point, at a random position in it.
       const auto number = static_cast<std::uint64_t>(index);
       const auto count = static_cast<std::uint64_t>(samples_);
       const double place = static_cast<double>(shuffled(number, count, seed_, 2 * axis));

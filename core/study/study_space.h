@@ -25,17 +25,18 @@ struct Distribution {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
 
-  /// Returns the value that a part u of all are below, 0 < u < 1.
+  /// Returns the quantile of u: the value below which the quantity is with probability u, 0 < u <
+  /// 1.
   double quantile(double u) const;
 
   bool operator==(const Distribution&) const = default;
 };
 
-/// Returns the number below which a standard normal quantity is with probability p, 0 < p < 1.
+/// Returns the quantile of the standard normal distribution, 0 < p < 1.
 double normalQuantile(double p);
 
-/// One key of an axis. Words are the choices and texts of a key that is no number; the number of a
-/// point is then the place of its word.
+/// One key of an axis. Words are the choices and texts of a key that is no number; a point then has
+/// the index of its word.
 struct StudyColumn {
   const Parameter* row = nullptr;
   std::vector<double> numbers{};  // of an axis of separate values
@@ -52,9 +53,9 @@ struct StudyAxis {
   std::optional<ParameterRange> range{};
   std::optional<Distribution> distribution{};
 
-  /// The number of separate values; 0 where all values in between belong to the axis.
+  /// Returns the number of separate values; 0 for a continuous axis.
   std::int64_t count() const;
-  /// The value of a column at the part u of the axis, 0 < u < 1.
+  /// Returns the value of a column at the part u of the axis, 0 < u < 1.
   double valueAt(double u, std::size_t column) const;
 };
 
@@ -65,7 +66,7 @@ enum class Sampling { Grid, LatinHypercube, Sobol, Saltelli };
 class StudySpace {
  public:
   StudySpace() = default;
-  /// samples: points of a sample; of a Saltelli design, those of A. Not used by a grid.
+  /// samples: number of points of a sample; in a Saltelli design, of A. A grid does not use it.
   StudySpace(std::vector<StudyAxis> axes, Sampling sampling, std::int64_t samples,
              std::int64_t seed);
 
@@ -73,9 +74,9 @@ class StudySpace {
   Sampling sampling() const { return sampling_; }
   std::int64_t samples() const { return samples_; }
   std::int64_t seed() const { return seed_; }
-  /// The number of points; a grid of more than 2^62 has as many.
+  /// Returns the number of points, at most 2^62.
   std::int64_t size() const { return size_; }
-  /// The columns of all axes, in their order.
+  /// Returns the number of columns of all axes; columns are in the order of the axes.
   std::size_t columns() const { return columns_; }
   const StudyColumn& column(std::size_t number) const;
 

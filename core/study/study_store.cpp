@@ -50,16 +50,16 @@ std::string failuresText(const StudyChunk& chunk) {
   return list.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string_view bytesOf(const std::vector<double>& values) {
+std::string_view asBytes(const std::vector<double>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
 }
 
-/// The digest of what a chunk says, without the time that it took: SQLite does not notice changed
-/// bytes inside of a column.
-std::string digestOf(const StudyChunk& chunk, const std::string& failures) {
+/// Returns the digest of a chunk without the time that it took: SQLite does not notice changed
+/// bytes inside a column.
+std::string chunkDigest(const StudyChunk& chunk, const std::string& failures) {
   std::string bytes =
       fmt::format("{} {} {} {}\n", chunk.number, chunk.first, chunk.count, failures);
-  bytes += bytesOf(chunk.values);
+  bytes += asBytes(chunk.values);
   return sha256(bytes);
 }
 
@@ -68,8 +68,8 @@ Message shardWords(const Shard& shard) {
                          : message("shard {}/{}", shard.number, shard.count);
 }
 
-/// Names the file of claims of a store.
-fs::path claimsOf(const fs::path& file) {
+/// Returns the file in which processes claim the chunks of a store.
+fs::path claimsFile(const fs::path& file) {
   fs::path claims = file;
   claims += "-claims";
   return claims;
@@ -77,7 +77,7 @@ fs::path claimsOf(const fs::path& file) {
 
 }  // namespace
 
-Shard shardFrom(const std::string& text) {
+Shard parseShard(const std::string& text) {
   constexpr std::int64_t kMostShards = 1000000;
   Shard shard;
   const std::size_t stroke = text.find('/');
@@ -105,7 +105,7 @@ class StudyStore::Statement {
 
   void bind(int place, std::int64_t value) { check(sqlite3_bind_int64(statement_, place, value)); }
   void bind(int place, double value) { check(sqlite3_bind_double(statement_, place, value)); }
-  /// The bytes must stay until the statement is done.
+  /// The bytes must remain valid until the statement has run.
   void bindText(int place, std::string_view text) {
     check(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_STATIC,
                               SQLITE_UTF8));
@@ -169,12 +169,12 @@ StudyStore::StudyStore(const fs::path& file, const ParameterStudy& study, const 
   if (study_->digest != study.digest)
     throw InputError(file_.string(), "",
                      message("is the store of another study: {}; another store is needed",
-                             differenceOf(study_->canonical, study.canonical)));
+                             describeDifference(study_->canonical, study.canonical)));
   if (!(shard_ == shard))
     throw InputError(
         file_.string(), "--shard",
         message("the store is of {}, not of {}", shardWords(shard_), shardWords(shard)));
-  // The study of the caller knows its folder.
+  // The study of the caller has its folder.
   study_ = std::make_shared<ParameterStudy>(study);
 }
 
@@ -238,7 +238,7 @@ void StudyStore::open(Access access) {
   if (fs::exists(file_, error) && fs::file_size(file_, error) > 0) {
     const RegularFile present(file_);
     if (const std::string start = present.read(0, 16); !start.starts_with("SQLite format 3")) {
-      const std::string_view kind = foreignKindOf(start);
+      const std::string_view kind = detectNonText(start);
       throw InputError(file_.string(), "",
                        kind.empty()
                            ? message("is not the store of a study")
@@ -257,14 +257,14 @@ void StudyStore::open(Access access) {
   // An absolute name cannot be taken for a URI or for one of SQLite's own names.
   const std::string name = fs::absolute(file_).string();
   if (access == Access::Read) {
-    // A process that was killed leaves changes that only a writer can take over. SQLite falls back
-    // to reading where the file is protected.
+    // A killed process leaves changes that only a writer can take over. SQLite falls back to
+    // reading where the file is protected.
     attempt(name, usual | SQLITE_OPEN_READWRITE);
     return;
   }
   attempt(name, usual | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   if (!shard_.isWhole()) execute("PRAGMA locking_mode=EXCLUSIVE");
-  // SQLite does not wait by itself for another process that changes the mode in the same moment.
+  // SQLite itself does not wait for another process that changes the mode at the same moment.
   for (int tries = 0;; ++tries) {
     const int status =
         sqlite3_exec(connection_.get(), "PRAGMA journal_mode=WAL", nullptr, nullptr, nullptr);
@@ -290,7 +290,7 @@ void StudyStore::create(const ParameterStudy& study, const Shard& shard) {
     statement.bindText(2, value);
     statement.step();
   };
-  // Another process may have made the tables in the same moment: then its values stay.
+  // Another process may have made the tables at the same moment; then its values stay.
   put("study", study.canonical);
   put("title", study.title);
   put("shard", fmt::format("{}/{}", shard.number, shard.count));
@@ -314,13 +314,13 @@ void StudyStore::readHeader() {
   } catch (const InputError&) {
     throw InputError(file_.string(), "", "is damaged: its study cannot be read");
   }
-  // What is stored is the study, also where a later program would write it in other words.
+  // The stored text is the study, even if a later program would write it differently.
   study.canonical = text;
   study.digest = sha256(text);
   study.title = metaText("title");
   study_ = std::make_shared<ParameterStudy>(std::move(study));
   const std::string shard = metaText("shard");
-  shard_ = shardFrom(shard);
+  shard_ = parseShard(shard);
 }
 
 std::string StudyStore::metaText(const char* key) const {
@@ -401,10 +401,10 @@ std::vector<std::int64_t> StudyStore::missing(std::size_t most) const {
 
 std::int64_t StudyStore::claim(std::int64_t from) {
   if (claims_ < 0 && shard_.isWhole()) {
-    claims_ = ::open(claimsOf(file_).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    claims_ = ::open(claimsFile(file_).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (claims_ < 0)
       throw TextError(message("cannot be opened: {}", Message(std::strerror(errno))),
-                      {printable(claimsOf(file_).string())});
+                      {printable(claimsFile(file_).string())});
   }
   Statement statement(*this, "SELECT number FROM chunks WHERE number >= ? ORDER BY number");
   std::int64_t next = from;
@@ -423,16 +423,16 @@ std::int64_t StudyStore::claim(std::int64_t from) {
     if (::fcntl(claims_, F_OFD_SETLK, &lock) != 0) {
       if (errno == EAGAIN || errno == EACCES) continue;  // another process works on it
       throw TextError(message("cannot be locked: {}", Message(std::strerror(errno))),
-                      {printable(claimsOf(file_).string())});
+                      {printable(claimsFile(file_).string())});
     }
-    // It may have been finished since the question above.
+    // Another process may have finished it since the query above.
     if (!has(next)) return next;
   }
   return -1;
 }
 
 void StudyStore::insert(const StudyChunk& chunk) {
-  const std::string failures = failuresText(chunk), digest = digestOf(chunk, failures);
+  const std::string failures = failuresText(chunk), digest = chunkDigest(chunk, failures);
   Statement statement(*this, "INSERT OR IGNORE INTO chunks VALUES (?, ?, ?, ?, ?, ?, ?)");
   statement.bind(1, chunk.number);
   statement.bind(2, chunk.first);
@@ -440,7 +440,7 @@ void StudyStore::insert(const StudyChunk& chunk) {
   statement.bind(4, chunk.seconds);
   statement.bindText(5, failures);
   statement.bindText(6, digest);
-  statement.bindBytes(7, bytesOf(chunk.values));
+  statement.bindBytes(7, asBytes(chunk.values));
   statement.step();
 }
 
@@ -463,7 +463,7 @@ void StudyStore::addEqual(const std::vector<StudyChunk>& chunks, const fs::path&
   Statement present(*this, "SELECT digest FROM chunks WHERE number = ?");
   for (const StudyChunk& chunk : chunks) {
     present.bind(1, chunk.number);
-    if (present.step() && present.text(0) != digestOf(chunk, failuresText(chunk)))
+    if (present.step() && present.text(0) != chunkDigest(chunk, failuresText(chunk)))
       throw InputError(
           from.string(), "",
           message("has other results of chunk {} than the stores before it", chunk.number));
@@ -473,11 +473,11 @@ void StudyStore::addEqual(const std::vector<StudyChunk>& chunks, const fs::path&
 }
 
 void StudyStore::finish() {
-  // Another process may still have the store open; then its last one does this.
+  // While another process has the store open, the last one does this.
   sqlite3_busy_timeout(connection_.get(), 0);
   sqlite3_exec(connection_.get(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
   sqlite3_busy_timeout(connection_.get(), kLockPatience);
-  if (shard_.isWhole() && claims_ >= 0) ::unlink(claimsOf(file_).c_str());
+  if (shard_.isWhole() && claims_ >= 0) ::unlink(claimsFile(file_).c_str());
 }
 
 void StudyStore::eachChunk(const std::function<bool(const StudyChunk&)>& use) const {
@@ -498,7 +498,7 @@ void StudyStore::eachChunk(const std::function<bool(const StudyChunk&)>& use) co
     if (!isInStudy || chunk.first != chunk.number * study_->chunk ||
         chunk.count != study_->sizeOfChunk(chunk.number) ||
         chunk.values.size() != numbers * static_cast<std::size_t>(chunk.count) ||
-        digestOf(chunk, failures) != statement.text(5))
+        chunkDigest(chunk, failures) != statement.text(5))
       throw InputError(file_.string(), "",
                        message("is damaged: chunk {} is not what was written; the study has to be "
                                "run into another store, or merged from intact ones",

@@ -1,13 +1,14 @@
-// The results of a study in one SQLite file: a row for each chunk of simulations, whose numbers are
-// one binary column. A chunk is written in one transaction, so that what is done stays done however
-// a process ends; the store keeps the whole study and refuses to go on with another one.
+// The results of a study in one SQLite file: one row for each chunk of simulations, whose numbers
+// are one binary column. A chunk is written in one transaction, so finished chunks stay however a
+// process ends. The store contains the whole study and refuses to continue with another one.
 //
-// Processes: any number of one machine may share a store. A process that works on a chunk locks a
-// byte of the file STORE-claims, which its end releases, however it ends. A shard (part i of n) has
-// a store of its own for one process, which needs no memory shared between processes, and so works
-// on network file systems.
+// Processes: any number of processes of one machine may share a store. A process that works on a
+// chunk locks a byte of the file STORE-claims; the lock ends with the process. A shard (part i of
+// n) has a store of its own for one process, which needs no memory shared between processes and so
+// works on network file systems.
 // Threading: one thread at a time. Failure: InputError for a file that is no such store, is
-// damaged, newer, or of another study; std::runtime_error in one sentence where writing fails.
+// damaged, is newer, or belongs to another study; std::runtime_error in one sentence where writing
+// fails.
 #pragma once
 
 #include <cstdint>
@@ -35,28 +36,27 @@ struct Shard {
 };
 
 /// Reads "3/8". Throws InputError that names --shard.
-Shard shardFrom(const std::string& text);
+Shard parseShard(const std::string& text);
 
 struct StudyFailure {
   std::int64_t simulation = 0;  // its number in the study
   std::string message;
 };
 
-/// The results of some simulations that follow each other.
+/// The results of consecutive simulations.
 struct StudyChunk {
   std::int64_t number = 0, first = 0, count = 0;
-  /// One output after the other, of each all simulations: [number][simulation]. NaN where it does
-  /// not apply or the simulation failed.
+  /// The numbers [number][simulation]. NaN where a number does not apply or the simulation failed.
   std::vector<double> values;
   std::vector<StudyFailure> failures;
-  double seconds = 0;  // that it took; not part of the result
+  double seconds = 0;  // spent on it; not part of the result
 
   double at(std::size_t place, std::int64_t simulation) const {
     return values[place * static_cast<std::size_t>(count) + static_cast<std::size_t>(simulation)];
   }
 };
 
-/// Whether a file that begins with these 72 bytes is the store of a study.
+/// Returns whether a file that begins with these 72 bytes is the store of a study.
 bool isStudyStore(std::string_view beginning);
 
 class StudyStore {
@@ -64,9 +64,9 @@ class StudyStore {
   enum class Access { Read, Write };
 
   /// Opens the store of a study, or makes it where there is none. Throws InputError with the
-  /// differences where the store is of another study or another shard.
+  /// differences where the store belongs to another study or another shard.
   StudyStore(const std::filesystem::path& file, const ParameterStudy& study, const Shard& shard);
-  /// Opens a store to read it, with the study that it keeps.
+  /// Opens a store for reading, with the study in it.
   explicit StudyStore(const std::filesystem::path& file);
   ~StudyStore();
   StudyStore(StudyStore&&) noexcept;
@@ -76,37 +76,37 @@ class StudyStore {
   const Shard& shard() const { return shard_; }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Chunks that this store is to hold.
+  /// Returns the number of chunks of the complete store.
   std::int64_t chunksWanted() const;
   std::int64_t chunksDone() const;
   std::int64_t simulationsDone() const;
-  /// SHA-256 of the numbers of the chunks that are there: which simulations an unfinished store
-  /// has.
+  /// Returns the SHA-256 of the numbers of the stored chunks, which identifies the simulations of
+  /// an unfinished store.
   std::string chunksDigest() const;
   double secondsSpent() const;  // of all chunks together
   bool isWhole() const { return chunksDone() == chunksWanted(); }
   bool has(std::int64_t chunk) const;
   bool hasFailures() const;
-  /// The first `most` chunks that are missing, in ascending order.
+  /// Returns the first `most` missing chunks, in ascending order.
   std::vector<std::int64_t> missing(std::size_t most) const;
 
-  /// Takes a chunk that nobody works on, from `from` on; -1 where there is none. It stays taken
-  /// until it is added or the process ends.
+  /// Claims a missing chunk on which no process works, from `from` on; returns -1 where there is
+  /// none. The claim holds until the chunk is added or the process ends.
   std::int64_t claim(std::int64_t from);
-  /// Adds a chunk in one transaction; one that is there already is left as it is.
+  /// Adds a chunk in one transaction; a stored chunk is not replaced.
   void add(const StudyChunk& chunk);
   /// Adds chunks in one transaction.
   void add(const std::vector<StudyChunk>& chunks);
-  /// Adds chunks of another store. Throws InputError that names it where a chunk is here with other
-  /// results.
+  /// Adds chunks of another store. Throws InputError that names that store where a chunk is stored
+  /// here with other results.
   void addEqual(const std::vector<StudyChunk>& chunks, const std::filesystem::path& from);
-  /// Brings a whole store into the form in which it can be read anywhere.
+  /// Converts a complete store to the form that can be read everywhere.
   void finish();
 
-  /// Calls `use` with all chunks in ascending order, one at a time in memory, and checks each. Ends
-  /// where `use` returns false.
+  /// Calls `use` with all chunks in ascending order, one at a time in memory, and checks each. It
+  /// ends where `use` returns false.
   void eachChunk(const std::function<bool(const StudyChunk&)>& use) const;
-  /// Throws InputError where a page of the file is damaged. Reads all of it.
+  /// Reads the whole file and throws InputError where one of its pages is damaged.
   void check() const;
 
  private:

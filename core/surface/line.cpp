@@ -15,8 +15,8 @@ Line blankLine(double length, std::size_t nodes) {
   return line;
 }
 
-/// Even shape about the node in the middle, given by height(|x|) and slope(|x|), with corners where
-/// it says so.
+/// Makes a line that is symmetric about the node in the middle, from height(|x|) and slope(|x|).
+/// Where the slope does not vanish, the middle and the end of the period are corners.
 template <class Height, class Slope>
 Line evenLine(double length, std::size_t nodes, Height height, Slope slope) {
   Line line = blankLine(length, nodes);

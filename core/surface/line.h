@@ -1,6 +1,6 @@
-// One period of a rigid line, as its nodes and the slopes on either side of them: a plain value;
-// between two nodes the line is whatever the scheme makes of it
-// (core/contact/line/prepared_profile.h). And the lines that are given by a formula.
+// One period of a rigid line as a plain value: its nodes and the slopes on both sides of them.
+// Between two nodes the scheme defines the line (core/contact/line/prepared_profile.h). This file
+// also makes the lines that are given by a formula.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct Line {
 };
 
 /// Rms height and rms slope of realization 0. All realizations have the same ones, because the
-/// amplitudes of the waves are not random, unless the scene has a summit correlation: then the
-/// slope varies by some per cent, and Line::rmsSlope is that of each line.
+/// amplitudes of the waves are not random. With a summit correlation the slope varies by some per
+/// cent, and Line::rmsSlope is that of each line.
 struct LineStatistics {
   double rmsHeight = 0;  // m
   double rmsSlope = 0;

@@ -19,17 +19,17 @@ namespace {
 constexpr std::int64_t kMostNodes = std::int64_t{1} << 26;
 constexpr std::int64_t kNodesOfProduct = 4;  // per element, of a product of waves: not aliased
 
-/// What `read` makes of the scene's file; errors name the key that names the file.
+/// Returns the result of `read` for the scene's file; errors name the key that names the file.
 template <class Read>
 auto readFile(const Scene& scene, const Read& read) {
   try {
     return read(scene.folder / scene.surface.file);
   } catch (const InputError& error) {
-    throw InputError("", "surface.file", messageOf(error));
+    throw InputError("", "surface.file", errorMessage(error));
   }
 }
 
-/// The length (m) of a profile: the scene's, or that of the file's positions.
+/// Returns the length (m) of a profile: that of the scene, or else that of the file's positions.
 double profileLength(const Surface& surface, double lengthOfFile) {
   const double length = surface.length > 0 ? surface.length : lengthOfFile;
   if (length == 0)
@@ -43,7 +43,7 @@ double profileLength(const Surface& surface, double lengthOfFile) {
   return length;
 }
 
-/// What `read` makes of a measured surface; errors that name no key are about its file.
+/// Returns the result of `read` for a measured surface; errors without a key are about its file.
 template <class Read>
 auto readMeasured(const Read& read) {
   try {
@@ -51,11 +51,11 @@ auto readMeasured(const Read& read) {
   } catch (const InputError& error) {
     if (!error.key().empty() && error.file().empty()) throw;
     throw InputError("", error.key().empty() ? "surface.file" : error.key(),
-                     error.key().empty() ? messageOf(error) : error.message());
+                     error.key().empty() ? errorMessage(error) : error.message());
   }
 }
 
-/// Rows that the means of a scene are over.
+/// Returns the number of rows of a scene's means.
 std::int64_t rowsUsed(const Scene& scene, const MeasuredLines& lines) {
   const std::int64_t realizations = scene.ensemble.realizations;
   return realizations > 0 && scene.surface.reading.row == 0 ? realizations : lines.rows();
@@ -65,7 +65,7 @@ std::shared_ptr<const MeasuredLines> measuredLines(const Scene& scene) {
   return readMeasured([&] { return MeasuredLines::of(scene); });
 }
 
-/// A spectrum with the cuts of its scene.
+/// Returns a spectrum with the cut-offs of its scene.
 SpectralDensity spectrumOf(const Scene& scene) {
   const SpectrumKind kind = scene.surface.spectrumKind;
   SpectralDensity all =
@@ -80,8 +80,8 @@ SpectralDensity spectrumOf(const Scene& scene) {
   return part;
 }
 
-/// The period is the longest wave, and the elements carry the shortest one, unless the scene says
-/// otherwise.
+/// The period is the longest wave, and the elements represent the shortest one, unless the scene
+/// states other values.
 LineExtent spectrumExtent(const Surface& surface, const SpectralDensity& density) {
   constexpr double kFewest = 16, kMost = 1 << 20;
   const double lowest = density.waveNumber.front(), highest = density.waveNumber.back();
@@ -175,14 +175,14 @@ LineSource::LineSource(const Scene& scene, std::int64_t oversampling, const Prof
   }
 }
 
-/// Half of each cosine's amplitude: the coefficient of exp(i q x).
+/// The coefficient of exp(i q x) is half of the amplitude of the cosine.
 void LineSource::setAmplitudes(const Scene& scene) {
-  const bool rollsOff = callsFor(scene, Purpose::Surface, Stage::RollOff);
+  const bool rollsOff = needsStage(scene, Purpose::Surface, Stage::RollOff);
   if (rollsOff) countStage(Stage::RollOff);
   amplitudes_ =
       selfAffineAmplitudes(static_cast<std::size_t>(elements_), surface_.hurst, surface_.rmsHeight,
                            rollsOff ? length_ / surface_.rollOffWavelength : 0);
-  if (callsFor(scene, Purpose::Surface, Stage::SummitCorrelation))
+  if (needsStage(scene, Purpose::Surface, Stage::SummitCorrelation))
     summits_.emplace(static_cast<std::size_t>(elements_ * kNodesOfProduct));
   for (double& amplitude : amplitudes_) amplitude /= 2;
 }
@@ -226,7 +226,7 @@ void LineSource::setSpectrum(const Scene& scene) {
 std::int64_t LineSource::rowOf(std::int64_t realization) const {
   if (!measured_ || !isRandom_ || hasRandomPhases(surface_)) return 0;
   if (!drawsRows_) return rowOfRealization(realization, lines_, measured_->rows());
-  // A target accuracy asks for as many lines as it needs: rows are drawn with replacement.
+  // A target accuracy may need any number of lines, so rows are drawn with replacement.
   constexpr std::uint64_t kSeed = 1;
   const double turn =
       randomPhases(kSeed, static_cast<std::uint64_t>(realization), 0).even / (2 * std::numbers::pi);
@@ -304,12 +304,12 @@ Line LineSource::make(std::int64_t number) const {
   return line;
 }
 
-NoteSet notesOf(const LineSource& source) {
+NoteSet lineNotes(const LineSource& source) {
   NoteSet notes;
   notes.add(Note::SlopeAbove, source.statistics().rmsSlope > kSmallSlope);
   const MeasuredLines* measured = source.measured();
   if (!measured || !measured->mayHaveSeamJump()) return notes;
-  // A few rows, because a step is common to most of them.
+  // A few rows suffice, because most of them have such a step.
   constexpr std::int64_t kRows = 16;
   const std::int64_t count = std::min(measured->rows(), kRows);
   for (std::int64_t i = 0; i < count && !notes.has(Note::SeamJump); ++i)

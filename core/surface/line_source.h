@@ -1,6 +1,7 @@
-// The lines of a scene: reads its file once, plans its transforms once, then makes any realization.
+// Makes the lines of a scene: it reads the scene's file once, plans its transforms once, and then
+// makes any realization.
 // Threading: make() may be called by several threads at once.
-// Failure: InputError (unreadable file, waves beyond the elements).
+// Failure: InputError (unreadable file, more waves than the elements can represent).
 #pragma once
 
 #include <cstdint>
@@ -17,53 +18,57 @@
 
 namespace asperity {
 
-/// Whether a line's slopes are wanted; without, slopeAfter is empty.
+/// Whether a line's slopes are computed; otherwise slopeAfter is empty.
 enum class Slopes { Wanted, NotWanted };
 
-/// How large the lines of a scene are, without making one.
+/// The size of the lines of a scene, known without making one.
 struct LineExtent {
   double length = 0;          // m
   std::int64_t elements = 0;  // per period
   std::int64_t rows = 0;      // of a profile's file; 0: no profile
-  double rmsHeight = 0;       // m; of a profile about, and of other lines as the scene states it
-  std::int64_t lines = 1;     // that the scene's means are over
+  double rmsHeight = 0;       // m; of a profile approximate, of other lines as in the scene
+  std::int64_t lines = 1;     // number of lines of the scene's means
 };
 LineExtent lineExtent(const Scene& scene);
 
-/// The profile of a scene: the first `rows` rows of its file.
+/// Returns the first `rows` rows of the profile of a scene.
 Profile readProfileStart(const Scene& scene, std::int64_t rows);
 
 class LineSource {
  public:
-  /// Lines with elements * oversampling nodes. profile: instead of that in the scene's file.
+  /// Makes lines with elements * oversampling nodes. profile: replaces that in the scene's file.
   LineSource(const Scene& scene, std::int64_t oversampling, const Profile* profile = nullptr);
 
-  /// Realization 0, 1, ... ; the same line for the same scene and number, always.
+  /// Returns realization 0, 1, ...; equal scenes and numbers always give the same line.
   Line make(std::int64_t realization) const;
 
-  /// The same into a line whose memory is used again. Straight segments need no slopes. Returns
-  /// false where `stop` was requested, which is looked at before and after each transform; the line
-  /// is then not whole.
+  /// Makes the line in memory that is used again. Straight segments need no slopes. Returns false
+  /// where `stop` was requested, which is checked before and after each transform; the line is then
+  /// incomplete.
   bool makeInto(Line& line, std::int64_t realization, Slopes slopes = Slopes::Wanted,
                 const std::stop_token& stop = {}) const;
 
-  /// Whether realizations differ at all: random lines, or several rows of a measured surface.
+  /// Returns whether realizations differ: those of random lines, or of several rows of a measured
+  /// surface.
   bool isRandom() const { return isRandom_; }
-  /// Lines that the scene's means are over: its realizations, every row where they are 0, or 1.
+  /// Returns the number of lines of the scene's means: its realizations, every row where they are
+  /// 0, or 1.
   std::int64_t lines() const { return lines_; }
-  /// Whether rms height and rms slope differ from line to line.
+  /// Returns whether rms height and rms slope differ from line to line.
   bool slopesDiffer() const {
     return isRandom_ && (summits_ || (measured_ && !hasRandomPhases(surface_)));
   }
-  /// Of a measured surface; else null.
+  /// Returns the lines of a measured surface; else null.
   const MeasuredLines* measured() const { return measured_.get(); }
-  /// What the table of a spectrum was taken for, one sentence each; of other surfaces none.
+  /// Returns how the table of a spectrum was understood, one sentence each; empty for other
+  /// surfaces.
   const std::vector<Message>& spectrumFacts() const { return spectrumFacts_; }
-  /// The row of a measured surface that a realization is, counted from 0 among those used.
+  /// Returns the row of a measured surface that belongs to a realization, counted from 0 among
+  /// those used.
   std::int64_t rowOf(std::int64_t realization) const;
 
   const LineStatistics& statistics() const { return statistics_; }
-  /// The modes of a realization; empty for lines given by a formula.
+  /// Returns the modes of a realization; empty for lines given by a formula.
   FourierLine spectrum(std::int64_t realization) const;
 
   double length() const { return length_; }            // m
@@ -86,7 +91,7 @@ class LineSource {
   std::size_t nodes_ = 0;
   bool isRandom_ = false;
   std::int64_t lines_ = 1;
-  bool drawsRows_ = false;          // any number of realizations from the rows there are
+  bool drawsRows_ = false;          // realizations are rows drawn with replacement
   std::vector<double> amplitudes_;  // |c_k| of a line of random phases
   std::shared_ptr<const MeasuredLines> measured_;
   std::vector<Message> spectrumFacts_;
@@ -97,10 +102,11 @@ class LineSource {
   std::optional<FourierTransform> summits_;    // for those with summit correlation
 };
 
-/// The modes of the first line; of one that is given by a formula from its points.
+/// Returns the modes of the first line; those of a line given by a formula follow from its nodes.
 FourierLine modesOf(const LineSource& source);
 
-/// What to know of the lines of a source: the rms slope, and steps at the seam of measured rows.
-NoteSet notesOf(const LineSource& source);
+/// Returns the notes on the lines of a source: on the rms slope, and on steps at the seam of
+/// measured rows.
+NoteSet lineNotes(const LineSource& source);
 
 }  // namespace asperity

@@ -8,6 +8,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/surface/random_phases.h"
 
 namespace asperity {
@@ -21,7 +22,7 @@ constexpr std::int64_t kFewestPoints = 3;
   throw InputError("", key, what);
 }
 
-/// What a file was when it was read.
+/// The state of a file when it was read.
 struct FileState {
   fs::path name{};
   std::uintmax_t size = 0;
@@ -35,7 +36,7 @@ struct FileState {
   bool operator==(const FileState&) const = default;
 };
 
-/// The last value made, for as long as its key stays the same.
+/// Keeps the value made last for as long as its key stays the same.
 template <class Key, class Value>
 class LastOne {
  public:
@@ -81,7 +82,8 @@ MeasuredFile readFile(const Scene& scene, const std::stop_token& stop,
   return file;
 }
 
-/// What decides the lines, without what only decides how they are evaluated.
+/// Returns the part of a scene that determines the lines, without what only determines their
+/// evaluation.
 Surface withoutEvaluation(Surface surface) {
   surface.elements = 0;
   return surface;
@@ -144,14 +146,14 @@ MeasuredLines::MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredF
     shortWaves_.emplace(usedPoints_, spacing, processing.shortWaveCut);
   if (processing.longWaveCut > 0) longWaves_.emplace(usedPoints_, spacing, processing.longWaveCut);
   transform_.emplace(periodPoints_);
-  // The form alone is removed: filters act on a row and on its equivalent line alike.
+  // Only the form is removed here: the filters act equally on a row and on its equivalent line.
   if (surface_.line == LineKind::IsotropicEquivalent && file_->topography.rows >= kFewestPoints)
-    equivalent_ = equivalentOf(stretches(stop), processing.form, stop, progress);
-  if (stop.stop_requested()) throw ReadingStopped{};
+    equivalent_ = equivalentSpectra(stretches(stop), processing.form, stop, progress);
+  throwIfStopped(stop);
   if (processing.seam == Seam::RandomPhases) setDensity(stop);
 }
 
-/// The rows that are lines, and gaps where they are refused.
+/// Chooses the rows that become lines, and refuses gaps where the scene does.
 void MeasuredLines::chooseRows(const Scene& scene) {
   const Topography& topography = file_->topography;
   const std::int64_t asked = scene.surface.reading.row;
@@ -198,8 +200,8 @@ void MeasuredLines::chooseRows(const Scene& scene) {
                                realizations, rows()));
 }
 
-/// What of each row is used: all of it, without gaps at the ends of a single profile, or as much as
-/// the period that the scene asks for needs.
+/// Chooses the part of each row that is used: all of it, without gaps at the ends of a single
+/// profile, or as much as the period of the scene needs.
 void MeasuredLines::chooseStretch(const Scene& scene) {
   const Topography& topography = file_->topography;
   const double spacing = topography.columnSpacing;
@@ -214,7 +216,7 @@ void MeasuredLines::chooseStretch(const Scene& scene) {
   const bool mirrors = processing.seam == Seam::Mirror, blends = processing.seam == Seam::Blend;
   double blend = blends ? processing.blendLength : 0;
   const double there = static_cast<double>(usedPoints_) * spacing;
-  // A tenth of the profile where nothing is said; of a shorter period a tenth of what it needs.
+  // The default is a tenth of the profile, and for a shorter period a tenth of what it needs.
   if (const double period = scene.surface.length; period > 0) {
     if (blends && blend == 0) blend = period / 9;
     const double wanted = mirrors ? period / 2 : period + blend;
@@ -279,8 +281,8 @@ std::vector<double> MeasuredLines::period(const ProcessedProfile& profile) const
       period.insert(period.end(), profile.used.rbegin(), profile.used.rend());
       break;
     case Seam::Blend:
-      // The end goes over into the beginning by weights whose sum is 1, so that no height lies
-      // outside of the two. A raised cosine has no corner at either end.
+      // The end blends into the beginning with weights whose sum is 1, so that every height lies
+      // between the two. A raised cosine has no corner at either end.
       period.resize(periodPoints_);
       for (std::size_t i = 0; i < blendPoints_; ++i) {
         const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(blendPoints_);
@@ -304,7 +306,8 @@ bool MeasuredLines::hasSeamJump(const ProcessedProfile& profile) const {
   return std::abs(z.front() - z.back()) > kOfSteps * rms;
 }
 
-/// The stretches of all rows, for the spectrum of the surface; gaps and outliers interpolated.
+/// Returns the used parts of all rows for the spectrum of the surface, with gaps and outliers
+/// interpolated.
 Topography MeasuredLines::stretches(const std::stop_token& stop) const {
   const Topography& all = file_->topography;
   Topography part{
@@ -312,7 +315,7 @@ Topography MeasuredLines::stretches(const std::stop_token& stop) const {
   const ProcessingChoices& processing = surface_.processing;
   std::vector<double> before;  // stands for a row without any measured point
   for (std::int64_t row = 0; row < all.rows; ++row) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     const auto heights = all.row(row).subspan(firstPoint_, usedPoints_);
     std::vector<double> filled(heights.begin(), heights.end());
     markOutliers(filled, processing.outliers, processing.form);
@@ -325,14 +328,14 @@ Topography MeasuredLines::stretches(const std::stop_token& stop) const {
   return part;
 }
 
-/// The mean spectrum of the rows, in bands, of which random lines are made.
+/// Computes the mean spectrum of the rows in bands, from which random lines are made.
 void MeasuredLines::setDensity(const std::stop_token& stop) {
   constexpr std::int64_t kMostRows = 512;  // more of them change the mean little
   const std::int64_t count = std::min(rows(), kMostRows);
   std::vector<double> powers;
   double height = 0;  // mean square, which the window leaves as it is on average only
   for (std::int64_t i = 0; i < count; ++i) {
-    if (stop.stop_requested()) throw ReadingStopped{};
+    throwIfStopped(stop);
     const ProcessedProfile one = profile(rowOfRealization(i, count, rows()));
     const std::vector<double> its = hannPowers(one.used);
     powers.resize(its.size());
@@ -348,7 +351,7 @@ void MeasuredLines::setDensity(const std::stop_token& stop) {
   for (double& power : bands.power) power *= total > 0 ? height / total : 0;
   const double slope = bands.rmsSlope();
   if (surface_.line == LineKind::IsotropicEquivalent) {
-    const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentOf(bands);
+    const EquivalentSpectra spectra = equivalent_ ? *equivalent_ : equivalentSpectra(bands);
     for (std::size_t j = 0; j < bands.bands(); ++j) {
       const double factor = spectra.factor(bands.centre(j));
       bands.power[j] *= factor * factor;
@@ -364,7 +367,7 @@ FourierLine MeasuredLines::modes(std::int64_t number) const {
   const double lowest = 2 * std::numbers::pi / length_;
   const std::size_t count = modeCount(periodPoints_);
   if (surface_.processing.seam == Seam::RandomPhases) {
-    // A sum of random waves is as it is when it is turned over, so no side needs to be chosen.
+    // A sum of random waves looks the same from both sides, so no side needs to be chosen.
     std::vector<double> magnitudes = modeMagnitudes(density_, length_, count);
     line.coefficients.resize(count);
     randomModes(static_cast<std::uint64_t>(surface_.seed), static_cast<std::uint64_t>(number),
@@ -373,12 +376,12 @@ FourierLine MeasuredLines::modes(std::int64_t number) const {
   }
   line = measuredModes(number);
   if (surface_.line == LineKind::AsMeasured) return line;
-  // One profile uses the Abel relation, on the very waves that are then strengthened.
+  // One profile needs the Abel relation, applied to the same waves that are then strengthened.
   EquivalentSpectra ofProfile;
   if (!equivalent_) {
     std::vector<double> powers{0};
     for (const std::complex<double>& c : line.coefficients) powers.push_back(2 * std::norm(c));
-    ofProfile = equivalentOf(inBands(powers, length_));
+    ofProfile = equivalentSpectra(inBands(powers, length_));
   }
   const EquivalentSpectra& spectra = equivalent_ ? *equivalent_ : ofProfile;
   for (std::size_t j = 0; j < line.coefficients.size(); ++j)

@@ -1,10 +1,9 @@
-// The lines of a measured surface: every row of its file, through all steps of processing, as one
-// period of a band-limited line. Everything is said in the file's own orientation, heights pointing
-// out of the surface, but for modes(), which is the rigid line of the model and lies above the
-// rubber.
-// Ownership: immutable once made, and shared: one is kept for the surface that was asked for last,
+// The lines of a measured surface: every row of its file, after all steps of processing, as one
+// period of a band-limited line. Heights have the orientation of the file and point out of the
+// surface; only modes() returns the rigid line of the model, which lies above the rubber.
+// Ownership: immutable once made, and shared. The lines of the surface requested last are kept,
 // because a scene's lines are made in many places. Threading: any thread.
-// Failure: InputError for what the file or a choice says; ReadingStopped where `stop` was
+// Failure: InputError for what the file or a choice states; StopRequested where `stop` was
 // requested.
 #pragma once
 
@@ -22,13 +21,13 @@
 
 namespace asperity {
 
-/// The file of a scene's measured surface, as its reading says; turned where it slides along y. The
-/// last one read is kept for as long as size and time of the file stay.
+/// Reads the file of a scene's measured surface with the scene's choices, transposed where it
+/// slides along y. The file read last is kept for as long as its size and time stay.
 std::shared_ptr<const MeasuredFile> readMeasuredSurface(const Scene& scene,
                                                         const std::stop_token& stop = {},
                                                         const ReadingProgress& progress = {});
 
-/// One row before and after its processing; before the seam.
+/// One row before and after its processing, without the seam.
 struct ProcessedProfile {
   double spacing = 0;        // m
   std::vector<double> raw;   // m, the stretch used, as in the file; NaN where nothing was measured
@@ -38,8 +37,8 @@ struct ProcessedProfile {
 
 class MeasuredLines {
  public:
-  /// The lines of the scene, of a file that has been read, or of the scene's own. `progress` is
-  /// told the part of all this that is done, 0 to 1.
+  /// Makes the lines of the scene from a file that has been read; of() reads the scene's own file.
+  /// `progress` is called with the finished part of the work, 0 to 1.
   MeasuredLines(const Scene& scene, std::shared_ptr<const MeasuredFile> file,
                 const std::stop_token& stop = {}, const ReadingProgress& progress = {});
   static std::shared_ptr<const MeasuredLines> of(const Scene& scene,
@@ -54,30 +53,32 @@ class MeasuredLines {
   double lengthUsed() const { return usedLength_; }  // m, of the file
   std::int64_t points() const { return static_cast<std::int64_t>(periodPoints_); }  // of a period
 
-  /// Row 0 ... rows() - 1 of those used, before and after. Counts no seam.
+  /// Returns row 0 ... rows() - 1 of the used ones before and after processing, without the seam.
   ProcessedProfile profile(std::int64_t row) const;
-  /// The number of that row in the file, counted from 1.
+  /// Returns the number of that row in the file, counted from 1.
   std::int64_t numberInFile(std::int64_t row) const {
     return rows_[static_cast<std::size_t>(row)] + 1;
   }
 
-  /// One period with its seam, summits up, of the surface as measured. Not of random phases.
+  /// Returns one period with its seam, summits up, of the surface as measured. Not for random
+  /// phases.
   std::vector<double> period(const ProcessedProfile& profile) const;
-  /// Whether the ends of the profile meet in a step: it is larger than four times the root mean
-  /// square step between neighbours. Only `periodic` makes one.
+  /// Returns whether the ends of the profile meet in a step that is larger than four times the rms
+  /// step between neighbours. Only `periodic` makes such a step.
   bool hasSeamJump(const ProcessedProfile& profile) const;
   bool mayHaveSeamJump() const { return surface_.processing.seam == Seam::Periodic; }
 
-  /// The modes of the rigid line of a row, up to what the period's points carry. Of random phases:
-  /// of a realization.
+  /// Returns the modes of the rigid line of a row, up to the highest one that the points of the
+  /// period can represent; with random phases, those of a realization.
   FourierLine modes(std::int64_t number) const;
 
-  /// The same as measured, whatever line the scene asks for. Not of random phases.
+  /// Returns the modes of a row as measured, whatever line the scene asks for. Not for random
+  /// phases.
   FourierLine measuredModes(std::int64_t row) const;
-  /// Rms slope of the isotropic equivalent over that of the line as measured; 1 where the line is
-  /// as measured.
+  /// Returns the rms slope of the isotropic equivalent over that of the line as measured; 1 where
+  /// the scene uses the line as measured.
   double slopeRatio() const;
-  /// Of random phases.
+  /// Returns the density of the lines with random phases.
   const SpectralDensity& density() const { return density_; }
 
  private:
@@ -100,8 +101,8 @@ class MeasuredLines {
   std::optional<FourierTransform> transform_;
 };
 
-/// The row for a realization of so many out of `rows`: spread evenly, because neighbouring rows are
-/// much alike. `realizations` 0: all.
+/// Returns the row of a realization out of `rows`: the rows are spread evenly, because neighbouring
+/// rows are much alike. realizations: 0 for all rows.
 std::int64_t rowOfRealization(std::int64_t realization, std::int64_t realizations,
                               std::int64_t rows);
 

@@ -16,19 +16,20 @@ PrintedNumber metres(double value) {
   return {printedQuantity(value, "m", 5)};
 }
 
-/// Measured heights about their mean, gaps interpolated: what a spectrum needs.
+/// Returns the measured heights relative to their mean, with gaps interpolated, as a spectrum needs
+/// them.
 std::vector<double> withoutGaps(std::vector<double> heights) {
   interpolateGaps(heights);
   removeForm(heights, FormRemoval::Mean);
   return heights;
 }
 
-std::string_view wordOf(UnitSource source) {
+std::string_view unitSourceWord(UnitSource source) {
   return source == UnitSource::File ? "file" : source == UnitSource::Choice ? "choice" : "assumed";
 }
 
 Json unitJson(const UnitFact& unit) {
-  return {{"unit", unit.unit}, {"metres", unit.metres}, {"source", wordOf(unit.source)}};
+  return {{"unit", unit.unit}, {"metres", unit.metres}, {"source", unitSourceWord(unit.source)}};
 }
 
 Json spectrumJson(const SpectralDensity& spectrum) {
@@ -54,8 +55,8 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   const ProcessedProfile& profile = summary.profile;
   summary.isRoughness = processing.longWaveCut > 0;
   summary.longWaveCut = processing.longWaveCut;
-  summary.raw = surfaceValues(profile.raw, profile.spacing);
-  summary.used = surfaceValues(profile.used, profile.spacing, processing.longWaveCut);
+  summary.raw = profileParameters(profile.raw, profile.spacing);
+  summary.used = profileParameters(profile.used, profile.spacing, processing.longWaveCut);
   summary.rawSpectrum = hannSpectrum(withoutGaps(profile.raw), profile.spacing);
   summary.usedSpectrum = hannSpectrum(withoutGaps(profile.used), profile.spacing);
   std::vector<double> levelled = profile.raw;
@@ -69,7 +70,7 @@ MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source) {
   summary.isEquivalent = scene.surface.line == LineKind::IsotropicEquivalent;
   summary.hasTurned = scene.surface.contactSide == ContactSide::Summits;
   summary.isMirrored = processing.seam == Seam::Mirror;
-  summary.notes = notesOf(source);
+  summary.notes = lineNotes(source);
   return summary;
 }
 
@@ -121,9 +122,9 @@ std::vector<Message> factsOf(const MeasuredSummary& summary) {
   return list;
 }
 
-std::vector<NamedValue> valuesOf(const MeasuredSummary& summary) {
+std::vector<NamedValue> namedValues(const MeasuredSummary& summary) {
   const std::string letter = summary.isRoughness ? "R" : "P";
-  const SurfaceValues &raw = summary.raw, &used = summary.used;
+  const ProfileParameters &raw = summary.raw, &used = summary.used;
   return {{letter + "a", "m", raw.pa, used.pa},   {letter + "q", "m", raw.pq, used.pq},
           {letter + "sk", "", raw.psk, used.psk}, {letter + "ku", "", raw.pku, used.pku},
           {letter + "z", "m", raw.pz, used.pz},   {letter + "t", "m", raw.pt, used.pt},
@@ -154,7 +155,7 @@ void addTo(Json& root, const MeasuredSummary& summary) {
   reading["facts"] = Json::array();
   for (const Message& fact : factsOf(summary)) reading["facts"].push_back(fact.english());
   Json raw, used;
-  for (const NamedValue& value : valuesOf(summary)) {
+  for (const NamedValue& value : namedValues(summary)) {
     raw["P" + value.name.substr(1)] = numberOrNull(value.raw);
     used[value.name] = numberOrNull(value.used);
   }
@@ -168,7 +169,7 @@ void addTo(Json& root, const MeasuredSummary& summary) {
                                  {"raw", spectrumJson(summary.rawSpectrum)},
                                  {"used", spectrumJson(summary.usedSpectrum)}};
   root["notes"] = Json::array();
-  for (const Note note : summary.notes.list()) root["notes"].push_back(asperity::wordOf(note));
+  for (const Note note : summary.notes.list()) root["notes"].push_back(noteWord(note));
 }
 
 }  // namespace asperity

@@ -1,14 +1,14 @@
-// A measured surface in numbers, as a person who opens its file wants to know it: what the reader
-// took the file for, the values of ISO 21920-2 before and after processing, its spectrum and how
-// far that can be trusted, and what became of it as a line. In the file's own orientation, summits
-// up. Pure; any thread. Failure: InputError as LineSource.
+// A summary of a measured surface for the person who opens its file: how the file was understood,
+// the parameters of ISO 21920-2 before and after processing, the spectrum and its reliable band,
+// and the resulting line. Heights have the orientation of the file, summits up. Pure; any thread.
+// Failure: InputError as LineSource.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "core/measured/surface_values.h"
+#include "core/measured/profile_parameters.h"
 #include "core/scene/notes.h"
 #include "core/surface/line_source.h"
 
@@ -21,7 +21,7 @@ struct MeasuredSummary {
   std::int64_t rowInFile = 1, rowsUsed = 1;  // the row of realization 0; all that are lines
   std::int64_t rowsLeftOut = 0;
   ProcessedProfile profile{};  // that row
-  SurfaceValues raw{}, used{};
+  ProfileParameters raw{}, used{};
   bool isRoughness = false;  // a long-wave cut makes the values used R parameters
   double longWaveCut = 0;    // m; 0: none
   SpectralDensity rawSpectrum{}, usedSpectrum{};  // under a Hann window, C1 two-sided
@@ -33,10 +33,10 @@ struct MeasuredSummary {
   NoteSet notes{};
 };
 
-/// `source` has the scene's lines, which are of a measured surface.
+/// Makes the summary. source: has the scene's lines, which are those of a measured surface.
 MeasuredSummary measuredSummary(const Scene& scene, const LineSource& source);
 
-/// What the file was taken for and what was done to it, one sentence each.
+/// Returns how the file was understood and processed, one sentence each.
 std::vector<Message> factsOf(const MeasuredSummary& summary);
 
 struct NamedValue {
@@ -44,10 +44,10 @@ struct NamedValue {
   std::string unit;  // "m" or empty
   double raw = 0, used = 0;
 };
-/// In the order of ISO 21920-2. The raw values are P parameters always.
-std::vector<NamedValue> valuesOf(const MeasuredSummary& summary);
+/// Returns the parameters in the order of ISO 21920-2. The raw values are always P parameters.
+std::vector<NamedValue> namedValues(const MeasuredSummary& summary);
 
-/// "reading", "values", "spectrum_of_surface" and "notes".
+/// Adds "reading", "values", "spectrum_of_surface" and "notes".
 void addTo(nlohmann::ordered_json& root, const MeasuredSummary& summary);
 
 }  // namespace asperity

@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
 
 constexpr std::size_t kMostFields = 3;  // of a row that are looked at; more than two are refused
 
-/// The line's first fields, split at commas, semicolons or tabs.
+/// Returns the line's first fields, split at commas, semicolons or tabs.
 std::vector<std::string_view> fieldsOf(std::string_view line) {
   std::vector<std::string_view> fields;
   while (true) {
@@ -39,15 +39,15 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   }
 }
 
-/// As instruments write it, too: +1.5.
+/// Reads a number, also with a plus sign as instruments write it: +1.5.
 bool readField(std::string_view text, double& number) {
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   return readNumber(text, number);
 }
 
-/// Whether the comma between two fields may as well stand within one number: "0,05", whose second
-/// half no program writes for a whole number, and, where no header says that there are two columns,
-/// "1,250", or any two whole numbers under the name of one column.
+/// Returns whether the comma between two fields may be a decimal or thousands mark within one
+/// number: in "0,05", whose second half no program writes as a whole number; and where no header
+/// states two columns, in "1,250", or in any two whole numbers under the name of one column.
 bool mayBeOneNumber(std::string_view line, std::size_t namedColumns) {
   const std::size_t comma = line.find(',');
   if (comma == std::string_view::npos) return false;
@@ -68,21 +68,21 @@ class Reader {
  public:
   explicit Reader(const std::string& name) : name_(name) {}
 
-  /// The beginning of a file.
+  /// Reads the beginning of a file.
   void begin(std::string_view text) {
-    if (const std::string_view kind = foreignKindOf(text); !kind.empty())
+    if (const std::string_view kind = detectNonText(text); !kind.empty())
       fail(message("is {}; a profile is CSV in UTF-8", Message(kind)));
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     take(text);
   }
 
-  /// Whole lines that follow, next to the ones before or further on in the file.
+  /// Reads further whole lines, directly after the earlier ones or further on in the file.
   void take(std::string_view text) {
     rest_ = text;
     while (!rest_.empty()) takeLine();
   }
 
-  /// Of all rows taken, or of the first `most` of them.
+  /// Returns the profile of all rows read, or of the first `most` of them.
   Profile profile(std::size_t most = kMostRows) {
     if (height_.size() < 3)
       fail(message("has {} rows of numbers; at least 3 are needed", height_.size()));
@@ -95,7 +95,7 @@ class Reader {
   const std::vector<double>& heights() const { return height_; }
 
  private:
-  /// Messages name places, not what stands there: a scene may name any file.
+  /// Messages name the row but do not quote it: a scene may name any file.
   [[noreturn]] void fail(const Message& message) const { throw InputError(name_, "", message); }
 
   void takeLine() {
@@ -181,26 +181,26 @@ class Reader {
   std::vector<double> position_, height_;
 };
 
-// ---- A large file, told from parts of it ------------------------------------------------------
+// ---- A large file, estimated from parts of it --------------------------------------------------
 
 constexpr std::size_t kSmallFile = std::size_t{1} << 15;  // bytes, that are read whole
 constexpr std::size_t kOfBeginning = std::size_t{1} << 14, kOfEnd = std::size_t{1} << 12;
 constexpr std::size_t kOfPlace = std::size_t{1} << 9;
 constexpr std::size_t kPlaces = 64;  // evenly spread over the file
 
-/// Without the line that the last byte cuts off.
+/// Returns the text without an incomplete last line.
 std::string_view wholeLines(std::string_view text) {
   const std::size_t end = text.rfind('\n');
   return end == std::string_view::npos ? std::string_view{} : text.substr(0, end + 1);
 }
 
-/// Without the line that the first byte cuts off.
+/// Returns the text without an incomplete first line.
 std::string_view fromNextLine(std::string_view text) {
   const std::size_t end = text.find('\n');
   return end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
 }
 
-/// The first whole line after a place in the middle of a file, with its end.
+/// Returns the first complete line after a position inside the file, with its end.
 std::string_view nextLine(std::string_view text) {
   const std::string_view lines = fromNextLine(text);
   return lines.substr(0, lines.find('\n') + 1);
@@ -218,8 +218,9 @@ ProfileExtent extentOf(const Profile& profile) {
   return {static_cast<std::int64_t>(profile.height.size()), profile.length, rmsOf(profile.height)};
 }
 
-/// Rows and length of a file from its first rows and its last one, the height from places between.
-/// Empty where they do not fit together; throws InputError where they are no rows of a profile.
+/// Estimates rows and length of a file from its first rows and its last one, and the height from
+/// parts in between. Empty where they do not fit together; throws InputError where they are no rows
+/// of a profile.
 std::optional<ProfileExtent> extentOfParts(const RegularFile& file, const std::string& name) {
   const std::string start = file.read(0, kOfBeginning);
   const std::string_view lines = wholeLines(start);
@@ -278,7 +279,7 @@ ProfileExtent profileExtent(const std::filesystem::path& file) {
     try {
       if (const auto extent = extentOfParts(regular, file.string())) return *extent;
     } catch (const InputError&) {
-      // Parts do not know the number of the row that is wrong; reading the whole file tells it.
+      // The number of a wrong row is not known here; reading the whole file finds it.
     }
   }
   return extentOf(readProfile(file));

@@ -18,10 +18,11 @@ bool isLetter(char letter) {
   return byte >= 0x80 || std::isalpha(byte) != 0;
 }
 
-/// What programs write where there is no value.
+/// Words that programs write for a missing value.
 constexpr std::array kMissing{"na"sv, "n/a"sv, "nan"sv, "null"sv, "none"sv, "missing"sv, "bad"sv};
 
-/// As numbers begin: 1, -1, .5, -.5, and what the reader takes for infinite.
+/// Returns whether a field begins like a number: 1, -1, .5, -.5, or what the reader takes for
+/// infinity.
 bool beginsAsValue(std::string_view field) {
   if (!field.empty() && (field.front() == '+' || field.front() == '-')) field.remove_prefix(1);
   if (!field.empty() && field.front() == '.') field.remove_prefix(1);
@@ -31,7 +32,7 @@ bool beginsAsValue(std::string_view field) {
 
 constexpr std::array kMetres{"m"sv, "metre"sv, "metres"sv, "meter"sv, "meters"sv};
 
-/// Units of length that are no words of a language; the letters of Latin-1, too.
+/// Units of length that are not words of a language, also in Latin-1.
 constexpr std::array kLengths{
     "mm"sv,          "cm"sv,          "dm"sv,          "km"sv,          "um"sv,
     "nm"sv,          "pm"sv,          "fm"sv,          "\u00B5m"sv,     "\u03BCm"sv,
@@ -44,17 +45,17 @@ constexpr std::array kLengths{
     "inches"sv,      "pixel"sv,       "pixels"sv,      "px"sv,          "\xC5"sv,
     "\u339A"sv,      "\u339B"sv,      "\u339C"sv,      "\u339D"sv};
 
-/// Units that are also words or letters: they count in brackets and behind a stroke alone.
+/// Units that are also words or letters; they count only in brackets and behind a stroke.
 constexpr std::array kShortUnits{"in"sv,     "ft"sv,   "yd"sv,   "mil"sv,  "mils"sv,  "thou"sv,
                                  "pt"sv,     "a"sv,    "s"sv,    "ms"sv,   "us"sv,    "min"sv,
                                  "v"sv,      "mv"sv,   "uv"sv,   "n"sv,    "deg"sv,   "rad"sv,
                                  "\u00B0"sv, "%"sv,    "arb"sv,  "a.u."sv, "au"sv,    "counts"sv,
                                  "count"sv,  "feet"sv, "foot"sv, "\""sv,   "index"sv, "samples"sv};
 
-/// "(", "[", "{" open what their counterparts close; a stroke goes to the end.
+/// "(", "[" and "{" end at their counterparts; a stroke reaches to the end.
 constexpr std::string_view kOpening = "([{/";
 
-/// What stands in brackets or behind a stroke, at each place of the name.
+/// Returns each text in brackets or behind a stroke in the name.
 std::vector<std::string_view> bracketed(std::string_view name) {
   std::vector<std::string_view> found;
   for (std::size_t at = 0; (at = name.find_first_of(kOpening, at)) != std::string_view::npos;) {
@@ -67,8 +68,8 @@ std::vector<std::string_view> bracketed(std::string_view name) {
   return found;
 }
 
-/// Split where no letter of a unit stands.
-std::vector<std::string> wordsOf(std::string_view text) {
+/// Returns the words of a name, split at characters that no unit contains.
+std::vector<std::string> splitWords(std::string_view text) {
   std::vector<std::string> words;
   constexpr std::string_view between = " \t_()[]{}/,;:=*";
   while (true) {
@@ -80,7 +81,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
   }
 }
 
-/// Whether metres have a factor in front: "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m".
+/// Returns whether metres have a factor in front: "1e-6 m", "10^-9 m", "\u00D710\u207B\u2076 m".
 bool scalesMetres(const std::vector<std::string>& words) {
   const auto isMetres = [](const std::string& word) { return isOneOf(word, kMetres); };
   return words.size() > 1 && std::ranges::any_of(words, isMetres) &&
@@ -100,11 +101,11 @@ bool namesColumns(std::span<const std::string_view> fields) {
 
 std::string foreignUnitIn(std::string_view name) {
   for (const std::string_view part : bracketed(name)) {
-    const std::vector<std::string> words = wordsOf(part);
+    const std::vector<std::string> words = splitWords(part);
     if (scalesMetres(words)) return std::string(part);
     if (words.size() == 1 && isOneOf(words.front(), kShortUnits)) return words.front();
   }
-  for (const std::string& word : wordsOf(name))
+  for (const std::string& word : splitWords(name))
     if (isOneOf(word, kLengths)) return word;
   return {};
 }

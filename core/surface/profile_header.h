@@ -1,5 +1,5 @@
-// The first row of a measured profile: names of its columns, or a row of numbers gone wrong. Pure;
-// any thread.
+// Examines the first row of a measured profile: it has the names of the columns, or is a damaged
+// row of numbers. Pure; any thread.
 #pragma once
 
 #include <span>
@@ -8,16 +8,16 @@
 
 namespace asperity {
 
-/// Whether the fields of a first row name columns: one at least has a letter, and none begins as a
-/// number does or says that a value is missing.
+/// Returns whether the fields of a first row are names of columns: at least one has a letter, and
+/// none begins like a number or stands for a missing value.
 bool namesColumns(std::span<const std::string_view> fields);
 
-/// The unit other than metres that the name of a column gives: "mm" of "x (mm)", "height [mm]",
+/// Returns the unit other than metres in the name of a column: "mm" of "x (mm)", "height [mm]",
 /// "z/mm", "z_mm" and "z mm". Empty where there is none.
 std::string foreignUnitIn(std::string_view name);
 
-/// Whether the field is one word with a unit in brackets or behind a stroke, as columns are named
-/// in comments: "x (mm)", "z/um".
+/// Returns whether the field is one word with a unit in brackets or behind a stroke, as in the
+/// names of columns in comments: "x (mm)", "z/um".
 bool isWordWithUnit(std::string_view field);
 
 }  // namespace asperity

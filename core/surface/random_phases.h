@@ -1,7 +1,8 @@
-// Random phases by a counter-based generator: the phase of a mode depends on (seed, realization,
-// mode) alone, so lines are the same for any number of threads, any order, any oversampling, and
-// lines with more elements share their long waves with those that have fewer. Many at a time they
-// come from the widest vectors of the machine, the phases bit for bit on every instruction set.
+// Random phases from a counter-based generator: the phase of a mode depends only on (seed,
+// realization, mode). Lines are therefore the same for any number of threads, any order and any
+// oversampling, and lines with more elements share their long waves with those that have fewer. The
+// widest vectors of the machine compute many phases at a time, with the same bits on every
+// instruction set.
 // Source: Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11 (Philox4x32-10).
 // Pure; any thread.
 #pragma once
@@ -34,11 +35,12 @@ inline PhasePair randomPhases(std::uint64_t seed, std::uint64_t realization, std
   return {angle(words[0], words[1]), angle(words[2], words[3])};
 }
 
-/// out[j] = amplitudes[j] (cos phase, sin phase) with the phase of mode j + 1; both of one length.
+/// Computes out[j] = amplitudes[j] (cos phase, sin phase) with the phase of mode j + 1; both have
+/// the same length.
 void randomModes(std::uint64_t seed, std::uint64_t realization, std::span<const double> amplitudes,
                  std::span<std::complex<double>> out);
 
-/// Phases of the modes 2 first, 2 first + 1, ..., two for each of `pairs`.
+/// Computes the phases of the modes 2 first, 2 first + 1, ..., two for each of `pairs`.
 void randomPhasesInto(std::uint64_t seed, std::uint64_t realization, std::uint64_t first,
                       std::size_t pairs, double* phases);
 

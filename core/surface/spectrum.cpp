@@ -11,7 +11,7 @@
 namespace asperity {
 namespace {
 
-/// Aligned as FFTW likes it, so that every call takes the same code path. Grows and is kept.
+/// Memory aligned for FFTW, so that every call takes the same code path. It grows and is kept.
 template <class Value>
 class Buffer {
  public:
@@ -37,8 +37,8 @@ class Buffer {
 
 using Complex = std::complex<double>;
 
-/// Each thread's own, so that many lines of one ensemble share them: fresh pages cost more than a
-/// transform.
+/// Memory of each thread, which many lines of one ensemble share: allocating fresh pages costs more
+/// than a transform.
 struct Buffers {
   Buffer<Complex> modes;
   Buffer<double> values;
@@ -53,7 +53,7 @@ Buffers& buffersFor(std::size_t nodes) {
 
 constexpr double kLargest = 0.99;  // of |kappa m|
 
-/// The modes from `first` up to below `end`, counted from 1; the others are 0.
+/// Returns the modes from `first` to below `end`, counted from 1; the others are 0.
 FourierLine partOf(const FourierLine& line, std::size_t first, std::size_t end) {
   FourierLine part{line.length, std::vector<std::complex<double>>(line.coefficients.size())};
   for (std::size_t k = first; k < end; ++k) part.coefficients[k - 1] = line.coefficients[k - 1];

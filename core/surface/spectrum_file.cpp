@@ -26,7 +26,7 @@ constexpr const char* kWanted =
     "a spectrum is a table whose header names wave_number, spatial_frequency or wavelength, and "
     "the spectrum in another column";
 
-/// "Wave number" as wave_number.
+/// Returns a name such as "Wave number" in the form wave_number.
 std::string plainName(std::string_view name) {
   std::string plain = lowerCase(name);
   std::ranges::replace(plain, ' ', '_');
@@ -44,10 +44,10 @@ std::optional<Abscissa> abscissaOf(std::string_view name) {
   return {};
 }
 
-/// So many SI units are one of the column's unit; the power of the length must be as it needs it.
+/// Returns the size of the column's unit in SI; the power of the length must be the required one.
 double factorOf(const TextColumn& column, int power, const std::string& file) {
   if (column.unit.empty()) return 1;
-  const auto unit = lengthPowerNamed(column.unit);
+  const auto unit = parseLengthPower(column.unit);
   if (!unit || unit->power != power)
     throw InputError(file, "",
                      message("{} is not a unit of {}; allowed is {}, with mm, um or nm as well",
@@ -78,7 +78,7 @@ class SpectrumReader {
 
   void findColumns() {
     const std::vector<TextColumn>& columns = block_.columns;
-    // Of several abscissae the wave number, else the spatial frequency, the first of each.
+    // Of several abscissae the first wave number is used, else the first spatial frequency.
     std::optional<Abscissa> found;
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (const auto one = abscissaOf(plainName(columns[i].name));
@@ -93,7 +93,8 @@ class SpectrumReader {
     densitySize_ = factorOf(columns[densityColumn_], kind_ == SpectrumKind::C2 ? 4 : 3, name_);
   }
 
-  /// The column named as the wanted spectrum, else one of any name of spectra, else the neighbour.
+  /// Returns the column with the name of the wanted spectrum, else one with any name of a spectrum,
+  /// else the neighbour of the abscissa.
   void findDensity() {
     constexpr std::array lines{"c1", "c_1d", "psd_1d"};
     constexpr std::array areas{"c2", "c_iso", "c2_iso", "ciso", "c_2d", "psd_2d"};
@@ -139,7 +140,7 @@ class SpectrumReader {
     if (!(x > 0)) failAt(row, message("{} is not above 0", plain(block_.at(row, waveColumn_))));
     if (value < 0)
       failAt(row, message("the spectrum {} is below 0", plain(block_.at(row, densityColumn_))));
-    // Everything per wave number: C(q) dq = C(f) df, and C2(q) q dq = C2(f) f df.
+    // All values become densities per wave number: C(q) dq = C(f) df, and C2(q) q dq = C2(f) f df.
     constexpr double kTwoPi = 2 * std::numbers::pi;
     const bool isAngular = abscissa_ == Abscissa::WaveNumber;
     const double q = isAngular ? x : abscissa_ == Abscissa::Wavelength ? kTwoPi / x : kTwoPi * x;
@@ -166,7 +167,7 @@ class SpectrumReader {
       density.waveNumber.push_back(waves_[i]);
       density.density.push_back(densities_[i]);
     }
-    density.binEdge = binEdgesOf(density.waveNumber);
+    density.binEdge = findBinEdges(density.waveNumber);
     const double sum = density.integral();
     if (!std::isfinite(sum)) fail("is beyond what a number can hold");
     if (!(sum > 0)) fail("has no wave with a strength above 0");
@@ -185,7 +186,7 @@ class SpectrumReader {
 }  // namespace
 
 SpectralDensity parseSpectrum(std::string_view text, const std::string& name, SpectrumKind kind) {
-  if (const std::string_view foreign = foreignKindOf(text); !foreign.empty())
+  if (const std::string_view foreign = detectNonText(text); !foreign.empty())
     throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kWanted)));
   const TextTable table = readTextTable(text, name);
   return SpectrumReader(table.largest(), name, kind).read();

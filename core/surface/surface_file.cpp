@@ -64,7 +64,7 @@ DataTable statisticsTable(const Scene& scene, const LineSource& source, const Li
   add("lowest", "m", *lowest);
   add("highest", "m", *highest);
   if (source.measured())
-    for (const NamedValue& value : valuesOf(measuredSummary(scene, source)))
+    for (const NamedValue& value : namedValues(measuredSummary(scene, source)))
       table.rows.push_back({value.name, value.unit, value.used, value.raw});
   return table;
 }

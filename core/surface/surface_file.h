@@ -1,5 +1,5 @@
-// The line of a scene as text: the points as CSV that the profile reader takes back, statistics
-// and spectrum as JSON. Pure functions; equal scenes give equal bytes.
+// Writes the line of a scene as text: its points as CSV that the profile reader accepts, its
+// statistics and spectrum as JSON. Pure functions; equal scenes give equal bytes.
 #pragma once
 
 #include <string>
@@ -11,18 +11,19 @@
 
 namespace asperity {
 
-/// "position,height" in metres.
+/// Returns a table "position,height" in metres.
 std::string lineCsv(const Line& line);
 
-/// "wave_number", "power_spectral_density": the waves of a line; no rows for a line without modes.
+/// Returns "wave_number", "power_spectral_density" of the waves of a line; no rows for a line
+/// without modes.
 DataTable spectrumTable(const LineSource& source);
 
-/// "quantity", "unit", "value", "raw": the statistics of the line, then the values of ISO 21920-2
-/// of a measured surface before and after processing.
+/// Returns "quantity", "unit", "value", "raw": the statistics of the line, then the parameters of
+/// ISO 21920-2 of a measured surface before and after processing.
 DataTable statisticsTable(const Scene& scene, const LineSource& source, const Line& line);
 
-/// Statistics (ISO names in the keys' documentation: Rq is rms_height, Rdq is rms_slope) and the
-/// power spectral density C(q) (m^3) over q (1/m) for lines that have modes.
+/// Returns the statistics (Rq of ISO is rms_height, Rdq is rms_slope) and the power spectral
+/// density C(q) (m^3) over q (1/m) for lines that have modes.
 std::string surfaceJson(const Scene& scene, const LineSource& source, const Line& line);
 
 }  // namespace asperity

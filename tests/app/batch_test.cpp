@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "tests/app/program_test.h"
 
 namespace asperity {
@@ -60,7 +60,7 @@ TEST_F(BatchTest, WhatShowsAllScenesNamesThemAndIsNotOpenedAsOne) {
   ASSERT_EQ(program.run("batch b.json -o out").status, 0);
   for (const std::string name : {"contact_sheet.png", "results.csv"}) {
     const std::string bytes = read("out/" + name);
-    const auto made = nlohmann::json::parse(carriedText(bytes));
+    const auto made = nlohmann::json::parse(embeddedProvenance(bytes));
     ASSERT_EQ(made["scenes"].size(), 2U) << name;
     EXPECT_EQ(made["scenes"][1]["scene"], nlohmann::json::parse(read("out/two_02.json"))) << name;
     const Said said = program.run("open out/" + name + " --json");

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "tests/app/program_test.h"
 
 namespace asperity {
@@ -271,7 +271,7 @@ TEST_F(RemakeFolderTest, EveryFileOfABatchIsTheSameAgain) {
   // With another force, and the title that says it.
   EXPECT_EQ(remake("out/grid_03.png -o a.png --set load.normal_force=20mN --language en").status,
             0);
-  EXPECT_THAT(carriedText(read("a.png")), HasSubstr("20 mN"));
+  EXPECT_THAT(embeddedProvenance(read("a.png")), HasSubstr("20 mN"));
   expectRefused("open out/grid_03.png --remake -o a.svg", 2, "'.svg' is not one of .png");
 }
 
@@ -317,8 +317,8 @@ TEST_F(RemakeFolderTest, AccuracyIsTheSameButForItsTimes) {
     EXPECT_THAT(said.out, AllOf(HasSubstr("wrote again_"), Not(HasSubstr("tmp"))));
   }
   EXPECT_EQ(withoutTimes(read("again_accuracy.csv")), withoutTimes(read("acc/accuracy.csv")));
-  EXPECT_EQ(carriedText(read("again_standard_error.png")),
-            carriedText(read("acc/standard_error.png")));
+  EXPECT_EQ(embeddedProvenance(read("again_standard_error.png")),
+            embeddedProvenance(read("acc/standard_error.png")));
   const auto numbers = [](Json answer) {
     for (Json& region : answer["regions"])
       for (Json& method : region["methods"])

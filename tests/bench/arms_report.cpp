@@ -138,7 +138,7 @@ std::string ratioTable(int turns) {
       const bool isBound = set != InstructionSet::Scalar;
       for (std::size_t i = 1; i < cases.size(); ++i) {
         const double ratio = cases[i].seconds / cases[0].seconds;
-        table.add({cases[i].name, nameOf(set), duration(cases[0].seconds),
+        table.add({cases[i].name, instructionSetName(set), duration(cases[0].seconds),
                    duration(cases[i].seconds), number(cases[i].passes), number(ratio),
                    number((cases[i].seconds + line) / (cases[0].seconds + line)),
                    isBound ? "<= " + number(most) : "-",
@@ -196,7 +196,7 @@ struct PassSeconds {
 
 PassSeconds passSeconds(const Elastomer& elastomer, int turns) {
   const PreparedProfile& line = preparedProfile(kLine);
-  const ElementLaw law = lawOf(elastomer);
+  const ElementLaw law = elementLaw(elastomer);
   const RetardationModes modes = retardationModes(law);
   ArmTables tables(law, modes);
   const ArmBalance balance = slideWithArms(line, tables, sceneOf(kLine).load, 1).balance;

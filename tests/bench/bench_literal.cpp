@@ -16,7 +16,7 @@ constexpr std::int64_t kExtrapolatedFrom = 100000;
 
 LiteralVectors widest() {
   for (const LiteralVectors vectors : {LiteralVectors::Avx512, LiteralVectors::Avx2})
-    if (canUse(vectors)) return vectors;
+    if (isSupported(vectors)) return vectors;
   return LiteralVectors::AsCompiled;
 }
 

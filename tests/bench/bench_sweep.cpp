@@ -51,12 +51,12 @@ void addShipped(const Resolution& resolution, int lineCount) {
     chooseInstructionSet(InstructionSet::Best);
     if (!isHere) continue;
     addCase(
-        figure2Name(nameOf(set), resolution.name),
+        figure2Name(instructionSetName(set), resolution.name),
         [=] { return shipped(resolution, lineCount, {kFigure2Force}); }, Clock::Cpu, 0, 0, set);
     if (resolution.scheme == Scheme::Cubic)
       addCase(
-          figure4Name(nameOf(set)), [=] { return shipped(resolution, 1, figure4Forces()); },
-          Clock::Cpu, 0, 0, set);
+          figure4Name(instructionSetName(set)),
+          [=] { return shipped(resolution, 1, figure4Forces()); }, Clock::Cpu, 0, 0, set);
   }
 }
 

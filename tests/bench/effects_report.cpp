@@ -132,7 +132,7 @@ std::function<Work()> marchWork(const Scene& scene) {
   const auto line =
       std::make_shared<const Line>(LineSource(scene, pointsPerElement(scene)).make(0));
   const double lowest = prepareProfile(*line, scene.accuracy.scheme).lowestHeight;
-  const auto march = std::make_shared<TimeMarch>(line, lowest, lawOf(scene.elastomer));
+  const auto march = std::make_shared<TimeMarch>(line, lowest, elementLaw(scene.elastomer));
   const MarchLoad load{scene.load.kind, kForce, kDepth};
   march->settleAtRest(load);
   return [march, load, line, interface = scene.interface] {

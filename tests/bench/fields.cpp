@@ -11,7 +11,7 @@ std::vector<std::string> instructionSets() {
   std::vector<std::string> names;
   for (const InstructionSet set :
        {InstructionSet::Scalar, InstructionSet::Avx2, InstructionSet::Avx512})
-    if (chooseInstructionSet(set)) names.emplace_back(nameOf(set));
+    if (chooseInstructionSet(set)) names.emplace_back(instructionSetName(set));
   chooseInstructionSet(best);
   return names;
 }

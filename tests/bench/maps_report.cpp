@@ -44,7 +44,7 @@ struct Timed {
 };
 
 MapAxis side(const Scene& scene, const std::string& range) {
-  return mapAxis(scene, rangeFromOption("--x", range));
+  return mapAxis(scene, parseRangeOption("--x", range));
 }
 
 Timed timedMap(const Scene& scene, const std::string& x, const std::string& y, int turns) {
@@ -82,7 +82,7 @@ double rowByRow(const Scene& scene, const std::string& x, const std::string& y, 
     options.threads = kThreads;
     for (std::size_t j = 0; j < up.values.size(); ++j) {
       std::vector<Scene> row;
-      for (std::size_t i = 0; i < across.values.size(); ++i) row.push_back(sceneOfCell(map, i, j));
+      for (std::size_t i = 0; i < across.values.size(); ++i) row.push_back(cellScene(map, i, j));
       slideStates(row, options);
     }
     best = std::min(best, processorSeconds() - work);

@@ -33,7 +33,7 @@ double kernelSeconds(const ParameterStudy& study, std::int64_t number) {
     cases.back().velocities.push_back(point[1]);
   }
   const double start = processorSeconds();
-  const LineSource source(study.base, pointsPerElementOfCurve(study.base));
+  const LineSource source(study.base, curvePointsPerElement(study.base));
   std::vector<RealizationPart> parts;
   const std::span<const LoadCase> all(cases);
   const bool isTable = std::ranges::all_of(

@@ -164,7 +164,7 @@ void readModuli(std::string_view text) {
       TextTableOptions options;
       options.keepsTexts = true;
       const DmaFile file = readDmaFile(readTextTable(text, "moduli", options), "moduli", choices);
-      requireSound(isothermsOf(file.rows));
+      requireSound(groupIsotherms(file.rows));
     });
 }
 

@@ -166,7 +166,7 @@ TEST(GoldenPictures, Zoomed) {
 
 TEST(GoldenPictures, AMotion) {
   Simulation simulation(std::make_shared<const Scene>(sceneOf("reversal")), 1);
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   for (int i = 0; i < 40; ++i) simulation.advance(0.02, 0.04);
   ContactPictureOptions options = usual();
   options.overlay = ContactOverlay::Relaxation;

@@ -26,7 +26,7 @@ TimeMarch marchOf(const std::shared_ptr<const Line>& line, double tau) {
   Elastomer elastomer;
   elastomer.shearModulus = kModulus;
   elastomer.relaxationTime = tau;
-  return {line, prepareProfile(*line, Scheme::Cubic).lowestHeight, lawOf(elastomer)};
+  return {line, prepareProfile(*line, Scheme::Cubic).lowestHeight, elementLaw(elastomer)};
 }
 
 /// How far a step is from what always holds.

@@ -80,7 +80,7 @@ rc::Gen<ParameterValue> anyArms() {
                                       : Arm{between(1e3, 1e9, modulus), between(1e-10, 1e3, time)};
                    });
   return rc::gen::map(rc::gen::resize(6, rc::gen::container<std::vector<Arm>>(arm)),
-                      [](const std::vector<Arm>& arms) { return ParameterValue(textOf(arms)); });
+                      [](const std::vector<Arm>& arms) { return ParameterValue(listText(arms)); });
 }
 
 rc::Gen<ParameterValue> anyValueOf(const Parameter& row) {
@@ -97,7 +97,7 @@ rc::Gen<ParameterValue> anyValueOf(const Parameter& row) {
                  [&](const auto&) {
                    return rc::gen::just(row.key == "surface.file"
                                             ? ParameterValue(std::string("profile_public.csv"))
-                                            : valueOf(row, Scene{}));
+                                            : parameterValue(row, Scene{}));
                  }},
       row.field);
 }

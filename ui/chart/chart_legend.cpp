@@ -70,7 +70,7 @@ std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
       const DiagramSeries& series = diagram.series[k];
       if (series.name.empty() || series.points.empty()) continue;
       Entry entry;
-      entry.explanation = explanationOf(english.series[k].name);
+      entry.explanation = findExplanation(english.series[k].name);
       entry.text = QString::fromStdString(series.name.text);
       entry.hasBars = !series.isBand && std::ranges::any_of(series.points, [](const auto& point) {
         return point.high > point.low;
@@ -88,7 +88,7 @@ std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
     entry.text = QString::fromStdString(diagram.marker->name.text);
     entry.series.isFaded = diagram.marker->isFaded;
     entry.isMarker = true;
-    if (english.marker) entry.explanation = explanationOf(english.marker->name);
+    if (english.marker) entry.explanation = findExplanation(english.marker->name);
     marker.push_back(std::move(entry));
   }
   for (auto* group : {&theory, &marker, &others, &pinned})

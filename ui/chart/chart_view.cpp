@@ -497,17 +497,17 @@ std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& targ
                                                          QPointF place) const {
   if (frames_.empty()) return std::nullopt;
   if (target.isPoint())
-    return explanationOf(english_.diagrams[static_cast<std::size_t>(target.diagram)]
-                             .series[static_cast<std::size_t>(target.series)]
-                             .name);
+    return findExplanation(english_.diagrams[static_cast<std::size_t>(target.diagram)]
+                               .series[static_cast<std::size_t>(target.series)]
+                               .name);
   const Diagram& diagram = english_.diagrams[0];
   if (target.span >= 0)
-    return explanationOf(std::string_view(
+    return findExplanation(std::string_view(
         "region " + diagram.spans[static_cast<std::size_t>(target.span)].shortLabel));
   if (target.isMarker || panels_.empty()) return std::nullopt;
   for (const QRectF& name : panels_[0]->namesInside())
     if (name.contains(place) && !diagram.shades.empty())
-      return explanationOf(diagram.shades.front().label);
+      return findExplanation(diagram.shades.front().label);
   return std::nullopt;
 }
 

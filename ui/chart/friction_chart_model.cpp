@@ -60,9 +60,9 @@ struct Extent {
 
 void addCurve(const CurveUpdate& curve, const CurveSet& view, Extent& along, Extent& up) {
   for (const CurvePoint& point : curve.points) {
-    along.add(placeOf(point, view));
+    along.add(abscissa(point, view));
     if (!isKnown(point)) continue;
-    const double value = valueOf(point, view);
+    const double value = ordinate(point, view);
     up.add(value);
     const double error = point.muStandardError * value / point.mu;
     if (view.y == CurveQuantity::Mu && point.mu > 0) up.add(value + error);
@@ -105,7 +105,7 @@ QString signedPercent(double part) {
 }  // namespace
 
 bool haveSameCurve(const Scene& a, const Scene& b) {
-  return sceneOfCurve(a) == sceneOfCurve(b);
+  return canonicalCurveScene(a) == canonicalCurveScene(b);
 }
 
 AxisRange decadesAround(double low, double high) {
@@ -159,10 +159,10 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
 
 bool FrictionChartModel::mark(const Frame& frame) {
   const std::pair before{velocities_, coefficients_};
-  marker_ = markerOf(frame, CurveAxes::Physical, quantity_);
+  marker_ = frameMarker(frame, CurveAxes::Physical, quantity_);
   markedKey_ = frame.scene->sweep.key;
-  dimensionlessMarker_ = markerOf(frame, CurveAxes::Dimensionless);
-  markerFactor_ = factorsOf(frame, CurveAxes::Dimensionless).velocity;
+  dimensionlessMarker_ = frameMarker(frame, CurveAxes::Dimensionless);
+  markerFactor_ = axesFactors(frame, CurveAxes::Dimensionless).velocity;
   if (frame.transient) {
     const Motion motion(frame.scene->sliding);
     fastest_ = motion.fastest(0, motion.duration());
@@ -245,7 +245,7 @@ void FrictionChartModel::unpinAll() {
 }
 
 Message FrictionChartModel::englishNameOf(const PinnedCurve& pinned, const Scene& present) const {
-  const Message name = differencesInWords(*pinned.curve->scene, present);
+  const Message name = describeDifferences(*pinned.curve->scene, present);
   return listed({name.empty() ? Message("same parameters") : name, shareOf(*pinned.curve)});
 }
 
@@ -392,12 +392,12 @@ QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
 QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene) const {
   QStringList lines;
   if (!scene.sweep.isOfVelocity())
-    lines += translatedText(parameterInWords(scene.sweep.key, withSweptValue(scene, point.swept)));
+    lines += translatedText(describeParameter(scene.sweep.key, withSweptValue(scene, point.swept)));
   lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
   if (axes_ == CurveAxes::Physical && quantity_ != CurveQuantity::Mu) {
-    const QuantityEntry& entry = entryOf(quantity_);
+    const QuantityEntry& entry = quantityEntry(quantity_);
     lines += translatedText(entry.title) + " = " +
-             QString::fromStdString(printedQuantity(valueOf(quantity_, point), entry.unit));
+             QString::fromStdString(printedQuantity(quantityValue(quantity_, point), entry.unit));
   }
   lines += withError(QStringLiteral("μ"), point.mu, point.muStandardError);
   if (axes_ == CurveAxes::Dimensionless) {
@@ -416,7 +416,7 @@ QString FrictionChartModel::reading(const DifferencePoint& point) const {
     difference += " ± " + readingLabel(100 * point.standardError, 2) + " %";
   return tr("v = %1 m/s").arg(readingLabel(point.velocity)) + '\n' + difference + '\n' +
          withError(QStringLiteral("μ"), point.mu, point.muStandardError) + ' ' +
-         tr("with %1").arg(translatedText(asperity::nameOf(difference_->setting)));
+         tr("with %1").arg(translatedText(settingName(difference_->setting)));
 }
 
 std::optional<double> FrictionChartModel::sweptOf(int id, int row) const {
@@ -468,7 +468,7 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   }
   if (curve_ && isOnThisAxis(*curve_->scene)) {
     addCurve(*curve_, set, along, up);
-    const double friction = asperity::factorsOf(curve_->points, axes_).friction;
+    const double friction = asperity::axesFactors(curve_->points, axes_).friction;
     if (set.y == CurveQuantity::Mu)
       for (const CurvePoint& point : curve_->points) up.add(point.muLaw * friction);
   }
@@ -478,11 +478,11 @@ void FrictionChartModel::fitRanges(bool newCurve) {
   // one holds the axes.
   if (compared_ && curve_ && isOnThisAxis(*compared_) && isOnThisAxis(*curve_->scene) &&
       compared_->comparison.data == curve_->scene->comparison.data) {
-    const AxesFactors factors = asperity::factorsOf(curve_->points, axes_);
+    const AxesFactors factors = asperity::axesFactors(curve_->points, axes_);
     for (const MeasuredCurve& measured : comparisons_.measured)
       for (std::size_t i = 0; i < measured.places.size(); ++i) {
         along.add(measured.places[i] * factors.velocity);
-        up.add(measured.data.points[i].mu * factorOfMeasured(measured, i, set, factors));
+        up.add(measured.data.points[i].mu * measuredFactor(measured, i, set, factors));
       }
   }
   const bool isMarked = marker_ && (expected_ || curve_);

@@ -39,7 +39,7 @@ Scene dragged(const Scene& start, ContactHandle handle, const DragDistance& move
   if (key.empty() || way == 0) return start;  // not even rounded
   const Parameter& parameter = knownParameter(key);
   const auto& field = std::get<RealField>(parameter.field);
-  const double before = std::get<double>(valueOf(parameter, start));
+  const double before = std::get<double>(parameterValue(parameter, start));
   double value = before;
   if (key == "load.depth") {
     // At most a thousandth is left, so that the body does not leave the contact for good.

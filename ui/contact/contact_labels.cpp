@@ -78,7 +78,7 @@ std::vector<Tag> forceTags(const Frame& frame, const ForceArrows& arrows) {
 /// Returns "viscoelastic, G = 10 MPa, τ = 1 ms" or ", 13 arms"; empty without a scene.
 std::string elastomerWords(const Frame& frame) {
   if (!frame.scene) return {};
-  const ElementLaw law = lawOf(frame.scene->elastomer);
+  const ElementLaw law = elementLaw(frame.scene->elastomer);
   const ElementKind kind = law.kind();
   const std::string modulus = quantity(law.equilibriumModulus, "Pa");
   if (kind == ElementKind::Elastic) return filled(Words::tr("elastic, G = %1"), {modulus});

@@ -42,7 +42,7 @@ double greatestOf(const std::vector<double>& values) {
 /// Returns the longest relaxation time, s; infinite where nothing relaxes to rest.
 double longestRelaxation(const Frame& frame) {
   if (!frame.scene) return std::numeric_limits<double>::infinity();
-  const RetardationModes modes = retardationModes(lawOf(frame.scene->elastomer));
+  const RetardationModes modes = retardationModes(elementLaw(frame.scene->elastomer));
   return modes.modes() > 0 ? 1 / modes.rate.front() : std::numeric_limits<double>::infinity();
 }
 

@@ -17,7 +17,7 @@ namespace {
 std::optional<double> surfaceRate(const Frame& frame, std::size_t point) {
   const bool isMarched = frame.transient || frame.isSettling;
   if (!frame.scene || !isMarched) return std::nullopt;
-  const ElementLaw law = lawOf(frame.scene->elastomer);
+  const ElementLaw law = elementLaw(frame.scene->elastomer);
   if (law.kind() != ElementKind::Kelvin) return std::nullopt;
   const double spring = -4 * law.equilibriumModulus * frame.surfaceHeight[point];
   return (spring - frame.pressure[point]) / (4 * law.viscosity);

@@ -130,7 +130,7 @@ void useFontFamily(const std::string& family) {
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
     const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string nearest(nearestOf(family, known));
+    const std::string nearest(nearestWord(family, known));
     throw InputError(
         "", kOption,
         nearest.empty() ? message("no font family '{}' is installed; 'fc-list : family' lists them",

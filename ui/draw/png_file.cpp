@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/shapes.h"
 #include "ui/language/language.h"
@@ -158,7 +158,7 @@ QImage imageOf(const DrawField& field, int mostPixels) {
 }
 
 std::string pngMetadata(std::string_view bytes) {
-  return bytes.starts_with(kSignature) ? carriedText(bytes) : std::string();
+  return bytes.starts_with(kSignature) ? embeddedProvenance(bytes) : std::string();
 }
 
 void addLanguage(nlohmann::ordered_json& picture) {

@@ -86,7 +86,7 @@ QString keptTogether(QString text) {
 }
 
 QString translatedError(const std::exception& error) {
-  return translatedText(messageOf(error));
+  return translatedText(errorMessage(error));
 }
 
 bool isTranslatedScene(std::string_view text) {

@@ -28,7 +28,7 @@ QStringList ListBox::names() const {
   QStringList names;
   if (hasTheories())
     for (const Theory theory : scene_.comparison.theory)
-      names << translatedText(entryOf(theory).name);
+      names << translatedText(theoryEntry(theory).name);
   else
     for (const DataFile& table : scene_.comparison.data) names << nameOf(table);
   return names;
@@ -60,7 +60,7 @@ void ListBox::addTheories(QMenu& menu) {
     const std::vector<Theory>& shown = scene_.comparison.theory;
     action->setChecked(std::ranges::find(shown, entry.theory) != shown.end());
     connect(action, &QAction::triggered, this, [this, theory = entry.theory](bool isWanted) {
-      emit listGiven(textOf(withTheory(scene_.comparison.theory, theory, isWanted)));
+      emit listGiven(listText(withTheory(scene_.comparison.theory, theory, isWanted)));
     });
   }
 }
@@ -76,7 +76,7 @@ void ListBox::addTables(QMenu& menu) {
     connect(action, &QAction::triggered, this, [this, i] {
       std::vector<DataFile> tables = scene_.comparison.data;
       if (i < tables.size()) tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(i));
-      emit listGiven(textOf(tables));
+      emit listGiven(listText(tables));
     });
   }
   if (!menu.isEmpty()) menu.addSeparator();

@@ -336,8 +336,8 @@ void ParameterPanel::showNotes(const NoteSet& notes) {
   notes_ = notes;
   QMap<ParameterRow*, QStringList> warnings;
   for (const Note note : notes.list())
-    if (ParameterRow* row = rows_.value(fromUtf8(keyOfNote(note, scene_))))
-      warnings[row] += QStringLiteral("⚠ ") + translatedText(sentenceOf(note));
+    if (ParameterRow* row = rows_.value(fromUtf8(noteKey(note, scene_))))
+      warnings[row] += QStringLiteral("⚠ ") + translatedText(noteSentence(note));
   bool isChanged = false;
   for (ParameterRow* row : std::as_const(rows_)) {
     const bool had = row->hasRemark();

@@ -99,7 +99,7 @@ bool isWordIn(const QString& word, const QString& text) {
 
 /// Whether a word is a unit in which the parameter may be typed: "mN", "°C".
 bool isUnitOf(const QString& word, const Parameter& parameter) {
-  return !parameter.unit.empty() && unitNamed(word.toStdString(), parameter.unit).has_value();
+  return !parameter.unit.empty() && findUnit(word.toStdString(), parameter.unit).has_value();
 }
 
 /// Returns the allowed range in the notation of the entries.
@@ -230,7 +230,7 @@ QString withLabels(const QString& text) {
 }
 
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
-  const ParameterValue value = valueOf(parameter_, scene);
+  const ParameterValue value = parameterValue(parameter_, scene);
   const std::optional<Placeholder> placeholder = placeholderFor(parameter_, scene, known);
   if (slider_) slider_->showValue(placeholder ? placeholder->value.value_or(0) : asNumber(value));
   if (entry_) showEntry(value, placeholder, replace);
@@ -273,7 +273,7 @@ void ParameterRow::showEntry(const ParameterValue& value,
 void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& resting) {
   resting_ = resting;
   reset_->setEnabled(value != resting);
-  reset_->setToolTip(resting == defaultOf(parameter_)
+  reset_->setToolTip(resting == defaultValue(parameter_)
                          ? resetText(parameter_, textWithUnit(parameter_, resting))
                          : tr("As the file says"));
 }
@@ -451,7 +451,7 @@ void ParameterRow::addArms(QHBoxLayout& line, QVBoxLayout& column) {
   arms_ = new ArmsEditor;
   name(*arms_, "arms");
   connect(arms_, &ArmsEditor::armsGiven, this,
-          [this](const std::vector<Arm>& arms) { emit valueGiven(textOf(arms)); });
+          [this](const std::vector<Arm>& arms) { emit valueGiven(listText(arms)); });
   line.addWidget(&arms_->fold(), 1);
   column.addWidget(arms_);
 }
@@ -460,7 +460,7 @@ void ParameterRow::addShifts(QHBoxLayout& line, QVBoxLayout& column) {
   shifts_ = new ShiftEditor;
   name(*shifts_, "shifts");
   connect(shifts_, &ShiftEditor::shiftsGiven, this,
-          [this](const std::vector<ShiftPoint>& table) { emit valueGiven(textOf(table)); });
+          [this](const std::vector<ShiftPoint>& table) { emit valueGiven(listText(table)); });
   line.addWidget(&shifts_->fold(), 1);
   column.addWidget(shifts_);
 }
@@ -523,7 +523,8 @@ QString ParameterRow::accessibleLabel() const {
 /// Returns what the parameter is: formula, sentence, key and range.
 QString ParameterRow::meaning() const {
   QString text;
-  if (const auto explanation = explanationOf(parameter_.key)) text = explanationHtml(*explanation);
+  if (const auto explanation = findExplanation(parameter_.key))
+    text = explanationHtml(*explanation);
   if (const QString range = rangeText(parameter_); !range.isEmpty())
     text += QStringLiteral("<p><small>%1: %2</small></p>")
                 .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
@@ -550,7 +551,7 @@ QString ParameterRow::description() const {
 void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction(reset_->toolTip(), reset_, &QToolButton::click)->setEnabled(reset_->isEnabled());
-  if (const auto explanation = explanationOf(parameter_.key))
+  if (const auto explanation = findExplanation(parameter_.key))
     menu.addAction(tr("Read about it in the guide"), this,
                    [this, explanation] { emit guideWanted(fromUtf8(explanation->guideAnchor)); });
   menu.exec(event->globalPos());

@@ -35,7 +35,7 @@ void leaveOpen(const Parameter& parameter, Scene& scene) {
 
 /// Returns the oversampling for one line and, if it differs, for the curve.
 Placeholder chosenOversampling(const Scene& scene) {
-  const std::int64_t line = pointsPerElement(scene), curve = pointsPerElementOfCurve(scene);
+  const std::int64_t line = pointsPerElement(scene), curve = curvePointsPerElement(scene);
   return {line == curve ? ParameterPanel::tr("chosen: %1").arg(line)
                         : ParameterPanel::tr("%1 (curve: %2)").arg(line).arg(curve),
           static_cast<double>(line), false};
@@ -76,7 +76,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
                ? std::optional(Placeholder{ParameterPanel::tr("every row"), {}, false})
                : std::nullopt;
   if (const QString meaning = meaningOfZero(parameter); !meaning.isEmpty()) {
-    const ParameterValue value = valueOf(parameter, scene);
+    const ParameterValue value = parameterValue(parameter, scene);
     const bool isZero = value == ParameterValue(0.0) || value == ParameterValue(std::int64_t{0});
     return isZero ? std::optional(Placeholder{meaning, 0, false}) : std::nullopt;
   }
@@ -93,7 +93,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
 }
 
 ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {
-  if (!mayBeLeftOpen(parameter, scene)) return defaultOf(parameter);
+  if (!mayBeLeftOpen(parameter, scene)) return defaultValue(parameter);
   if (parameter.key == kLength) return 0.0;
   return std::int64_t{0};
 }

@@ -12,12 +12,12 @@ namespace asperity {
 namespace {
 
 constexpr int kMostArmPasses = 200;
-/// Relative residual from which on the Jacobian is only kept up by Broyden's update.
+/// Below this relative residual only Broyden's update changes the Jacobian.
 constexpr double kQuasiNewtonBelow = 1e-3;
-/// Relative residual from which on the next pass is expected to end the search.
+/// Below this relative residual the next pass is expected to end the search.
 constexpr double kNearlyMet = 1e-6;
-/// Residual that may be rounding, and the error of the springs' force, relative to that of the
-/// equilibrium, that is as good as none.
+/// A residual that may be rounding; and the error of the springs' force, relative to that of the
+/// equilibrium, that is negligible.
 constexpr double kRoundingResidual = 5e-12, kForceError = 1e-11;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -92,8 +92,8 @@ class ArmSolver::Search {
            (worst_ <= kRoundingResidual && expected <= least);
   }
 
-  /// Complete contact: depth and strains are known, up to what slow arms lose to rounding. A pass
-  /// says whether it is.
+  /// Tries complete contact, in which depth and strains are known, up to the digits that slow arms
+  /// lose. A pass shows whether contact is complete.
   bool tryComplete() {
     const double depth = first_ > 0 ? high_ : fixedDepth_;
     // Somewhere the line is higher, as a rule soon.
@@ -111,8 +111,8 @@ class ArmSolver::Search {
     return false;
   }
 
-  /// No answer yet. A search that never finds numbers ends with this one, which is not met and has
-  /// a strain for every arm.
+  /// The result before the first pass. A search that never finds finite numbers ends with it: it is
+  /// not met and has a strain for every arm.
   void forget() {
     bestWorst_ = kInfinite;
     best_ = {};
@@ -135,8 +135,8 @@ class ArmSolver::Search {
   double depth() const { return first_ > 0 ? unknown_[0] : fixedDepth_; }
   std::span<double> strains() { return {unknown_.data() + first_, coefficients_.arms()}; }
 
-  /// A pass at the unknowns. Returns residuals in m: the missing mean depth first, then how far
-  /// each arm is from where its period closes.
+  /// Runs a pass at the unknowns and returns the residuals in m: first the missing mean depth, then
+  /// the change of each arm's strain over the period.
   Vector evaluate(Output output = Output::Force) {
     runArmPass(line_, vectors_, depth(), strains(), output, work_);
     ++passes_;
@@ -151,7 +151,7 @@ class ArmSolver::Search {
     periodicityError_ = 0;
     for (std::size_t i = 0; i < change_.size(); ++i) {
       const double missing = work_.yieldChange[i] / change_[i];
-      // What is no number must not pass for closed: a maximum would skip it.
+      // NaN must not count as converged: std::max would skip it.
       const double share = std::abs(missing) / scale;
       periodicityError_ = std::max(periodicityError_, share >= 0 ? share : kInfinite);
       residual[first_ + static_cast<Index>(i)] = missing;
@@ -163,8 +163,8 @@ class ArmSolver::Search {
     return residual;
   }
 
-  /// What a change of strain is measured by (m): what friction comes from, strains and heights,
-  /// but at light loads the depth.
+  /// Returns the scale (m) of changes of strain: that of the strains and heights that cause
+  /// friction, but at light loads the depth.
   double strainScale(double meanDepth) {
     double scale = line_.meanHeight;
     for (const double strain : strains()) scale = std::max(scale, std::abs(strain));
@@ -198,14 +198,15 @@ class ArmSolver::Search {
     return (factors_.matrixLU().diagonal().array().abs() > 0).all();
   }
 
-  /// The inverse Jacobian as it was factored and updated since, times a vector.
+  /// Returns the product of the inverse Jacobian, as factored and since updated, with a vector.
   Vector applyInverse(const Vector& vector) const {
     Vector result = factors_.solve(vector);
     for (const Update& update : updates_) result += update.correction * update.step.dot(result);
     return result;
   }
 
-  /// Broyden's update of the inverse Jacobian by a step and the change of the residual in it.
+  /// Applies Broyden's update to the inverse Jacobian for a step and the change of the residual in
+  /// it.
   void update(const Vector& step, const Vector& change) {
     const Vector predicted = applyInverse(change);
     const double scale = step.dot(predicted);
@@ -213,7 +214,7 @@ class ArmSolver::Search {
     updates_.push_back({step, (step - predicted) / scale});
   }
 
-  /// Keeps the depth where a force can be carried, to rounding.
+  /// Limits the depth to the range in which the force can be met, to rounding.
   void limit(Vector& step) const {
     if (first_ == 0) return;
     const double from = unknown_[0], slack = 1e-9 * high_;
@@ -222,7 +223,7 @@ class ArmSolver::Search {
     if (next < low_ - slack) step[0] = 0.9 * (low_ - from);
   }
 
-  /// Newton's step, but not so long that it leads away.
+  /// Returns Newton's step, shortened where it would diverge.
   void shorten(const Vector& from, Vector& step, double worstBefore, Vector& residual) {
     for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
       step *= 0.35;
@@ -242,7 +243,7 @@ class ArmSolver::Search {
   double low_, high_;  // m, of the depth
   Matrix matrix_;
   Eigen::PartialPivLU<Matrix> factors_;  // of the Jacobian
-  /// By which the inverse Jacobian gains correction step^T times itself.
+  /// The corrections of the inverse Jacobian: each adds correction step^T times the inverse itself.
   struct Update {
     Vector step, correction;
   };
@@ -300,7 +301,7 @@ PassSums ArmSolver::sums(const ArmBalance& balance, ArmShape* shape) {
 
 namespace {
 
-/// Balances at one load, by searches that begin from each other where a plain one fails.
+/// Solves balances at one load by continuation where a plain search fails.
 class Continuation {
  public:
   Continuation(const PreparedProfile& line, ArmTables& tables, const Load& load)
@@ -332,8 +333,9 @@ class Continuation {
     return found;
   }
 
-  /// Down from a load at which the search from nothing succeeds, by steps that shrink where they
-  /// fail: of a contact much smaller than an element a search from complete contact knows nothing.
+  /// Continues from a load at which a search without a guess succeeds down to the given one, by
+  /// steps that shrink where they fail: for a contact much smaller than an element, complete
+  /// contact is no useful guess.
   ArmBalance lower(double velocity, ArmBalance failed) {
     constexpr double kHighest = 1e40;  // over the wanted load
     double over = 10;
@@ -356,8 +358,8 @@ class Continuation {
     return over > 1 ? failed : known;
   }
 
-  /// Up from where the slowest arm forgets within a hundredth of the period, by steps that shrink
-  /// where they fail.
+  /// Continues from a velocity at which the slowest arm forgets within a hundredth of the period up
+  /// to the given one, by steps that shrink where they fail.
   ArmBalance follow(double velocity, ArmBalance failed) {
     double reached =
         std::min(0.01 * line_.length / tables_.law().arms.front().relaxationTime, 0.1 * velocity);

@@ -73,7 +73,7 @@ void ArmTangent::begin() {
   for (std::size_t i = 0; i < coefficients_.arms(); ++i) strain_[i * unknowns_ + i + 1] = 1;
 }
 
-/// Strains decay; what they lose is yielded.
+/// The strains decay, and the yield takes what they lose.
 void ArmTangent::contact(double length) {
   volume_[0] += length;
   for (std::size_t i = 0; i < coefficients_.arms(); ++i) {
@@ -123,7 +123,7 @@ void ArmTangent::arc(double length) {
 void ArmTangent::enter(double length) {
   arc(length);
   const std::size_t arms = coefficients_.arms();
-  // Strains of the free surface, and what the line presses it in beyond.
+  // These are the strains of the free surface, and those that the line adds by pressing it in.
   std::fill(row_.begin(), row_.end(), 0);
   row_[0] = 1;
   for (std::size_t j = 0; j < coefficients_.modes(); ++j)

@@ -1,7 +1,8 @@
-// What a pass over a line needs to know of an element with arms at one velocity: how much is kept
-// and taken up over one segment, and how a free surface creeps back over blocks of segments; and
-// how the outcome of the pass answers to its start. Lengths only: moduli are per equilibrium
-// modulus, times are the way slid in them (m).
+// The coefficients of elements with arms at one velocity, as a pass over a line needs them: the
+// decay and the driving of strains over one segment, the creep of a free surface over blocks of
+// segments, and the derivatives of the result of a pass with respect to its initial values. All
+// quantities are lengths: moduli are relative to the equilibrium modulus, and times are the
+// distances slid in them (m).
 // ArmCoefficients are plain values, read by any thread; an ArmTangent belongs to one thread.
 #pragma once
 
@@ -28,7 +29,7 @@ struct ArmCoefficients {
   double dashpot = 0;           // m, v eta / G
   double glassy = 1;            // 1 + sum g_i, of the springs alone
 
-  // Over one whole segment, with w' = (D_0 + D_1 u + D_2 u^2) / spacing:
+  // These belong to one whole segment with w' = (D_0 + D_1 u + D_2 u^2) / spacing.
   std::vector<double> kept;  // e_i(1) = kept_i e_i(0) + sum D_k driven_ki
   std::array<std::vector<double>, 3> driven;
   std::vector<double> lossRate;                // 1/m, g_i / (v tau_i)
@@ -36,43 +37,44 @@ struct ArmCoefficients {
   std::array<std::array<double, 3>, 3> own{};  // sum g_i integral of u^k (what u^l has driven)
   std::vector<LossForm> loss;                  // 1/c_i integral of e_i^2
 
-  /// The first arms, which change little over a period: what they yield is summed by itself, as
-  /// q_i(1) - q_i(0) = yieldKept_i e_i(0) + sum D_k yieldDriven_ki.
+  /// The number of slow arms, which come first and change little over a period. Their yield is
+  /// summed separately, as q_i(1) - q_i(0) = yieldKept_i e_i(0) + sum D_k yieldDriven_ki.
   std::size_t slow = 0;
   std::vector<double> yieldKept;
   std::array<std::vector<double>, 3> yieldDriven;
 
-  // The free surface: y = sum a_j exp(-rate_j s).
+  // These belong to the free surface, y = sum a_j exp(-rate_j s).
   std::vector<double> rate;                // 1/m
-  std::vector<double> stiffness;           // of the springs that draw it back, per G
+  std::vector<double> stiffness;           // of the springs that pull it back, per G
   std::vector<double> settled;             // a_j per depth where all arms have relaxed
   std::vector<std::vector<double>> decay;  // [level][mode], over a block
   std::vector<std::vector<double>> lost;   // 1 - decay
   const RetardationModes& conversion;
 };
 
-/// Derivatives of the outcome of a pass with respect to the indentation and to each arm's strain at
-/// the lowest point. Strains decay in contact, amplitudes in free arcs, and what is yielded goes on
-/// smoothly through every event, so only the lengths between events are needed. Refers to the
-/// coefficients.
+/// The derivatives of the result of a pass with respect to the indentation and to each arm's strain
+/// at the lowest point. Strains decay in contact, amplitudes decay in free arcs, and the yield is
+/// continuous through every event, so only the lengths between events are needed. The object refers
+/// to the coefficients.
 class ArmTangent {
  public:
   explicit ArmTangent(const ArmCoefficients& coefficients);
 
-  /// Contact begins at the lowest point.
+  /// Begins in contact at the lowest point.
   void begin();
-  /// Contact of this length (m) ends.
+  /// Ends a contact of this length (m).
   void leave(double length);
-  /// A free arc of this length ends in contact.
+  /// Ends a free arc of this length (m) in contact.
   void enter(double length);
-  /// The period ends, in contact or free, with a last stretch of this length.
+  /// Ends the period, in contact or free, with a last stretch of this length (m).
   void finish(double length, bool touching);
 
-  /// Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest point.
+  /// Returns the number of unknowns: 0 is the indentation, 1 + k the strain of arm k at the lowest
+  /// point.
   std::size_t unknowns() const { return unknowns_; }
-  /// Of the integral of y (m).
+  /// Returns the derivative of the integral of y (m).
   double ofDepthIntegral(std::size_t unknown) const { return volume_[unknown]; }
-  /// Of what arm i yields over the period.
+  /// Returns the derivative of the yield of arm i over the period.
   double ofYieldChange(std::size_t i, std::size_t unknown) const {
     return change_[i * unknowns_ + unknown];
   }

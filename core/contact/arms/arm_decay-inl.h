@@ -1,5 +1,5 @@
-// This file has decay_moments.h for many arms at once: what decays over a way and what a line
-// drives meanwhile. It is compiled once per instruction set.
+// This file has the integrals of decay_moments.h for many arms at once: the decay over a distance
+// and the driving by the line. It is compiled once per instruction set.
 
 #if defined(ASPERITY_ARM_DECAY_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASPERITY_ARM_DECAY_INL
@@ -83,10 +83,11 @@ HWY_INLINE ArmIntegrals armIntegrals(One z, One e, double slope0, double slope1,
   const One d0 = One::all(slope0), d1 = One::all(slope1), d2 = One::all(slope2);
   const OneMask isSlow = z < One::all(kSlowBelow);
   ArmIntegrals found{One::all(0), One::all(0), One::all(0)};
-  // Gauss's points serve where e hardly decays: what is put in and what is stored nearly cancel.
+  // Gauss-Legendre quadrature is used where e hardly decays, because input and stored energy nearly
+  // cancel there.
   if (any(isSlow)) {
     constexpr std::size_t kPoints = 8;
-    constexpr double kPlace[kPoints] = {
+    constexpr double kNode[kPoints] = {
         0.019855071751231884, 0.10166676129318664, 0.2372337950418355, 0.40828267875217510,
         0.59171732124782490,  0.7627662049581645,  0.8983332387068134, 0.98014492824876812};
     constexpr double kWeight[kPoints] = {
@@ -94,7 +95,7 @@ HWY_INLINE ArmIntegrals armIntegrals(One z, One e, double slope0, double slope1,
         0.18134189168918105, 0.15685332293894365, 0.11119051722668725, 0.05061426814518815};
     const One limited = min(z, One::all(kSlowBelow));
     for (std::size_t point = 0; point < kPoints; ++point) {
-      const double u = kPlace[point], u2 = u * u;
+      const double u = kNode[point], u2 = u * u;
       const One strain =
           armDecay(One::all(u) * limited)
               .strain(e, One::all(u * slope0), One::all(u2 * slope1), One::all(u2 * u * slope2));
@@ -105,7 +106,7 @@ HWY_INLINE ArmIntegrals armIntegrals(One z, One e, double slope0, double slope1,
     }
     found.loss = z * found.loss;
   }
-  // Elsewhere they follow from e' = w' - z e, times 1, u, u^2 and e.
+  // Elsewhere the integrals follow from e' = w' - z e, times 1, u, u^2 and e.
   if (any(!isSlow)) {
     const One after = armDecay(z).strain(e, d0, d1, d2), inverse = One::all(1) / z;
     const auto driven = [&](double k) {

@@ -60,7 +60,7 @@ class ArmElement {
   HWY_INLINE void begin(const double* strain) {
     std::copy_n(strain, vectors_.arms, strain_);
     std::fill_n(yield_, slowLanes_, 0.0);
-    trialWay_ = -1;
+    trialLength_ = -1;
     sumStrains();
   }
   const double* strains() const { return strain_; }
@@ -181,7 +181,7 @@ class ArmElement {
     std::copy_n(after_ + (count - 1) * afterStride_, armLanes_, strain_);
     strainSum_ = batch.strainSum[count];
     lossSum_ = batch.lossSum[count];
-    trialWay_ = -1;
+    trialLength_ = -1;
   }
 
   /// Returns the pressure at the end of segment n of a batch whose first n segments have been
@@ -189,7 +189,7 @@ class ArmElement {
   HWY_INLINE ValueAndSlope pressureAfter(const SegmentBatch& batch, std::size_t n,
                                          const ContactPiece& piece) {
     std::copy_n(after_ + n * afterStride_, armLanes_, trial_);
-    trialWay_ = piece.length;
+    trialLength_ = piece.length;
     trialStrainSum_ = batch.strainSum[n + 1];
     trialLossSum_ = batch.lossSum[n + 1];
     return pressureWith(trialStrainSum_, trialLossSum_, piece, 1);
@@ -218,7 +218,7 @@ class ArmElement {
 
   /// Moves on to u of the piece.
   HWY_INLINE void advance(const ContactPiece& piece, double u) {
-    if (trialWay_ != piece.length * u) pressureAt(piece, u);
+    if (trialLength_ != piece.length * u) pressureAt(piece, u);
     addYield(piece.until(u));
     takeTrial();
   }
@@ -273,7 +273,7 @@ class ArmElement {
   // ---- Free
 
   /// Returns how far (m) the surface comes back over a block of segments of this level.
-  HWY_INLINE double comesBackOverBlock(std::size_t level) const {
+  HWY_INLINE double recoveryOverBlock(std::size_t level) const {
     const double* lost = vectors_.lost.row(level);
     One back = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes)
@@ -287,7 +287,7 @@ class ArmElement {
   }
 
   /// Returns how far (m) the surface comes back over any distance (m), and how fast it does there.
-  HWY_INLINE ValueAndSlope comesBack(double distance) const {
+  HWY_INLINE ValueAndSlope recovery(double distance) const {
     const One way = One::all(distance);
     One back = One::all(0), speed = One::all(0);
     for (std::size_t k = 0; k < modeLanes_; k += One::kLanes) {
@@ -364,7 +364,7 @@ class ArmElement {
         strain = mulAdd(One::all(amplitude_[j]), One::load(vectors_.toStrain.row(j) + k), strain);
       (strain + other).store(strain_ + k);
     }
-    trialWay_ = -1;
+    trialLength_ = -1;
     sumStrains();
   }
 
@@ -391,7 +391,7 @@ class ArmElement {
         rising * vectors_.glassy - piece.length * lossSum + perLength * (2 * w.c2 + 6 * u * w.c3)};
   }
   HWY_INLINE ValueAndSlope tried(const ContactPiece& piece, double u, One strainSum, One lossSum) {
-    trialWay_ = piece.length * u;
+    trialLength_ = piece.length * u;
     const TwoSums sums = sumsOf(strainSum, lossSum);
     trialStrainSum_ = sums.x;
     trialLossSum_ = sums.y;
@@ -402,7 +402,7 @@ class ArmElement {
     std::swap(strain_, trial_);
     strainSum_ = trialStrainSum_;
     lossSum_ = trialLossSum_;
-    trialWay_ = -1;
+    trialLength_ = -1;
   }
   HWY_INLINE void sumStrains() {
     One strainSum = One::all(0), lossSum = One::all(0);
@@ -445,7 +445,7 @@ class ArmElement {
   std::size_t afterStride_;
   double strainSum_ = 0, lossSum_ = 0;            // sum g_i e_i (m), sum g_i e_i / c_i
   double trialStrainSum_ = 0, trialLossSum_ = 0;  // of what was tried
-  double trialWay_ = -1;                          // m, where that was, or below 0
+  double trialLength_ = -1;                       // m, where that was, or below 0
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,4 +1,4 @@
-// Of a pass with arms: where inside a segment contact begins and ends, and its sums over pieces.
+// A part of ArmPass: it finds where contact begins and ends inside a segment, and sums over pieces.
 #include <algorithm>
 #include <cmath>
 
@@ -8,11 +8,12 @@
 namespace asperity {
 namespace {
 
-/// The first place from `from` towards `to` where pressure or clearance ends, or kNoZero.
+/// Returns the first position from `from` towards `to` where pressure or clearance becomes 0, or
+/// kNoZero.
 template <class Function>
 double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
                 const Function& function) {
-  // Right where a stretch begins the function is 0 to rounding.
+  // At the beginning of a stretch the function is 0 to rounding.
   first.value = std::max(first.value, 0.0);
   const auto value = [&function](double t, double& slope) {
     const ValueAndSlope at = function(t);
@@ -28,22 +29,22 @@ double firstEnd(double from, ValueAndSlope first, double to, ValueAndSlope last,
 
 }  // namespace
 
-Few<3> turnsUntil(double to, const Cubic& cubic, bool onwards) {
-  const Few<2> turns = stationaryPoints(cubic);
-  Few<3> found;
+StaticVector<3> turningPoints(double to, const Cubic& cubic, bool onwards) {
+  const StaticVector<2> turns = stationaryPoints(cubic);
+  StaticVector<3> found;
   for (int i = 0; i < turns.count; ++i)
     found.add(turns.values[static_cast<std::size_t>(onwards ? i : turns.count - 1 - i)]);
   found.add(to);
   return found;
 }
 
-ArmPass::Inside ArmPass::insideOf(std::size_t i) const {
+ArmPass::Inside ArmPass::makeInside(std::size_t i) const {
   if (i + 1 < line_.segments())
     return {line_.segment(i), line_.position(i), line_.segmentLength(i)};
   return {line_.segmentBackwards(i), line_.length, -line_.segmentLength(i)};
 }
 
-ArmPass::Piece ArmPass::pieceOf(const Inside& inside, double from, double to) const {
+ArmPass::Piece ArmPass::makePiece(const Inside& inside, double from, double to) const {
   const Cubic height = inside.height.about(from);
   const double step = to - from;
   return {{depth_ - height.c0, -height.c1 * step, -height.c2 * step * step,
@@ -52,7 +53,7 @@ ArmPass::Piece ArmPass::pieceOf(const Inside& inside, double from, double to) co
           inside.at(from)};
 }
 
-/// p / 4G at u of a piece that begins with the present strains.
+/// Returns p / 4G at u of a piece that begins with the present strains.
 ValueAndSlope ArmPass::pressureAt(const Piece& piece, double u) const {
   const Cubic& w = piece.depth;
   const double d0 = w.c1, d1 = 2 * w.c2, d2 = 3 * w.c3, way = piece.length * u;
@@ -70,15 +71,15 @@ ValueAndSlope ArmPass::pressureAt(const Piece& piece, double u) const {
           rising * coefficients_.glassy - piece.length * loss + perLength * (d1 + 2 * u * d2)};
 }
 
-/// Where pressure ends on the piece, or kNoZero.
-double ArmPass::liftOff(const Piece& piece) const {
+/// Returns the position on the piece where pressure ends, or kNoZero.
+double ArmPass::findSeparation(const Piece& piece) const {
   const ValueAndSlope before = pressureAt(piece, 0);
   if (before.value <= 0 && before.slope <= 0) return 0;
   return firstEnd(0, before, 1, pressureAt(piece, 1),
                   [&](double u) { return pressureAt(piece, u); });
 }
 
-/// What slow arms yield over [0, u], before the strains advance.
+/// Adds the yield of slow arms over [0, u], before the strains advance.
 void ArmPass::addYield(const Piece& piece, double u) {
   const Cubic& w = piece.depth;
   for (std::size_t i = 0; i < coefficients_.slow; ++i) {
@@ -90,7 +91,7 @@ void ArmPass::addYield(const Piece& piece, double u) {
   }
 }
 
-/// Strains at u of the piece.
+/// Advances the strains to u of the piece.
 void ArmPass::advance(const Piece& piece, double u) {
   addYield(piece, u);
   const Cubic& w = piece.depth;
@@ -103,7 +104,7 @@ void ArmPass::advance(const Piece& piece, double u) {
   refreshSums();
 }
 
-/// All sums over [0, u] of a piece of any length, before the strains advance.
+/// Adds all sums over [0, u] of a piece of any length, before the strains advance.
 void ArmPass::gatherPiece(const Piece& piece, double u) {
   const Cubic& w = piece.depth;
   const Piece part{{w.c0, w.c1 * u, w.c2 * u * u, w.c3 * u * u * u}, piece.length * u, piece.start};
@@ -123,8 +124,8 @@ void ArmPass::gatherPiece(const Piece& piece, double u) {
   gatherContact(part, with[0], with[1], with[2], own);
 }
 
-/// Sums over a piece in contact; withStrain: sum g_i e_i integral of exp(-z u) u^k. The elastic
-/// part of the work is added where contact ends.
+/// Adds the sums over a piece in contact; withStrain: sum g_i e_i integral of exp(-z u) u^k. The
+/// elastic part of the work is added where contact ends.
 void ArmPass::gatherContact(const Piece& piece, double withStrain0, double withStrain1,
                             double withStrain2, const std::array<std::array<double, 3>, 3>& own) {
   const double length = piece.length;
@@ -145,18 +146,18 @@ void ArmPass::gatherContact(const Piece& piece, double withStrain0, double withS
   sums_.slopeSquared += slopeSquared;
 }
 
-/// How far (m) the free surface comes back from now on over a distance.
-double ArmPass::comesBack(double distance) const {
+/// Returns the recovery of the free surface (m) over a distance (m) from here on.
+double ArmPass::recovery(double distance) const {
   double back = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j)
     back -= mode_[j] * std::expm1(-coefficients_.rate[j] * distance);
   return back;
 }
 
-/// Height of the line above the free surface at t, mode_ being that at `from`.
+/// Returns the height of the line above the free surface at t; mode_ belongs to `from`.
 ValueAndSlope ArmPass::clearanceAt(const Inside& inside, double from, double t) const {
   const double distance = (t - from) * inside.along;
-  double back = back_, rising = 0;
+  double back = recovered_, rising = 0;
   for (std::size_t j = 0; j < mode_.size(); ++j) {
     const double gone = std::expm1(-coefficients_.rate[j] * distance);
     back -= mode_[j] * gone;
@@ -166,14 +167,14 @@ ValueAndSlope ArmPass::clearanceAt(const Inside& inside, double from, double t) 
           inside.height.derivative(t) - inside.along * rising};
 }
 
-/// First place in (from, to] where the line reaches the free surface, or kNoZero.
+/// Returns the first position in (from, to] where the line reaches the free surface, or kNoZero.
 double ArmPass::findEntry(const Inside& inside, double from, double to, double lowest) const {
-  if (leftHeight_ + back_ + comesBack(std::abs((to - from) * inside.along)) <= lowest)
+  if (leftHeight_ + recovered_ + recovery(std::abs((to - from) * inside.along)) <= lowest)
     return kNoZero;
   const auto clearance = [&](double t) { return clearanceAt(inside, from, t); };
   double a = from;
   ValueAndSlope atA = clearance(a);
-  for (const double b : turnsUntil(to, inside.height, inside.along > 0)) {
+  for (const double b : turningPoints(to, inside.height, inside.along > 0)) {
     if ((b - a) * inside.along <= 0) continue;
     const ValueAndSlope atB = clearance(b);
     const double found = firstEnd(a, atA, b, atB, clearance);

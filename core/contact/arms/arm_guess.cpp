@@ -21,8 +21,9 @@ void ArmGuess::take(double velocity, const ArmBalance& balance) {
   last_.strain.assign(balance.strain.begin(), balance.strain.end());
 }
 
-/// The strain of an arm of any relaxation length (m) at a known velocity: by the cubic in its
-/// logarithm through the arms next to it. Slower than all: a + b / c; faster than all: as c.
+/// Returns the strain of an arm of any relaxation length (m) at a known velocity: by the cubic in
+/// its logarithm through the neighbouring arms. For arms slower than all others it is a + b / c,
+/// for faster ones proportional to c.
 double ArmGuess::strainAt(const Known& known, double relaxationLength) const {
   const std::vector<Arm>& arms = law_.arms;
   const std::vector<double>& strain = known.strain;
@@ -53,12 +54,12 @@ double ArmGuess::strainAt(const Known& known, double relaxationLength) const {
 }
 
 const ArmBalance* ArmGuess::at(double velocity) {
-  constexpr double kMostAhead = 1.5;  // of the step before, to go on as it went
+  constexpr double kMostExtrapolation = 1.5;  // of the step before, to go on as it went
   if (last_.velocity == 0) return nullptr;
   double ahead = 0;
   if (before_.velocity > 0 && before_.velocity != last_.velocity)
     ahead = std::log(velocity / last_.velocity) / std::log(last_.velocity / before_.velocity);
-  if (!(ahead > 0 && ahead < kMostAhead)) ahead = 0;
+  if (!(ahead > 0 && ahead < kMostExtrapolation)) ahead = 0;
   guess_.force.depth = last_.depth;
   if (ahead > 0) guess_.force.depth *= std::pow(last_.depth / before_.depth, ahead);
   guess_.strain.resize(last_.strain.size());

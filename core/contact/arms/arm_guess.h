@@ -1,8 +1,8 @@
-// Where the search for a balance begins, from the balances at the last velocities of the same line.
-// An arm's strain at the lowest point is what the shape of the elastomer there and before gives for
-// its relaxation length c = v tau. The shape changes little from one velocity to the next, so
-// strains are looked up by c, and then go on as they went from the velocity before. It changes what
-// a balance costs, not its answer beyond the residual. One sweep along velocities owns it.
+// The initial guess of a balance, from the balances at the previous velocities of the same line.
+// The strain of an arm at the lowest point depends on the shape of the elastomer and on its
+// relaxation length c = v tau. The shape changes little from one velocity to the next, so strains
+// are interpolated in c and then extrapolated with their previous trend. The guess changes the cost
+// of a balance, but not its result beyond the residual. One sweep along velocities owns the object.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,9 @@ class ArmGuess {
  public:
   explicit ArmGuess(const ElementLaw& law);
 
-  /// The balance found at a velocity (m/s, > 0); one that is not met makes all before forgotten.
+  /// Stores the balance at a velocity (m/s, > 0); one that is not met clears all earlier ones.
   void take(double velocity, const ArmBalance& balance);
-  /// A balance near that at this velocity, or null where nothing is known.
+  /// Returns an approximation of the balance at this velocity, or null where nothing is known.
   const ArmBalance* at(double velocity);
 
  private:

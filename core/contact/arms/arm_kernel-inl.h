@@ -103,7 +103,7 @@ class ArmKernel {
     element_.begin(strain);
     depth_ = 0;
     const std::size_t last = line_.segments() - 1;
-    element_.advance(pieceOf(insideOf(0), 0, 1), 1);
+    element_.advance(makePiece(makeInside(0), 0, 1), 1);
     SegmentBatch batch;
     for (std::size_t i = 1; i < last; i += SegmentBatch::kCount) {
       const std::size_t count = std::min(SegmentBatch::kCount, last - i);
@@ -111,7 +111,7 @@ class ArmKernel {
       element_.drive(batch);
       element_.take<false>(batch, count, line_.spacing, sums_);
     }
-    element_.advance(pieceOf(insideOf(last), 1, 0), 1);
+    element_.advance(makePiece(makeInside(last), 1, 0), 1);
     for (std::size_t k = 0; k < vectors_.arms; ++k) {
       const double inverse = vectors_.arm.from(k)[ArmVectors::Inverse * kWidestVector];
       strain[k] = element_.strains()[k] / -std::expm1(-line_.length * inverse);
@@ -119,8 +119,8 @@ class ArmKernel {
   }
 
  private:
-  static constexpr int kMostEvents = 64;           // in one segment, as in arm_pass.cpp
-  static constexpr double kPlaceTolerance = 1e-6;  // of a last step, relative to the place
+  static constexpr int kMostEvents = 64;              // in one segment, as in arm_pass.cpp
+  static constexpr double kPositionTolerance = 1e-6;  // of a last step, relative to the place
 
   /// A segment to look inside, as in arm_pass.h.
   struct Inside {
@@ -129,7 +129,7 @@ class ArmKernel {
     double at(double t) const { return start + t * along; }
   };
 
-  HWY_INLINE Inside insideOf(std::size_t i) const {
+  HWY_INLINE Inside makeInside(std::size_t i) const {
     const bool isLast = i + 1 == line_.segments();
     const std::size_t first = isLast ? i + 1 : i, second = isLast ? i : i + 1;
     const double length = line_.segmentLength(i);
@@ -139,7 +139,7 @@ class ArmKernel {
             isLast ? line_.length : line_.position(i), isLast ? -length : length};
   }
 
-  HWY_INLINE ContactPiece pieceOf(const Inside& inside, double from, double to) const {
+  HWY_INLINE ContactPiece makePiece(const Inside& inside, double from, double to) const {
     const Cubic height = inside.height.about(from);
     const double step = to - from;
     return {{depth_ - height.c0, -height.c1 * step, -height.c2 * step * step,
@@ -160,7 +160,7 @@ class ArmKernel {
   template <bool Everything>
   std::size_t contactSegments(std::size_t i) {
     const std::size_t last = line_.segments() - 1;
-    if (i == 0) return lookInside<Everything>(i, nullptr);
+    if (i == 0) return inspectSegment<Everything>(i, nullptr);
     SegmentBatch batch;
     while (i < last) {
       const std::size_t count = std::min(SegmentBatch::kCount, last - i);
@@ -173,10 +173,10 @@ class ArmKernel {
       i += lasting;
       if (lasting == count) continue;
       const ValueAndSlope after =
-          element_.pressureAfter(batch, lasting, pieceOf(insideOf(i), 0, 1));
-      return lookInside<Everything>(i, &after);
+          element_.pressureAfter(batch, lasting, makePiece(makeInside(i), 0, 1));
+      return inspectSegment<Everything>(i, &after);
     }
-    return lookInside<Everything>(i, nullptr);
+    return inspectSegment<Everything>(i, nullptr);
   }
 
   /// Heights (m) at both ends of the segments of a batch, D_k and the mean height.
@@ -241,22 +241,23 @@ class ArmKernel {
                          const Function& function) {
     // Right where a stretch begins the function is 0 to rounding.
     first.value = std::max(first.value, 0.0);
-    return firstZero(
-        from, first, to, last, function,
-        [&](double a, ValueAndSlope atA, double b, ValueAndSlope atB) {
-          const bool isBracketed = atA.value > 0;
-          const double guess = isBracketed ? hermiteZero(a, atA, b, atB) : 0.5 * (a + b);
-          return zeroNear(guess, std::min(a, b), std::max(a, b), a > b, kPlaceTolerance, function);
-        });
+    return firstZero(from, first, to, last, function,
+                     [&](double a, ValueAndSlope atA, double b, ValueAndSlope atB) {
+                       const bool isBracketed = atA.value > 0;
+                       const double guess =
+                           isBracketed ? hermiteZero(a, atA, b, atB) : 0.5 * (a + b);
+                       return zeroNear(guess, std::min(a, b), std::max(a, b), a > b,
+                                       kPositionTolerance, function);
+                     });
   }
 
   /// Follows contact from `from` on and returns where it ends, or `to`. atEnd: the pressure at `to`
   /// as long as contact lasts, if known.
   template <bool Everything>
-  double pressed(const Inside& inside, double from, double to, const ValueAndSlope* atEnd) {
-    const ContactPiece piece = pieceOf(inside, from, to);
+  double followContact(const Inside& inside, double from, double to, const ValueAndSlope* atEnd) {
+    const ContactPiece piece = makePiece(inside, from, to);
     if (!(piece.length > 0)) return to;
-    const double found = liftOff(piece, atEnd), u = std::min(found, 1.0);
+    const double found = findSeparation(piece, atEnd), u = std::min(found, 1.0);
     sums_.depth += piece.length * piece.depth.integral(u);
     if (u > 0) {
       if constexpr (Everything) element_.gatherPiece(piece.until(u), sums_);
@@ -269,7 +270,7 @@ class ArmKernel {
   }
 
   /// Returns where pressure ends on the piece, or kNoZero.
-  double liftOff(const ContactPiece& piece, const ValueAndSlope* atEnd) {
+  double findSeparation(const ContactPiece& piece, const ValueAndSlope* atEnd) {
     const ValueAndSlope before = element_.pressure(piece);
     if (before.value <= 0 && before.slope <= 0) return 0;
     const ValueAndSlope after = atEnd ? *atEnd : element_.pressureAt(piece, 1);
@@ -285,7 +286,7 @@ class ArmKernel {
     level_ = 0;
     arcStart_ = position;
     leftHeight_ = height;
-    back_ = 0;
+    recovered_ = 0;
     if constexpr (Everything) sums_.work += elasticWork(height);
     element_.setFree(depth_ - height);
   }
@@ -320,12 +321,12 @@ class ArmKernel {
       for (std::size_t level = level_;; --level) {
         const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
         if ((place & (size - 1)) == 0 && block < line_.blockCount(level)) {
-          const double back = back_ + element_.comesBackOverBlock(level);
+          const double back = recovered_ + element_.recoveryOverBlock(level);
           const double lowest =
               level == 0 ? line_.bounds(i).lowest : line_.blocks[level].lowest[block];
           if (leftHeight_ + back <= lowest) {
             element_.relaxOverBlock(level);
-            back_ = back;
+            recovered_ = back;
             level_ = std::min(level + 1, line_.blocks.size() - 1);
             i += size;
             break;
@@ -336,29 +337,29 @@ class ArmKernel {
       if (i == from) break;
     }
     level_ = 0;
-    return lookInside<Everything>(i, nullptr);
+    return inspectSegment<Everything>(i, nullptr);
   }
 
   /// Returns the height of the line above the free surface at t, and its slope with t. The
   /// amplitudes are those at `from`.
   HWY_INLINE ValueAndSlope clearanceAt(const Inside& inside, double from, double t) const {
-    const ValueAndSlope back = element_.comesBack(std::abs((t - from) * inside.along));
-    return {inside.height(t) - (leftHeight_ + (back_ + back.value)),
+    const ValueAndSlope back = element_.recovery(std::abs((t - from) * inside.along));
+    return {inside.height(t) - (leftHeight_ + (recovered_ + back.value)),
             inside.height.derivative(t) - inside.along * back.slope};
   }
 
   /// Returns the first place in (from, to] where the line reaches the free surface, or kNoZero.
   double findEntry(const Inside& inside, double from, double to) const {
     // The free surface rises, over the rest of a segment not farther than over a whole one.
-    const double highest = leftHeight_ + (back_ + element_.comesBackOverBlock(0));
+    const double highest = leftHeight_ + (recovered_ + element_.recoveryOverBlock(0));
     const auto clearance = [&](double t) { return clearanceAt(inside, from, t); };
     // From one stationary point to the next the line only rises or only falls, so it is lowest at
     // an end.
     double a = from, heightA = inside.height(from);
-    ValueAndSlope atA{heightA - (leftHeight_ + back_),
+    ValueAndSlope atA{heightA - (leftHeight_ + recovered_),
                       inside.height.derivative(from) - inside.along * element_.speedBack()};
     bool isKnownAtA = true;
-    for (const double b : turnsUntil(to, inside.height, inside.along > 0)) {
+    for (const double b : turningPoints(to, inside.height, inside.along > 0)) {
       if ((b - a) * inside.along <= 0) continue;
       const double heightB = inside.height(b);
       if (std::min(heightA, heightB) >= highest) {
@@ -380,14 +381,14 @@ class ArmKernel {
   /// Goes over segment i, through every event inside; returns the next one. atEnd: the pressure at
   /// its end as long as contact lasts, if known.
   template <bool Everything>
-  std::size_t lookInside(std::size_t i, const ValueAndSlope* atEnd) {
-    const Inside inside = insideOf(i);
+  std::size_t inspectSegment(std::size_t i, const ValueAndSlope* atEnd) {
+    const Inside inside = makeInside(i);
     const bool onwards = inside.along > 0;
     double t = onwards ? 0 : 1;
     const double end = onwards ? 1 : 0;
     for (int events = 0; events < kMostEvents; ++events) {
       if (touching_) {
-        t = pressed<Everything>(inside, t, end, events == 0 ? atEnd : nullptr);
+        t = followContact<Everything>(inside, t, end, events == 0 ? atEnd : nullptr);
         if (touching_) return i + 1;
       }
       const double entry = findEntry(inside, t, end);
@@ -400,7 +401,7 @@ class ArmKernel {
     }
     // The same event over and over again is rounding: contact goes on.
     if (touching_) {
-      element_.advance(pieceOf(inside, t, end), 1);
+      element_.advance(makePiece(inside, t, end), 1);
     } else {
       relaxTo(inside, t, end);
     }
@@ -410,10 +411,10 @@ class ArmKernel {
   /// Lets the free surface creep back to the end of a segment.
   HWY_INLINE void relaxTo(const Inside& inside, double from, double end) {
     if (from == 0 && inside.along == line_.spacing) {
-      back_ += element_.comesBackOverBlock(0);
+      recovered_ += element_.recoveryOverBlock(0);
       element_.relaxOverBlock(0);
     } else {
-      back_ += element_.relax(std::abs((end - from) * inside.along));
+      recovered_ += element_.relax(std::abs((end - from) * inside.along));
     }
   }
 
@@ -430,7 +431,7 @@ class ArmKernel {
   double contactStart_ = 0;  // m
   double entryHeight_ = 0;   // m, of the line where the present contact began
   double leftHeight_ = 0;    // m, of the line where the present arc began
-  double back_ = 0;          // m, that the free surface has come back since
+  double recovered_ = 0;     // m, that the free surface has come back since
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,8 +1,8 @@
 // The pass of arm_pass.h and its derivatives, compiled for several instruction sets with the arms
-// in the lanes of vectors. The best set that the machine has is chosen at run time (kernels.h).
-// Results agree with ArmPass and ArmTangent, the readable truth, to rounding, and differ in the
-// last digits from one instruction set to another. Threading: these are functions of their
-// arguments. A workspace belongs to one thread.
+// in the lanes of vectors. The best set of the machine is chosen at run time (kernels.h). Results
+// agree with the readable ArmPass and ArmTangent to rounding, and differ in the last digits between
+// instruction sets. Threading: these are functions of their arguments. A workspace belongs to one
+// thread.
 #pragma once
 
 #include <span>
@@ -22,11 +22,12 @@ void runArmPass(const PreparedProfile& line, const ArmVectors& vectors, double d
 void findCompleteStrains(const PreparedProfile& line, const ArmVectors& vectors,
                          std::span<double> strain, ArmWorkspace& work);
 
-/// Derivatives of the outcome of a pass; and the memory to find them in.
+/// The derivatives of the result of a pass, and the memory to compute them in.
 struct ArmJacobian {
   explicit ArmJacobian(const ArmVectors& vectors);
 
-  /// Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest point.
+  /// Return derivatives. Unknown 0 is the indentation, 1 + k the strain of arm k at the lowest
+  /// point.
   double ofDepthIntegral(std::size_t unknown) const { return volume.row(0)[unknown]; }
   double ofYieldChange(std::size_t i, std::size_t unknown) const { return change.row(i)[unknown]; }
 

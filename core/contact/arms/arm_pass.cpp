@@ -23,18 +23,18 @@ ArmPass::ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficient
 void ArmPass::run(double depth, std::span<const double> strain, ArmTangent* tangent) {
   tangent_ = tangent;
   if (tangent) tangent->begin();
-  go<false>(depth, strain, nullptr);
+  runPass<false>(depth, strain, nullptr);
   const double begun = touching_ ? contactStart_ : arcStart_;
   if (tangent) tangent->finish(std::max(line_.length - begun, 0.0), touching_);
   tangent_ = nullptr;
 }
 
 void ArmPass::runForState(double depth, std::span<const double> strain, ArmShape* shape) {
-  go<true>(depth, strain, shape);
+  runPass<true>(depth, strain, shape);
 }
 
 template <bool Everything>
-void ArmPass::go(double depth, std::span<const double> strain, ArmShape* shape) {
+void ArmPass::runPass(double depth, std::span<const double> strain, ArmShape* shape) {
   depth_ = depth;
   sums_ = {};
   free_.begin(line_.spacing);
@@ -64,7 +64,7 @@ void ArmPass::completeStrains(std::span<double> strain) {
   std::fill(strain_.begin(), strain_.end(), 0);
   depth_ = 0;
   const std::size_t last = line_.segments() - 1;
-  advance(pieceOf(insideOf(0), 0, 1), 1);
+  advance(makePiece(makeInside(0), 0, 1), 1);
   for (std::size_t i = 1; i < last; ++i) {
     const Cubic height = line_.segment(i);
     for (std::size_t k = 0; k < strain_.size(); ++k)
@@ -72,7 +72,7 @@ void ArmPass::completeStrains(std::span<double> strain) {
                    2 * height.c2 * coefficients_.driven[1][k] -
                    3 * height.c3 * coefficients_.driven[2][k];
   }
-  advance(pieceOf(insideOf(last), 1, 0), 1);
+  advance(makePiece(makeInside(last), 1, 0), 1);
   for (std::size_t k = 0; k < strain_.size(); ++k)
     strain[k] = strain_[k] / -std::expm1(-line_.length * coefficients_.inverse[k]);
 }
@@ -85,12 +85,12 @@ void ArmPass::refreshSums() {
   }
 }
 
-/// Put into the elements' own springs from where contact began up to this height.
+/// Returns the work on the elements' own springs since contact began, up to this height.
 double ArmPass::elasticWork(double height) const {
   return (entryHeight_ - height) * (depth_ - 0.5 * (entryHeight_ + height));
 }
 
-/// Strains that go with the amplitudes.
+/// Computes the strains from the amplitudes.
 void ArmPass::setStrainsFree() {
   std::fill(strain_.begin(), strain_.end(), 0);
   const std::size_t arms = strain_.size();
@@ -100,7 +100,7 @@ void ArmPass::setStrainsFree() {
   }
 }
 
-/// Amplitudes that go with a depth and the strains.
+/// Computes the amplitudes from a depth and the strains.
 void ArmPass::setModes(double* modes, double depth) const {
   const std::size_t arms = strain_.size();
   for (std::size_t j = 0; j < mode_.size(); ++j) {
@@ -113,12 +113,13 @@ void ArmPass::setModes(double* modes, double depth) const {
 
 // ---- In contact
 
-/// A whole segment in contact, without looking inside where pressure surely lasts.
+/// Takes a whole segment in contact without examining its inside where the pressure is certainly
+/// positive.
 template <bool Everything>
 std::size_t ArmPass::contactSegment(std::size_t i) {
   const bool whole = i > 0 && i + 1 < line_.segments();
   if (!whole) {
-    lookInside<Everything>(i);
+    inspectSegment<Everything>(i);
     return i + 1;
   }
   const Cubic height = line_.segment(i);
@@ -149,7 +150,7 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
   const bool lasts =
       before > 0 && after > 0 && before + slopeBefore / 3 > 0 && after - slopeAfter / 3 > 0;
   if (!lasts) {
-    lookInside<Everything>(i);
+    inspectSegment<Everything>(i);
     return i + 1;
   }
   // Contact lasts: sums over the segment.
@@ -173,12 +174,12 @@ std::size_t ArmPass::contactSegment(std::size_t i) {
   return i + 1;
 }
 
-/// Contact from `from` on; returns where it ends, or `to`.
+/// Follows contact from `from` on; returns the position where it ends, or `to`.
 template <bool Everything>
-double ArmPass::pressed(const Inside& inside, double from, double to) {
-  const Piece piece = pieceOf(inside, from, to);
+double ArmPass::followContact(const Inside& inside, double from, double to) {
+  const Piece piece = makePiece(inside, from, to);
   if (!(piece.length > 0)) return to;
-  const double found = liftOff(piece), u = std::min(found, 1.0);
+  const double found = findSeparation(piece), u = std::min(found, 1.0);
   const double volume = piece.length * piece.depth.integral(u);
   sums_.depth += volume;
   if (u > 0) {
@@ -193,7 +194,7 @@ double ArmPass::pressed(const Inside& inside, double from, double to) {
 
 template <bool Everything>
 void ArmPass::leave(double position, double height) {
-  // Rounding may have the end before the start, where a fast arm would grow out of the numbers.
+  // By rounding the end may lie before the start, where the strain of a fast arm would overflow.
   position = std::max(position, contactStart_);
   if (tangent_) tangent_->leave(position - contactStart_);
   touching_ = false;
@@ -201,7 +202,7 @@ void ArmPass::leave(double position, double height) {
   level_ = 0;
   arcStart_ = position;
   leftHeight_ = height;
-  back_ = 0;
+  recovered_ = 0;
   if constexpr (Everything) sums_.work += elasticWork(height);
   setModes(mode_.data(), depth_ - height);
   arcMode_ = mode_;
@@ -209,8 +210,8 @@ void ArmPass::leave(double position, double height) {
 
 // ---- Free
 
-/// Closes the arc's sums at a place, with the amplitudes there. Free, each amplitude relaxes by
-/// itself and takes what its own spring has stored.
+/// Closes the sums of the arc at a position, with the amplitudes there. In a free arc each
+/// amplitude relaxes by itself and dissipates the energy of its own spring.
 template <bool Everything>
 void ArmPass::gatherArc(double position) {
   const double length = std::max(position - arcStart_, 0.0);
@@ -241,12 +242,13 @@ void ArmPass::enter(double position, double height) {
   refreshSums();
 }
 
-/// As many segments as the line stays above the free surface for sure; else a look inside of one.
+/// Takes as many segments as the line is certainly above the free surface; else examines the inside
+/// of one.
 template <bool Everything>
 std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
   const bool whole = i > 0 && i + 1 < line_.segments();
   if (!whole) {
-    lookInside<Everything>(i);
+    inspectSegment<Everything>(i);
     return i + 1;
   }
   const std::size_t place = i - 1;
@@ -256,11 +258,11 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
     if (fits) {
       const double *decay = coefficients_.decay[level].data(),
                    *lost = coefficients_.lost[level].data();
-      double back = back_;
+      double back = recovered_;
       for (std::size_t j = 0; j < mode_.size(); ++j) back += mode_[j] * lost[j];
       if (leftHeight_ + back <= line_.block(level, block).lowest) {
         for (std::size_t j = 0; j < mode_.size(); ++j) mode_[j] *= decay[j];
-        back_ = back;
+        recovered_ = back;
         level_ = std::min(level + 1, line_.blocks.size() - 1);
         return i + size;
       }
@@ -268,21 +270,21 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
     if (level == 0) break;
   }
   level_ = 0;
-  lookInside<Everything>(i);
+  inspectSegment<Everything>(i);
   return i + 1;
 }
 
 // ---- Inside a segment
 
 template <bool Everything>
-void ArmPass::lookInside(std::size_t i) {
-  const Inside inside = insideOf(i);
+void ArmPass::inspectSegment(std::size_t i) {
+  const Inside inside = makeInside(i);
   const bool onwards = inside.along > 0;
   double t = onwards ? 0 : 1;
   const double end = onwards ? 1 : 0;
   for (int events = 0; events < kMostEvents; ++events) {
     if (touching_) {
-      t = pressed<Everything>(inside, t, end);
+      t = followContact<Everything>(inside, t, end);
       if (touching_) return;
     }
     const double entry = findEntry(inside, t, end, line_.bounds(i).lowest);
@@ -292,12 +294,12 @@ void ArmPass::lookInside(std::size_t i) {
     t = entry;
   }
   if (touching_) {
-    // The same event over and over again is rounding: contact goes on.
-    advance(pieceOf(inside, t, end), 1);
+    // An event that repeats over and over is rounding: contact continues.
+    advance(makePiece(inside, t, end), 1);
     return;
   }
   const double rest = std::abs((end - t) * inside.along);
-  back_ += comesBack(rest);
+  recovered_ += recovery(rest);
   for (std::size_t j = 0; j < mode_.size(); ++j)
     mode_[j] *= std::exp(-coefficients_.rate[j] * rest);
 }

@@ -1,10 +1,10 @@
 // One pass over a line for elements with arms (standard solid, Prony series with or without a
-// dashpot of its own), from its lowest point, where the arms' strains are given, around to it
-// again. In contact the arms' strains are integrated exactly along the line's cubics; free, the
-// surface creeps back as a sum of exponentials. Events are found inside of segments, so friction
-// converges as for one relaxation time: second order for linear, fourth for cubic segments. Strains
-// and the way that a free surface has come back stand by themselves, not as differences of depths,
-// which may be many magnitudes larger.
+// dashpot of its own): from its lowest point, where the arms' strains are given, around to it
+// again. In contact the strains of the arms are integrated exactly along the cubics of the line;
+// the free surface creeps back as a sum of exponentials. Contact edges are found inside of
+// segments, so friction converges as for one relaxation time: at second order for linear and at
+// fourth order for cubic segments. Strains and the recovery of the free surface are stored by
+// themselves and not as differences of depths, which may be many orders of magnitude larger.
 // Cost: some flops per element in contact and arm; free blocks are skipped.
 // Ownership: keeps its workspace; refers to line and coefficients. Threading: one thread at a time.
 #pragma once
@@ -24,22 +24,23 @@ struct ArmShape {
   std::vector<double> modes;  // m, [node][mode]: amplitudes a_j, in contact too
 };
 
-/// Where a cubic turns inside (0, 1), in order of travel, and then `to`. In between it only rises
-/// or only falls.
-Few<3> turnsUntil(double to, const Cubic& cubic, bool onwards);
+/// Returns the turning points of a cubic inside (0, 1) in order of travel, and then `to`. Between
+/// two of them the cubic only rises or only falls.
+StaticVector<3> turningPoints(double to, const Cubic& cubic, bool onwards);
 
-/// Counts free stretches. Where pressure is 0 to rounding as contact begins, it ends and begins
-/// again within a few digits of the place: so short stretches, of either kind, count as none.
+/// Counts free stretches. Where the pressure is 0 to rounding as contact begins, contact ends and
+/// begins again within a few digits of the position: such short stretches, contact or free, are not
+/// counted.
 class FreeStretches {
  public:
-  /// spacing: m, of the line's segments. The pass begins in contact, which goes on from that at the
-  /// line's end.
+  /// Begins in contact, which continues from that at the line's end. spacing: m, of the line's
+  /// segments.
   void begin(double spacing) {
     least_ = 1e-6 * spacing;
     contact_ = spacing;
     count_ = 0;
   }
-  /// A free arc follows a contact, of these lengths (m).
+  /// Adds a contact and the free arc behind it, of these lengths (m).
   void add(double contact, double arc) {
     contact_ += contact;
     if (!(arc > least_)) return;
@@ -56,63 +57,66 @@ class ArmPass {
  public:
   ArmPass(const PreparedProfile& line, const ArmCoefficients& coefficients);
 
-  /// Enough for the balance: sums().depth and yieldChange(); with `tangent` their derivatives too.
+  /// Computes what the balance needs: sums().depth and yieldChange(); with `tangent` also their
+  /// derivatives. depth and strain: m.
   void run(double depth, std::span<const double> strain, ArmTangent* tangent = nullptr);
-  /// All sums.
+  /// Computes all sums.
   void runForState(double depth, std::span<const double> strain, ArmShape* shape = nullptr);
 
-  /// The arms' strains (m) at the lowest point in complete contact, which do not depend on the
-  /// depth: what a period drives them, over what it lets them forget.
+  /// Computes the arms' strains (m) at the lowest point in complete contact. They do not depend on
+  /// the depth: each is the driving of one period over the part of the strain that is forgotten in
+  /// it.
   void completeStrains(std::span<double> strain);
-  /// Whether everything was in contact all along the last pass.
+  /// Returns whether contact was complete in the last pass.
   bool wasComplete() const { return !hasLeft_; }
 
-  /// Per 4G, G the equilibrium modulus. Pressure, work and dissipation are summed apart; of the
-  /// last all terms are positive.
+  /// Returns the sums per 4G, where G is the equilibrium modulus. Pressure, work and dissipation
+  /// are summed separately; all terms of the last one are positive.
   const PassSums& sums() const { return sums_; }
-  /// What the arms have yielded over the period (m); in steady sliding nothing.
+  /// Returns the yield of the arms over the period (m); it is 0 in steady sliding.
   const std::vector<double>& yieldChange() const { return yieldChange_; }
 
  private:
-  /// A segment to look inside: its height over t in [0, 1], s = start + t along. The last one is
-  /// measured back from its end, the lowest point: contact there may be far shorter than it.
+  /// A segment that is examined inside: its height over t in [0, 1], s = start + t along. The last
+  /// one is measured back from its end, the lowest point: contact there may be far shorter than the
+  /// segment.
   struct Inside {
     Cubic height;
     double start, along;
     double at(double t) const { return start + t * along; }
   };
 
-  /// A part of it in contact: w over u in [0, 1], in the direction of travel.
+  /// A part of a segment in contact: w over u in [0, 1], in the direction of travel.
   struct Piece {
     Cubic depth;
     double length, start;
   };
 
   template <bool Everything>
-  void go(double depth, std::span<const double> strain, ArmShape* shape);
+  void runPass(double depth, std::span<const double> strain, ArmShape* shape);
   template <bool Everything>
   std::size_t contactSegment(std::size_t i);
   template <bool Everything>
   std::size_t freeSegments(std::size_t i, bool mayJump);
   template <bool Everything>
-  void lookInside(std::size_t i);
+  void inspectSegment(std::size_t i);
   template <bool Everything>
-  double pressed(const Inside& inside, double from, double to);
+  double followContact(const Inside& inside, double from, double to);
   void enter(double position, double height);
   template <bool Everything>
   void leave(double position, double height);
 
-  Inside insideOf(std::size_t i) const;
-  Piece pieceOf(const Inside& inside, double from, double to) const;
+  Inside makeInside(std::size_t i) const;
+  Piece makePiece(const Inside& inside, double from, double to) const;
   ValueAndSlope pressureAt(const Piece& piece, double u) const;
-  double liftOff(const Piece& piece) const;
+  double findSeparation(const Piece& piece) const;
   void advance(const Piece& piece, double u);
   void gatherPiece(const Piece& piece, double u);
   void gatherContact(const Piece& piece, double withStrain0, double withStrain1, double withStrain2,
                      const std::array<std::array<double, 3>, 3>& own);
   template <bool Everything>
   void gatherArc(double position);
-  double comesBack(double distance) const;
+  double recovery(double distance) const;
   ValueAndSlope clearanceAt(const Inside& inside, double from, double t) const;
   double findEntry(const Inside& inside, double from, double to, double lowest) const;
   void refreshSums();
@@ -135,7 +139,7 @@ class ArmPass {
   double contactStart_ = 0;             // m
   double entryHeight_ = 0;              // m, of the line where the present contact began
   double leftHeight_ = 0;               // m, of the line where the present arc began
-  double back_ = 0;                     // m, that the free surface has come back since
+  double recovered_ = 0;                // m, that the free surface has come back since
   PassSums sums_;
   FreeStretches free_;
   ArmTangent* tangent_ = nullptr;

@@ -1,7 +1,7 @@
-// What the passes need to know of one elastomer with arms, made once for each velocity and kept:
-// random lines of one spectrum have the same length and spacing, so all of them share it.
-// Threading: any number of threads may ask at once. Ownership: whoever asks shares the answer,
-// which never changes.
+// The coefficients of one elastomer with arms, computed once for each velocity and kept: random
+// lines of one spectrum have the same length and spacing, so all of them share the table.
+// Threading: any number of threads may ask at once. Ownership: the result is shared and never
+// changes.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// At one velocity and for lines of one length, spacing and number of block levels.
+/// The coefficients at one velocity for lines of one length, spacing and number of block levels.
 struct ArmTable {
   ArmTable(const ElementLaw& law, const RetardationModes& modes, double velocity,
            const PreparedProfile& line)
@@ -29,7 +29,7 @@ struct ArmTable {
 
 class ArmTables {
  public:
-  /// Refers to both.
+  /// The object refers to both arguments.
   ArmTables(const ElementLaw& law, const RetardationModes& modes) : law_(law), modes_(modes) {}
 
   /// velocity: m/s, > 0.

@@ -38,20 +38,20 @@ class AlignedRows {
   std::vector<WideCell> cells_;
 };
 
-/// Several quantities of each arm or mode: all of those in one vector stand together, so that one
-/// pointer leads to them.
+/// Several quantities of each arm or mode. All quantities of one vector are adjacent, so that one
+/// pointer reaches them.
 template <std::size_t Quantities>
 class LaneTable {
  public:
   explicit LaneTable(std::size_t width)
       : cells_((width + kWidestVector - 1) / kWidestVector * Quantities) {}
 
-  /// Of arm or mode i.
+  /// Returns a quantity of arm or mode i.
   double& value(std::size_t quantity, std::size_t i) {
     return cells_[i / kWidestVector * Quantities + quantity].value[i % kWidestVector];
   }
-  /// The place from which quantity q of the vector that begins with arm or mode i is kWidestVector
-  /// q on.
+  /// Returns a pointer to the quantities of the vector that begins with arm or mode i; quantity q
+  /// is kWidestVector q further on.
   const double* from(std::size_t i) const {
     return cells_[i / kWidestVector * Quantities].value.data() + i % kWidestVector;
   }
@@ -61,7 +61,7 @@ class LaneTable {
 };
 
 struct ArmVectors {
-  /// What `arm` holds, of the quantities of ArmCoefficients that they are named after.
+  /// The quantities in `arm`; they are named after those of ArmCoefficients.
   enum Arm : std::size_t {
     Inverse,
     Modulus,
@@ -98,7 +98,7 @@ struct ArmVectors {
   AlignedRows ofYield;            // [arm] over modes
 };
 
-/// What a pass begins from, works with and finds. Per 4G, as of ArmPass.
+/// The initial values, the working memory and the results of a pass, per 4G as in ArmPass.
 struct ArmWorkspace {
   explicit ArmWorkspace(const ArmVectors& vectors);
 

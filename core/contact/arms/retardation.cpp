@@ -5,15 +5,15 @@
 namespace asperity {
 namespace {
 
-/// A rate, held by its distance from a pole so that no digits are lost next to one:
-/// rate = (1 + offset) / tau of the arm `base`, or offset / tau of the slowest where base < 0.
+/// A rate, stored by its distance from a pole so that no digits are lost next to one: rate = (1 +
+/// offset) / tau of the arm `base`, or offset / tau of the slowest arm where base < 0.
 struct Rate {
   int base;
   double offset;
 };
 
-/// Zeros of f(rate) = G - eta rate + sum G_i rate tau_i / (rate tau_i - 1), which falls from +inf
-/// to -inf between neighbouring poles 1 / tau_i.
+/// Finds the zeros of f(rate) = G - eta rate + sum G_i rate tau_i / (rate tau_i - 1), which falls
+/// from +inf to -inf between neighbouring poles 1 / tau_i.
 class Spectrum {
  public:
   explicit Spectrum(const ElementLaw& law) : law_(law) {}
@@ -32,9 +32,9 @@ class Spectrum {
     return rate.base < 0 ? rate.offset / tau(0) : (1 + rate.offset) / tau(rate.base);
   }
 
-  /// 1 - rate tau_i.
+  /// Returns 1 - rate tau_i.
   double distance(const Rate& rate, std::size_t i) const {
-    // Ratios first: an offset times a time may be below all numbers.
+    // Ratios come first: an offset times a time may underflow.
     if (rate.base < 0) return 1 - rate.offset * (tau(i) / tau(0));
     const double base = tau(rate.base);
     return (base - tau(i)) / base - rate.offset * (tau(i) / base);
@@ -71,7 +71,7 @@ class Spectrum {
                                            : halved({left, 1}, kLeast, std::log(fromLeft));
   }
 
-  /// Halves the interval of log |offset|; the rate rises with it where the sign is positive.
+  /// Bisects the interval of log |offset|; the rate rises with it where the sign is positive.
   Rate halved(Rate sign, double low, double high) const {
     const auto at = [&sign](double t) { return Rate{sign.base, sign.offset * std::exp(t)}; };
     for (int i = 0; i < 200; ++i) {
@@ -115,7 +115,7 @@ RetardationModes retardationModes(const ElementLaw& law) {
     modes.rate = {law.equilibriumModulus / law.viscosity};
     modes.fluidity = {1 / law.viscosity};
     modes.ofDepth = {1};
-    // To the bit what the scene says of a Kelvin element.
+    // A Kelvin element has exactly the rate of the scene.
     if (law.equilibriumModulus > 0) modes.rate = {1 / law.relaxationTime};
     return modes;
   }

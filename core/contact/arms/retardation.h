@@ -1,8 +1,8 @@
-// The same element seen from its compliance. Where nothing touches, an element with arms creeps
-// back as a sum of independent exponentials; driven by p = 4 pi each obeys a' = -rate a +
-// fluidity pi, and y = glassyCompliance pi + sum a. Interlaced poles and zeros of the complex
-// modulus: Gross, Mathematical Structure of the Theories of Viscoelasticity (1953).
-// Made once per law, whatever the velocity; plain values, read by any thread.
+// The compliance form of an element with arms (retardation modes). Without contact the element
+// creeps back as a sum of independent exponentials. Driven by p = 4 pi, each amplitude obeys a' =
+// -rate a + fluidity pi, and y = glassyCompliance pi + sum a. Poles and zeros of the complex
+// modulus are interlaced: Gross, Mathematical Structure of the Theories of Viscoelasticity (1953).
+// The modes are computed once per law, whatever the velocity; plain values, read by any thread.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ struct RetardationModes {
   std::size_t modes() const { return rate.size(); }
 };
 
-/// Accurate to about 1e-14 for any spread of times and moduli.
+/// Computes the modes to about 1e-14 for any spread of times and moduli.
 RetardationModes retardationModes(const ElementLaw& law);
 
 }  // namespace asperity

@@ -93,13 +93,13 @@ struct LossForm {
 /// Returns the form by Gauss's points where e hardly decays: input and stored energy nearly cancel
 /// there.
 inline LossForm lossOfSlow(double z) {
-  constexpr std::array<double, 4> kPlace{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
-                                         0.9602898564975363};
+  constexpr std::array<double, 4> kNode{0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                        0.9602898564975363};
   constexpr std::array<double, 4> kWeight{0.3626837833783620, 0.3137066458778873,
                                           0.2223810344533745, 0.1012285362903763};
   LossForm form;
   for (std::size_t point = 0; point < 8; ++point) {
-    const double place = point < 4 ? kPlace[point] : -kPlace[point - 4];
+    const double place = point < 4 ? kNode[point] : -kNode[point - 4];
     const double u = 0.5 * (1 + place), weight = 0.5 * z * kWeight[point % 4];
     const DrivenDecay decay = drivenDecay(z * u);
     const std::array<double, 3> e{u * decay.driven[0], u * u * decay.driven[1],

@@ -88,7 +88,7 @@ InstructionSet instructionSet() {
   return InstructionSet::Scalar;
 }
 
-const char* nameOf(InstructionSet set) {
+const char* instructionSetName(InstructionSet set) {
   switch (set) {
     case InstructionSet::Scalar:
       return "scalar";

@@ -73,6 +73,6 @@ bool chooseInstructionSet(InstructionSet wanted);
 
 /// Returns the instruction set in use, never Best.
 InstructionSet instructionSet();
-const char* nameOf(InstructionSet set);
+const char* instructionSetName(InstructionSet set);
 
 }  // namespace asperity

@@ -131,7 +131,7 @@ class LinearKernel {
     if (hasLeft_) {
       ++arcs_;
       const std::size_t next = summits.start[summit] + 1;
-      const std::size_t first = entryOf(next, last, summits.inside[summit] > 0, relaxed_[patch]);
+      const std::size_t first = findEntry(next, last, summits.inside[summit] > 0, relaxed_[patch]);
       isOne = first == last;
       setEntry(patch, first, next, isOne ? along / line_.spacing : 1);
       whole = first + 1;
@@ -147,8 +147,8 @@ class LinearKernel {
 
   /// Returns the segment in which contact begins: the one before the first node, from `node` on,
   /// that is deeper than the free surface, which has the depth `relaxed` at that node.
-  HWY_INLINE std::size_t entryOf(std::size_t node, std::size_t last, bool inside,
-                                 double relaxed) const {
+  HWY_INLINE std::size_t findEntry(std::size_t node, std::size_t last, bool inside,
+                                   double relaxed) const {
     const One d = One::all(depth_);
     for (; node <= last; node += One::kLanes) {
       const std::size_t count = std::min(One::kLanes, last + 1 - node);

@@ -60,9 +60,9 @@ class Gatherer {
   /// polynomials, and independent of the sums of depth and of dissipation.
   void addPressure(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
-    constexpr double kPlace = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
+    constexpr double kNode = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
     for (const auto& [place, weight] :
-         {std::pair{-kPlace, kOuter}, std::pair{0.0, kMiddle}, std::pair{kPlace, kOuter}}) {
+         {std::pair{-kNode, kOuter}, std::pair{0.0, kMiddle}, std::pair{kNode, kOuter}}) {
       const double t = 0.5 * extent * (1 + place);
       const double slope = -height.derivative(t) / along;  // w'
       const double pressure = depth - height(t) + relaxationLength_ * slope;
@@ -112,7 +112,7 @@ class Pass {
       gatherer_.wholeSegment(bounds, line_.segment(i), depth_, line_.segmentLength(i));
       return;
     }
-    lookInside(i);
+    inspectSegment(i);
   }
 
   /// Returns the part of its depth that the free surface loses over a segment.
@@ -136,20 +136,20 @@ class Pass {
     double at(double t) const { return start + t * along; }
   };
 
-  Inside insideOf(std::size_t i) const {
+  Inside makeInside(std::size_t i) const {
     if (line_.isMeasuredBack(i))
       return {line_.segmentBackwards(i), line_.position(i + 1), -line_.segmentLength(i)};
     return {line_.segment(i), line_.position(i), line_.segmentLength(i)};
   }
 
   /// Splits the segment where p changes sign; w e^(s/c) is monotone on each piece.
-  void lookInside(std::size_t i) {
-    const Inside inside = insideOf(i);
+  void inspectSegment(std::size_t i) {
+    const Inside inside = makeInside(i);
     const Cubic& z = inside.height;
     const double k = relaxationLength_ / inside.along;
     const Cubic pressure{depth_ - z.c0 - k * z.c1, -z.c1 - 2 * k * z.c2, -z.c2 - 3 * k * z.c3,
                          -z.c3};
-    const Few<3> zeros = zerosInside(pressure);
+    const StaticVector<3> zeros = zerosInside(pressure);
     const bool onwards = inside.along > 0;
     double from = onwards ? 0 : 1;
     const auto piece = [&](double to) {

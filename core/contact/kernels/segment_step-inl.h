@@ -134,7 +134,7 @@ class SegmentStep {
     to_ = select((t > low) & (t < high), t, to_);
   }
 
-  HWY_INLINE Wide placeOf(Wide t) const { return mulAdd(t, along_, start_); }
+  HWY_INLINE Wide positionAt(Wide t) const { return mulAdd(t, along_, start_); }
 
   /// Returns the depth of the line below `height` as a polynomial.
   HWY_INLINE WideCubic below(Wide height) const {
@@ -143,7 +143,7 @@ class SegmentStep {
 
   HWY_INLINE void leave(WideMask lanes, Wide t) {
     arcHeight_ = select(lanes, -below(Wide::all(0)).at(t), arcHeight_);
-    arcPosition_ = select(lanes, placeOf(t), arcPosition_);
+    arcPosition_ = select(lanes, positionAt(t), arcPosition_);
     touching_ = touching_ & !lanes;
   }
 
@@ -236,7 +236,7 @@ class SegmentStep {
     touching_ = touching_ | enters_;
     const WideMask finished = busy_ & !hits_ & (to_ == end_), free = finished & !touching_;
     if (any(free)) {
-      const Wide over = (placeOf(end_) - arcPosition_) * inverse_;
+      const Wide over = (positionAt(end_) - arcPosition_) * inverse_;
       const Wide lost = lostAfter(max(over, Wide::all(0)));
       mulAdd(depth_ - arcHeight_, lost, arcHeight_).store(lanes_.surface);
       // The arc ends at a point that is always in contact.

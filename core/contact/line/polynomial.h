@@ -57,9 +57,9 @@ inline HermiteSlopeWeights hermiteSlopeWeights(double t) {
   return {6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)};
 }
 
-/// A few numbers in ascending order.
+/// A vector of at most `Capacity` numbers, here in ascending order, without allocation.
 template <int Capacity>
-struct Few {
+struct StaticVector {
   std::array<double, Capacity> values{};
   int count = 0;
   void add(double value) { values[static_cast<std::size_t>(count++)] = value; }
@@ -68,9 +68,9 @@ struct Few {
 };
 
 /// Returns the zeros of the derivative of `cubic` inside (0, 1), ascending.
-inline Few<2> stationaryPoints(const Cubic& cubic) {
+inline StaticVector<2> stationaryPoints(const Cubic& cubic) {
   const double a = 3 * cubic.c3, b = cubic.c2, c = cubic.c1;  // a t^2 + 2 b t + c
-  Few<2> points;
+  StaticVector<2> points;
   const auto addInside = [&points](double t) {
     if (t > 0 && t < 1) points.add(t);
   };
@@ -156,8 +156,8 @@ double firstZero(double from, ValueAndSlope first, double to, ValueAndSlope last
 }
 
 /// Returns the zeros of `cubic` inside (0, 1), ascending; a double zero may be left out.
-inline Few<3> zerosInside(const Cubic& cubic) {
-  Few<3> zeros;
+inline StaticVector<3> zerosInside(const Cubic& cubic) {
+  StaticVector<3> zeros;
   double from = 0, valueFrom = cubic.c0;
   const auto search = [&](double to) {
     const double valueTo = cubic(to);

@@ -59,7 +59,7 @@ struct Lowest {
 };
 
 Lowest findLowest(const Line& line, const TravelOrder& order, Scheme scheme) {
-  const std::size_t node = placeOfLowest(line.height);
+  const std::size_t node = lowestIndex(line.height);
   Lowest lowest{line.height[node], node};
   if (scheme != Scheme::Cubic) return lowest;
   const double third = line.spacing / 3;
@@ -133,7 +133,7 @@ void addCuts(PreparedProfile& profile) {
   if (size < kFewestSegments) return;
   for (std::size_t k = 1; k < parts; ++k) {
     const std::size_t segment =
-        k * size + placeOfLowest({&profile.heightAboveMinimum[k * size], size});
+        k * size + lowestIndex({&profile.heightAboveMinimum[k * size], size});
     const double lowest = profile.heightAboveMinimum[segment];
     std::size_t back = segment - 2;  // blocks[0][back - 1] belongs to segment `back`
     while (back > 0 && segment - back < size && profile.blocks[0].lowest[back - 1] >= lowest)

@@ -162,7 +162,7 @@ HWY_EXPORT(sumOfFours);
 HWY_EXPORT(heightOfFours);
 HWY_EXPORT(slopeOfFours);
 
-std::size_t placeOfLowest(std::span<const double> values) {
+std::size_t lowestIndex(std::span<const double> values) {
   const double least = HWY_DYNAMIC_DISPATCH(lowest)(values.data(), values.size());
   return static_cast<std::size_t>(std::find(values.begin(), values.end(), least) - values.begin());
 }

@@ -73,6 +73,6 @@ void boundStraightFours(const double* height, const double* slope, std::size_t c
 void mergeFours(const BlockLevel& finer, BlockLevel& blocks);
 
 /// Returns the index of the first of the lowest of some values; there is at least one.
-std::size_t placeOfLowest(std::span<const double> values);
+std::size_t lowestIndex(std::span<const double> values);
 
 }  // namespace asperity

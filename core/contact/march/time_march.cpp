@@ -66,7 +66,7 @@ void TimeMarch::setState(std::span<const double> depth, std::span<const double> 
     for (std::size_t j = 0; j < modes; ++j) amplitude_[j * count + i] = amplitudes[i * modes + j];
 }
 
-void TimeMarch::goOnFrom(const TimeMarch& other) {
+void TimeMarch::continueFrom(const TimeMarch& other) {
   setState(other.depth_, other.indentation_);
   setPressure(other.pressure_);
   if (amplitude_.size() == other.amplitude_.size()) amplitude_ = other.amplitude_;

@@ -73,7 +73,7 @@ class TimeMarch {
                 std::span<const double> amplitudes, double indentation);
 
   /// Continues from another march's state, with its amplitudes where their number agrees.
-  void goOnFrom(const TimeMarch& other);
+  void continueFrom(const TimeMarch& other);
 
   /// Sets the state under the load at rest with everything relaxed: F_N = 4 G dx sum y.
   void settleAtRest(const MarchLoad& load);

@@ -16,16 +16,17 @@
 
 namespace asperity {
 
-/// F_N / (4 G h L) at the relative depth delta.
+/// Returns F_N / (4 G h L) at the relative depth delta.
 double gaussianLoad(double delta);
 
-/// The relative depth that carries F_N / (4 G h L) = load > 0, to rounding.
+/// Returns the relative depth at which F_N / (4 G h L) = load > 0, to rounding.
 double gaussianDepth(double load);
 
-/// L_c / L = Phi(delta).
+/// Returns L_c / L = Phi(delta).
 double gaussianContactFraction(double delta);
 
-/// Pa s: what the loss modulus is over the angular frequency where the latter goes to 0.
+/// Returns the viscosity in the limit of low frequency, Pa s: the loss modulus over the angular
+/// frequency as it tends to 0.
 double zeroFrequencyViscosity(const ElementLaw& law);
 
 struct GaussianFoundation {

@@ -94,7 +94,7 @@ std::span<const TheoryEntry> theoryEntries() {
   return kEntries;
 }
 
-const TheoryEntry& entryOf(Theory theory) {
+const TheoryEntry& theoryEntry(Theory theory) {
   return *std::ranges::find(kEntries, theory, &TheoryEntry::theory);
 }
 
@@ -111,7 +111,7 @@ std::vector<TheoryPoint> theoryCurve(Theory theory, const Scene& scene, const Li
   }
   const double pressure = scene.load.kind == LoadKind::Pressure ? scene.load.nominalPressure
                                                                 : force / (length * length);
-  const TheoryInput in{lawOf(scene.elastomer), waveSpectrum(source), length, force, pressure};
+  const TheoryInput in{elementLaw(scene.elastomer), waveSpectrum(source), length, force, pressure};
   switch (theory) {
     case Theory::GaussianFoundation:
       return gaussianCurve(in, velocities);
@@ -167,7 +167,7 @@ std::vector<TheoryPoint> theoryOverAxis(Theory theory, const Scene& scene, std::
       curve.push_back(point);
     }
   };
-  const std::vector<double> values = valuesOf(range);
+  const std::vector<double> values = rangeValues(range);
   if (scene.sweep.isOfVelocity()) {
     add(scene, values, kNotApplicable);
     return curve;

@@ -111,13 +111,13 @@ TEST(Levels, NoMeanDifferenceIsNoProofOfResolution) {
   Halves halves{std::vector<LevelSums>(2), std::vector<LevelSums>(2)};
   for (auto& half : halves)
     for (const double difference : {-0.1, 0.1, -0.1, 0.1}) half[1].correction.add(difference);
-  EXPECT_GT(resolutionErrorOf(halves, 1), 0.008);
+  EXPECT_GT(estimateResolutionError(halves, 1), 0.008);
 }
 
 /// The sum over levels has the mean of the finest one and the error it states.
 TEST(Levels, EstimateIsOfTheFinestLevel) {
   const Halves halves = sampleLevels(0.1);
-  const LevelEstimate estimate = estimateOf(halves, {0, 2, {}, 0, 0, 0});
+  const LevelEstimate estimate = estimateMean(halves, {0, 2, {}, 0, 0, 0});
   EXPECT_NEAR(estimate.mean, meanOn(halves, 2), 1e-12);
   RunningMean all = halves[0][0].direct;
   all.add(halves[1][0].direct);

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 MapAxis axisOf(const Scene& scene, const std::string& range) {
-  return mapAxis(scene, rangeFromOption("--x", range));
+  return mapAxis(scene, parseRangeOption("--x", range));
 }
 
 /// A trial of one line, whole, and the map on all lines; both in time of the processor. The least

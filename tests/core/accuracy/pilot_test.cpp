@@ -40,7 +40,7 @@ PilotScene wholeOf(const Scene& scene) {
 }
 
 double memoryOf(const Scene& scene, int threads) {
-  return memoryOfCurve(wholeOf(scene), threads, pointsPerElementOfCurve(scene));
+  return curveMemory(wholeOf(scene), threads, curvePointsPerElement(scene));
 }
 
 std::vector<Scene> costlyScenes() {
@@ -127,7 +127,7 @@ TEST(Pilot, MemoryIsThatOfTheLines) {
     const std::int64_t elements = scheme == Scheme::Nodal ? 400000 : 100000;
     Scene scene = sceneOfSize(elements, 1, 1);
     scene.accuracy.scheme = scheme;
-    const Line line = LineSource(scene, pointsPerElementOfCurve(scene)).make(0);
+    const Line line = LineSource(scene, curvePointsPerElement(scene)).make(0);
     const double bytes = bytesOf(line, prepareProfile(line, scheme));
     const double ofSource =
         16 * static_cast<double>(line.nodes()) +

@@ -19,25 +19,25 @@ std::string utf16(const std::string& text, bool littleEndian) {
 
 TEST(FileKind, TextInUtf8IsNotForeign) {
   for (const char* text : {"", "{}", "x,z\n0,1\n", "\xEF\xBB\xBF{}", "Größe", "RI", "\xE4"})
-    EXPECT_EQ(foreignKindOf(text), "") << text;
+    EXPECT_EQ(detectNonText(text), "") << text;
 }
 
 TEST(FileKind, Utf16IsKnownWithItsMarkAndWithout) {
   const std::string text = "x (mm)\tz (mm)\r\n0\t1\r\n";
   for (const bool littleEndian : {true, false}) {
-    EXPECT_EQ(foreignKindOf(utf16(text, littleEndian)), "text in UTF-16");
-    EXPECT_EQ(foreignKindOf(utf16("{}", littleEndian)), "text in UTF-16");
+    EXPECT_EQ(detectNonText(utf16(text, littleEndian)), "text in UTF-16");
+    EXPECT_EQ(detectNonText(utf16("{}", littleEndian)), "text in UTF-16");
   }
-  EXPECT_EQ(foreignKindOf("\xFF\xFE" + utf16(text, true)), "text in UTF-16");
-  EXPECT_EQ(foreignKindOf("\xFE\xFF" + utf16(text, false)), "text in UTF-16");
-  EXPECT_EQ(foreignKindOf("\xFF\xFE\0\0x\0\0\0"s), "text in UTF-32");
+  EXPECT_EQ(detectNonText("\xFF\xFE" + utf16(text, true)), "text in UTF-16");
+  EXPECT_EQ(detectNonText("\xFE\xFF" + utf16(text, false)), "text in UTF-16");
+  EXPECT_EQ(detectNonText("\xFF\xFE\0\0x\0\0\0"s), "text in UTF-32");
 }
 
 TEST(FileKind, OtherFilesAreNamed) {
-  EXPECT_EQ(foreignKindOf("\x89PNG\r\n"), "a PNG picture");
-  EXPECT_EQ(foreignKindOf("PK\3\4"), "a ZIP archive (as of a spreadsheet)");
-  EXPECT_EQ(foreignKindOf("%PDF-1.7"), "a PDF document");
-  EXPECT_EQ(foreignKindOf("ISO-1.0\0\1\2\3\4\5\6\7\x08\x09 and more"s), "a binary file");
+  EXPECT_EQ(detectNonText("\x89PNG\r\n"), "a PNG picture");
+  EXPECT_EQ(detectNonText("PK\3\4"), "a ZIP archive (as of a spreadsheet)");
+  EXPECT_EQ(detectNonText("%PDF-1.7"), "a PDF document");
+  EXPECT_EQ(detectNonText("ISO-1.0\0\1\2\3\4\5\6\7\x08\x09 and more"s), "a binary file");
 }
 
 }  // namespace

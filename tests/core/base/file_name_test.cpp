@@ -6,10 +6,10 @@ namespace asperity {
 namespace {
 
 TEST(FileName, HasNoSignThatAFolderOrAShellCouldTake) {
-  EXPECT_EQ(fileNameOf("paper_2-a"), "paper_2-a");
-  EXPECT_EQ(fileNameOf("../a b/$c"), "___a_b__c");
-  EXPECT_EQ(fileNameOf(""), "");
-  EXPECT_EQ(fileNameOf(std::string(1000, 'x')).size(), 60U);
+  EXPECT_EQ(makeFileName("paper_2-a"), "paper_2-a");
+  EXPECT_EQ(makeFileName("../a b/$c"), "___a_b__c");
+  EXPECT_EQ(makeFileName(""), "");
+  EXPECT_EQ(makeFileName(std::string(1000, 'x')).size(), 60U);
 }
 
 }  // namespace

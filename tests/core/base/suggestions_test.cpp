@@ -12,10 +12,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "print"};
 
 TEST(KnownWords, NamesTheNearestAndListsAll) {
-  EXPECT_EQ(nearestOf("drak", kThemes), "dark");
-  EXPECT_EQ(nearestOf("", {}), "");
-  EXPECT_EQ(nearestOf("", kThemes), "");
-  EXPECT_EQ(nearestOf("foo", kThemes), "");
+  EXPECT_EQ(nearestWord("drak", kThemes), "dark");
+  EXPECT_EQ(nearestWord("", {}), "");
+  EXPECT_EQ(nearestWord("", kThemes), "");
+  EXPECT_EQ(nearestWord("foo", kThemes), "");
   EXPECT_EQ(notOneOf("pink", kThemes).english(), "pink is not one of light, dark, print");
 }
 

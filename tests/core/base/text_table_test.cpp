@@ -264,11 +264,11 @@ TEST(TextTable, FindsKeysAndValues) {
   EXPECT_EQ(made.entry("Spacing X", block), "0,5 mm");
   EXPECT_EQ(block.header[4].key, "");
   EXPECT_EQ(block.header[4].line, 5u);
-  EXPECT_EQ(quantityIn(made.entry("spacing x", block))->number, 0.5);
-  EXPECT_EQ(quantityIn(made.entry("spacing x", block))->unit, "mm");
-  EXPECT_EQ(quantityIn("10 \u00B5m")->unit, "\u00B5m");
-  EXPECT_EQ(quantityIn("1.5e-3m")->number, 1.5e-3);
-  EXPECT_FALSE(quantityIn("mm").has_value());
+  EXPECT_EQ(parseQuantity(made.entry("spacing x", block))->number, 0.5);
+  EXPECT_EQ(parseQuantity(made.entry("spacing x", block))->unit, "mm");
+  EXPECT_EQ(parseQuantity("10 \u00B5m")->unit, "\u00B5m");
+  EXPECT_EQ(parseQuantity("1.5e-3m")->number, 1.5e-3);
+  EXPECT_FALSE(parseQuantity("mm").has_value());
   const TextTable grid = read("ncols 4\nnrows 2\ncellsize 0.5\n1 2 3 4\n5 6 7 8\n");
   EXPECT_EQ(grid.entry("ncols", grid.largest()), "4");
   EXPECT_EQ(grid.largest().rows, 2u);

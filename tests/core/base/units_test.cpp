@@ -85,7 +85,7 @@ TEST(Units, EveryDimensionTakesItsPrefixes) {
                                            {"k", 3},
                                            {"M", 6},
                                            {"G", 9}}) {
-      const auto unit = unitNamed(std::string(prefix) + si, si);
+      const auto unit = findUnit(std::string(prefix) + si, si);
       ASSERT_TRUE(unit) << prefix << si;
       EXPECT_EQ(unit->exponent, exponent) << prefix << si;
       EXPECT_EQ(unit->si, si);
@@ -95,9 +95,7 @@ TEST(Units, EveryDimensionTakesItsPrefixes) {
 /// Instruments write KHZ and MPA; where a small letter may be two prefixes, only those are taken
 /// that measure anything.
 TEST(Units, AreReadInAnyCaseWhereThatLeavesNoDoubt) {
-  const auto size = [](const char* name, const char* si) {
-    return sizeOfUnit(name, si).value_or(0);
-  };
+  const auto size = [](const char* name, const char* si) { return unitSize(name, si).value_or(0); };
   EXPECT_EQ(size("mPa", "Pa"), 1e-3);
   for (const char* mega : {"MPa", "MPA", "mpa", "Mpa", "N/MM2", "n/mm\u00B2"})
     EXPECT_EQ(size(mega, "Pa"), 1e6) << mega;
@@ -111,10 +109,10 @@ TEST(Units, AreReadInAnyCaseWhereThatLeavesNoDoubt) {
 
 /// Messages name what is read.
 TEST(Units, AreListedFromTheirTable) {
-  EXPECT_EQ(unitsOf("Pa"),
+  EXPECT_EQ(unitNames("Pa"),
             "Pa, kPa, MPa, GPa, N/m2, N/mm2, N/cm2, kN/m2, kgf/cm2, dyn/cm2, Torr, bar, mbar, "
             "atm, psi, ksi");
-  EXPECT_EQ(unitsOf("m/s"), "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, m/min, mm/min");
+  EXPECT_EQ(unitNames("m/s"), "m/s, cm/s, mm/s, \u00B5m/s, km/h, mph, in/s, ft/s, m/min, mm/min");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(Contours, OfAPlaneAreStraight) {
   const Grid grid = sampled(0, 1, 7, [](double x, double y) { return 2 * x + y - 0.3; });
   const auto lines = contourLines(grid.x, grid.y, grid.values, 1.05);
   ASSERT_EQ(lines.size(), 1U);
-  for (const ContourPlace& place : lines[0]) EXPECT_NEAR(2 * place.x + place.y - 0.3, 1.05, 1e-14);
+  for (const ContourPoint& place : lines[0]) EXPECT_NEAR(2 * place.x + place.y - 0.3, 1.05, 1e-14);
   // From (0.175, 1) to (0.675, 0).
   EXPECT_NEAR(lengthOf(lines[0]), std::hypot(0.5, 1.0), 1e-14);
 }
@@ -50,7 +50,7 @@ TEST(Contours, OfAParaboloidAreCircles) {
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_EQ(lines[0].front(), lines[0].back());
     double worst = 0;
-    for (const ContourPlace& place : lines[0])
+    for (const ContourPoint& place : lines[0])
       worst = std::max(worst, std::abs(std::hypot(place.x, place.y) - 0.7));
     EXPECT_LT(worst, 2.0 / (n - 1) * 2.0 / (n - 1));
     if (before > 0) {

@@ -65,7 +65,7 @@ TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
 /// The first colour is the present curve's alone.
 TEST(CurveDiagram, EightCurvesHaveEightColours) {
   std::set<int> colours{0};
-  for (int place = 0; place < 7; ++place) colours.insert(colourOfPin(place));
+  for (int place = 0; place < 7; ++place) colours.insert(pinColour(place));
   EXPECT_EQ(colours.size(), 8U);
 }
 
@@ -213,9 +213,9 @@ TEST(CurveDiagram, EachQuantityStandsOnTheVerticalAxis) {
       // Error bars are those of friction, in the quantity's unit.
       EXPECT_EQ(std::isfinite(mean.points[i].low), entry.isFriction) << entry.word.text();
     }
-    EXPECT_EQ(quantityNamed(entry.word), entry.quantity);
+    EXPECT_EQ(findQuantity(entry.word), entry.quantity);
   }
-  EXPECT_EQ(quantityNamed("velocity"), std::nullopt);
+  EXPECT_EQ(findQuantity("velocity"), std::nullopt);
 }
 
 /// The foundation's contact fraction at low velocity stands beside the computed one.

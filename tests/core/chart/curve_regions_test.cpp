@@ -33,7 +33,7 @@ std::vector<std::string> namesOf(const std::vector<CurveRegion>& regions) {
 }
 
 TEST(CurveRegions, AreWhereTheLawOfEq12HasItsBorders) {
-  const auto regions = regionsOfCurve({}, lawBetween(1e-4, 1e6, 1e4));
+  const auto regions = findRegions({}, lawBetween(1e-4, 1e6, 1e4));
   ASSERT_THAT(namesOf(regions), ElementsAre("I", "II", "III", "IV"));
   EXPECT_EQ(regions.front().from, 1e-4);
   // 1 / sqrt(1 + v^2) = 0.8 at v = 0.75; v / sqrt(1 + v^2) = 0.95 at 3.04.
@@ -46,13 +46,13 @@ TEST(CurveRegions, AreWhereTheLawOfEq12HasItsBorders) {
 }
 
 TEST(CurveRegions, ACurveThatIsCutHasOnlyThoseItShows) {
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e-6, 1e-2))), ElementsAre("I"));
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e-4, 1.2))), ElementsAre("I", "II"));
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e-4, 1e3))), ElementsAre("I", "II", "III"));
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(0.9, 1e3))), ElementsAre("II", "III"));
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(30, 1e3))), ElementsAre("III"));
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(30, 1e6, 1e4))), ElementsAre("III", "IV"));
-  EXPECT_THAT(namesOf(regionsOfCurve({}, lawBetween(1e5, 1e6, 1e4))), ElementsAre("IV"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(1e-6, 1e-2))), ElementsAre("I"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(1e-4, 1.2))), ElementsAre("I", "II"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(1e-4, 1e3))), ElementsAre("I", "II", "III"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(0.9, 1e3))), ElementsAre("II", "III"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(30, 1e3))), ElementsAre("III"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(30, 1e6, 1e4))), ElementsAre("III", "IV"));
+  EXPECT_THAT(namesOf(findRegions({}, lawBetween(1e5, 1e6, 1e4))), ElementsAre("IV"));
 }
 
 // The maximum is between the two highest points, and neither has 95 % of it.
@@ -66,7 +66,7 @@ TEST(CurveRegions, APlateauBetweenTwoPointsEndsBeforeTheSecond) {
     point.realizations = 1;
     points.push_back(point);
   }
-  const auto regions = regionsOfCurve({}, points);
+  const auto regions = findRegions({}, points);
   ASSERT_THAT(namesOf(regions), ElementsAre("I", "II", "III", "IV"));
   // Parabola in steps of a decade: maximum 3.133e-3 at 0.423, 0.347 to both sides.
   EXPECT_NEAR(std::log10(regions[2].from), -0.924, 0.01);
@@ -78,27 +78,27 @@ TEST(CurveRegions, NeedAKelvinBodyAndFriction) {
   const auto points = lawBetween(1e-4, 1e6, 1e4);
   Scene solid;
   solid.elastomer.rheology = Rheology::StandardSolid;
-  EXPECT_TRUE(regionsOfCurve(solid, points).empty());
+  EXPECT_TRUE(findRegions(solid, points).empty());
   auto unknown = points;
   for (CurvePoint& point : unknown) point.realizations = 0;
-  EXPECT_TRUE(regionsOfCurve({}, unknown).empty());
+  EXPECT_TRUE(findRegions({}, unknown).empty());
   auto frictionless = points;
   for (CurvePoint& point : frictionless) point.mu = 0;
-  EXPECT_TRUE(regionsOfCurve({}, frictionless).empty());
+  EXPECT_TRUE(findRegions({}, frictionless).empty());
 }
 
 TEST(CurveRegions, TheSceneOfFigure2ShowsAllFour) {
   Scene scene;
   scene.ensemble.realizations = 4;
   scene.surface.elements = 1000;
-  EXPECT_THAT(namesOf(regionsOfCurve(scene, frictionCurve(scene).points)),
+  EXPECT_THAT(namesOf(findRegions(scene, frictionCurve(scene).points)),
               ElementsAre("I", "II", "III", "IV"));
 }
 
 TEST(CurveRegions, EachHasItsWordAndSentence) {
-  EXPECT_EQ(wordOfRegion("III"), "plateau");
-  for (const char* name : {"I", "II", "III", "IV"}) EXPECT_FALSE(sentenceOfRegion(name).empty());
-  EXPECT_TRUE(wordOfRegion("V").empty());
+  EXPECT_EQ(regionWord("III"), "plateau");
+  for (const char* name : {"I", "II", "III", "IV"}) EXPECT_FALSE(regionSentence(name).empty());
+  EXPECT_TRUE(regionWord("V").empty());
 }
 
 }  // namespace

@@ -28,13 +28,13 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 TEST(CurveSet, FactorsLeadToTheAxes) {
   const std::vector<CurvePoint> points{point(1, 0), point(2, 0.5)};
-  const AxesFactors plain = factorsOf(points, CurveAxes::Physical);
+  const AxesFactors plain = axesFactors(points, CurveAxes::Physical);
   EXPECT_EQ(plain.velocity, 1);
   EXPECT_EQ(plain.friction, 1);
-  const AxesFactors factors = factorsOf(points, CurveAxes::Dimensionless);
+  const AxesFactors factors = axesFactors(points, CurveAxes::Dimensionless);
   EXPECT_EQ(factors.velocity, 4);
   EXPECT_EQ(factors.friction, 2);
-  EXPECT_TRUE(std::isnan(factorsOf({}, CurveAxes::Dimensionless).velocity));
+  EXPECT_TRUE(std::isnan(axesFactors({}, CurveAxes::Dimensionless).velocity));
 }
 
 constexpr const char* kColumnsOfACurve =
@@ -83,8 +83,8 @@ TEST(CurveSet, ADifferenceHasColumnsOfItsOwn) {
 
 TEST(CurveSet, PinsOfDifferentPlacesHaveDifferentColours) {
   for (int a = 0; a < kPinColours; ++a)
-    for (int b = 0; b < a; ++b) EXPECT_NE(colourOfPin(a), colourOfPin(b));
-  EXPECT_EQ(colourOfPin(kPinColours), colourOfPin(0));
+    for (int b = 0; b < a; ++b) EXPECT_NE(pinColour(a), pinColour(b));
+  EXPECT_EQ(pinColour(kPinColours), pinColour(0));
 }
 
 }  // namespace

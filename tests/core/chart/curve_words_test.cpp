@@ -6,7 +6,7 @@ namespace asperity {
 namespace {
 
 TEST(CurveWords, SayWhatASceneSets) {
-  const std::string words = parametersInWords({}).english();
+  const std::string words = describeParameters({}).english();
   EXPECT_NE(words.find("H = 0.7"), words.npos);
   EXPECT_NE(words.find("G = 10 MPa"), words.npos);
   EXPECT_NE(words.find("F\u2099 = 3.4 mN"), words.npos);
@@ -15,11 +15,11 @@ TEST(CurveWords, SayWhatASceneSets) {
 
 TEST(CurveWords, SayOnlyWhatDiffers) {
   Scene scene, other;
-  EXPECT_EQ(differencesInWords(other, scene).english(), "");
+  EXPECT_EQ(describeDifferences(other, scene).english(), "");
   other.elastomer.shearModulus = 2e7;
   other.surface.rmsHeight = 5e-6;
-  EXPECT_EQ(differencesInWords(other, scene).english(), "h = 5 \u00B5m, G = 20 MPa");
-  EXPECT_EQ(differencesInWords(scene, other).english(), "h = 500 nm, G = 10 MPa");
+  EXPECT_EQ(describeDifferences(other, scene).english(), "h = 5 \u00B5m, G = 20 MPa");
+  EXPECT_EQ(describeDifferences(scene, other).english(), "h = 500 nm, G = 10 MPa");
 }
 
 TEST(CurveWords, LeaveOutWhatACurveDoesNotDependOn) {
@@ -27,7 +27,7 @@ TEST(CurveWords, LeaveOutWhatACurveDoesNotDependOn) {
   other.title = "another";
   other.description = "to be seen";
   other.sliding.velocity = 3;
-  EXPECT_EQ(differencesInWords(other, scene).english(), "");
+  EXPECT_EQ(describeDifferences(other, scene).english(), "");
 }
 
 TEST(CurveWords, NameRowsWithoutSymbolAndChoices) {
@@ -35,10 +35,10 @@ TEST(CurveWords, NameRowsWithoutSymbolAndChoices) {
   other.accuracy.scheme = Scheme::Linear;
   other.accuracy.oversampling = 4;
   other.ensemble.realizations = 20;
-  EXPECT_EQ(differencesInWords(other, scene).english(), "realizations 20, linear, oversampling 4");
+  EXPECT_EQ(describeDifferences(other, scene).english(), "realizations 20, linear, oversampling 4");
   other = {};
   other.elastomer.rheology = Rheology::StandardSolid;
-  const std::string words = differencesInWords(other, scene).english();
+  const std::string words = describeDifferences(other, scene).english();
   EXPECT_NE(words.find("standard-solid"), words.npos) << words;
   EXPECT_EQ(words.find("G = "), words.npos) << "what does not apply is not said: " << words;
 }
@@ -46,18 +46,18 @@ TEST(CurveWords, NameRowsWithoutSymbolAndChoices) {
 TEST(CurveWords, SayATemperatureThatShifts) {
   Scene scene, other;
   other.elastomer.temperature = 320;
-  EXPECT_EQ(differencesInWords(other, scene).english().substr(0, 9), "T = 320 K");
+  EXPECT_EQ(describeDifferences(other, scene).english().substr(0, 9), "T = 320 K");
 }
 
 TEST(CurveWords, OneParameterHasItsSymbolOrItsName) {
   Scene scene;
   scene.surface.hurst = 0.25;
   scene.accuracy.scheme = Scheme::Linear;
-  EXPECT_EQ(parameterInWords("surface.hurst", scene).english(), "H = 0.25");
-  EXPECT_EQ(parameterInWords("surface.seed", scene).english(), "seed 1");
-  EXPECT_EQ(parameterInWords("accuracy.scheme", scene).english(), "linear");
-  EXPECT_EQ(parameterInWords("elastomer.arms", scene).english(), "");
-  EXPECT_EQ(parameterInWords("surface.hurts", scene).english(), "");
+  EXPECT_EQ(describeParameter("surface.hurst", scene).english(), "H = 0.25");
+  EXPECT_EQ(describeParameter("surface.seed", scene).english(), "seed 1");
+  EXPECT_EQ(describeParameter("accuracy.scheme", scene).english(), "linear");
+  EXPECT_EQ(describeParameter("elastomer.arms", scene).english(), "");
+  EXPECT_EQ(describeParameter("surface.hurts", scene).english(), "");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using testing::IsEmpty;
 
 TEST(Explanations, EveryParameterHasASentenceAndAPlace) {
   for (const Parameter& row : parameters()) {
-    const auto found = explanationOf(row.key);
+    const auto found = findExplanation(row.key);
     ASSERT_TRUE(found) << row.key;
     EXPECT_EQ(found->sentence, row.sentence);
     EXPECT_FALSE(found->guideAnchor.empty()) << row.key;
@@ -29,7 +29,7 @@ TEST(Explanations, EveryParameterHasASentenceAndAPlace) {
 
 TEST(Explanations, EveryQuantityOfAnAxisHasAFormula) {
   for (const QuantityEntry& entry : quantityEntries()) {
-    const auto found = explanationOf(std::string_view(entry.word));
+    const auto found = findExplanation(std::string_view(entry.word));
     ASSERT_TRUE(found) << entry.title;
     EXPECT_FALSE(found->formula.empty()) << entry.title;
     EXPECT_FALSE(found->sentence.empty()) << entry.title;
@@ -38,24 +38,24 @@ TEST(Explanations, EveryQuantityOfAnAxisHasAFormula) {
 
 TEST(Explanations, RegionsTheoriesAndEquationsAreThere) {
   for (const char* region : {"I", "II", "III", "IV"})
-    EXPECT_TRUE(explanationOf(std::string_view("region " + std::string(region)))) << region;
+    EXPECT_TRUE(findExplanation(std::string_view("region " + std::string(region)))) << region;
   for (const TheoryEntry& entry : theoryEntries())
-    EXPECT_TRUE(explanationOf(std::string_view(entry.name))) << entry.name;
+    EXPECT_TRUE(findExplanation(std::string_view(entry.name))) << entry.name;
   for (int number = 1; number <= 17; ++number)
-    EXPECT_TRUE(explanationOf(std::string_view("Eq. (" + std::to_string(number) + ")")));
+    EXPECT_TRUE(findExplanation(std::string_view("Eq. (" + std::to_string(number) + ")")));
 }
 
 TEST(Explanations, ANameThatAUserGaveHasNone) {
-  EXPECT_FALSE(explanationOf(Message::name("G = 20 MPa")));
-  EXPECT_FALSE(explanationOf(Message()));
-  EXPECT_FALSE(explanationOf(std::string_view("no.such.key")));
+  EXPECT_FALSE(findExplanation(Message::name("G = 20 MPa")));
+  EXPECT_FALSE(findExplanation(Message()));
+  EXPECT_FALSE(findExplanation(std::string_view("no.such.key")));
 }
 
 TEST(Explanations, IdsAreUniqueAndEachOneIsFoundWhole) {
   std::set<std::string_view> ids;
   for (const HoverExplanation& one : explanations()) {
     EXPECT_TRUE(ids.insert(one.id).second) << one.id;
-    const auto found = explanationOf(one.id);
+    const auto found = findExplanation(one.id);
     ASSERT_TRUE(found) << one.id;
     EXPECT_FALSE(found->sentence.empty()) << one.id;
     EXPECT_EQ(found->guideAnchor, one.guideAnchor);
@@ -77,7 +77,7 @@ TEST(Explanations, TheGuideHasEveryPlace) {
   }
   std::set<std::string> anchors;
   for (const HoverExplanation& one : explanations()) anchors.emplace(one.guideAnchor);
-  for (const Parameter& row : parameters()) anchors.emplace(explanationOf(row.key)->guideAnchor);
+  for (const Parameter& row : parameters()) anchors.emplace(findExplanation(row.key)->guideAnchor);
   for (const std::string& anchor : anchors)
     EXPECT_NE(guide.find("#" + anchor + "}"), std::string::npos) << anchor;
 }

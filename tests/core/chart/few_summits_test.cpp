@@ -49,8 +49,8 @@ TEST(FewSummits, CurvesKnowTheHeightOfTheirLines) {
   const Scene scene = sceneOfSize(300, 9, 2);
   const std::vector<CurvePoint> points = frictionCurve(scene).points;
   EXPECT_NEAR(fewSummitsVelocity(scene, points), 1.7, 1e-9);
-  EXPECT_FALSE(fewSummitsOf(scene, {}));
-  const auto range = fewSummitsOf(scene, points);
+  EXPECT_FALSE(fewSummitsRange(scene, {}));
+  const auto range = fewSummitsRange(scene, points);
   ASSERT_TRUE(range);
   EXPECT_NEAR(range->from, 1.7, 1e-9);
   EXPECT_EQ(range->to, points.back().velocity);

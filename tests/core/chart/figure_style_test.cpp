@@ -48,7 +48,7 @@ DiagramSheet twoCurves() {
 
 TEST(PictureSize, IsInPixelsOrOnPaper) {
   const auto inches = [](const char* text) {
-    const auto size = pictureSizeFrom(text);
+    const auto size = parsePictureSize(text);
     return size && size->isOnPaper() ? size->width / size->perInch : -1;
   };
   EXPECT_NEAR(inches("86mmx60mm"), 86 / 25.4, 1e-12);
@@ -56,12 +56,12 @@ TEST(PictureSize, IsInPixelsOrOnPaper) {
   EXPECT_NEAR(inches("8.6cmx6cm"), 86 / 25.4, 1e-12);
   EXPECT_NEAR(inches("3.5inx2.5in"), 3.5, 1e-12);
   EXPECT_NEAR(inches("252ptx180pt"), 3.5, 1e-12);
-  EXPECT_NEAR(pictureSizeFrom("10cmx50mm")->height, 5, 1e-12);  // in centimetres, as the width
-  EXPECT_FALSE(pictureSizeFrom("1200x800")->isOnPaper());
-  EXPECT_FALSE(pictureSizeFrom("1200pxx800px")->isOnPaper());
+  EXPECT_NEAR(parsePictureSize("10cmx50mm")->height, 5, 1e-12);  // in centimetres, as the width
+  EXPECT_FALSE(parsePictureSize("1200x800")->isOnPaper());
+  EXPECT_FALSE(parsePictureSize("1200pxx800px")->isOnPaper());
   for (const char* text : {"", "x", "86", "86mm", "86mmx", "x60mm", "86mmx60", "-1x5", "0x5", "axb",
                            "86mmx60px", "86 furlongx3furlong", "infx5", "nanx5", "1e999x5"})
-    EXPECT_FALSE(pictureSizeFrom(text)) << text;
+    EXPECT_FALSE(parsePictureSize(text)) << text;
 }
 
 TEST(FigureOptions, RefuseWhatTheyDoNotKnow) {

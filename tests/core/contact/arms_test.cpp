@@ -69,7 +69,7 @@ TEST_P(Arms, BalancesAtVanishingLoads) {
   scene.surface.elements = 2000;
   const PreparedProfile line = prepareProfile(LineSource(scene, 8).make(0), Scheme::Cubic);
   for (const auto& [name, elastomer] : allElastomers()) {
-    if (lawOf(elastomer).equilibriumModulus == 0) continue;
+    if (elementLaw(elastomer).equilibriumModulus == 0) continue;
     for (const double velocity : {1e-6, 1e-3, 1.0, 1e3})
       for (const double newton : {1e-6, 1e-8, 1e-9, 1e-10}) {
         const SteadyResult result = slide(elastomer, line, velocity, force(newton)).result;
@@ -89,7 +89,7 @@ TEST_P(Arms, FullContactOfEveryRheologyIsTheIntegralOverTheSpectrum) {
   const PreparedProfile line = prepareProfile(source.make(0), Scheme::Cubic);
   for (const auto& [name, elastomer] : allElastomers())
     for (const double velocity : {1e-3, 0.03, 1.0}) {
-      const ElementLaw law = lawOf(elastomer);
+      const ElementLaw law = elementLaw(elastomer);
       const double normal = 4 * law.equilibriumModulus * line.length * 1e-3;
       const SteadyResult result = slide(elastomer, line, velocity, force(normal)).result;
       double exact = 0;

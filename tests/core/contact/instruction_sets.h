@@ -20,7 +20,7 @@ class EachInstructionSet : public testing::TestWithParam<InstructionSet> {
 };
 
 inline std::string wordFor(const testing::TestParamInfo<InstructionSet>& param) {
-  std::string name = nameOf(param.param);
+  std::string name = instructionSetName(param.param);
   std::erase(name, '-');
   return name;
 }

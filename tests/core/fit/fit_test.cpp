@@ -1,5 +1,6 @@
 // Fits of known scenes: parameters that made the data come back, with errors that cover them.
 #include "core/fit/fit.h"
+#include "core/base/stop.h"
 
 #include <gtest/gtest.h>
 
@@ -310,7 +311,7 @@ TEST(Fit, ForceSeriesAreFittedToo) {
     point.velocity = 0.01;
     point.normalForce = 1e-3 * std::pow(10, i / 3.0);
     data.points.push_back(point);
-    states.push_back(sceneOf(point, real));
+    states.push_back(sceneAtPoint(point, real));
   }
   const SteadyStates exact = slideStates(states);
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -356,7 +357,7 @@ TEST(Fit, StopsWhereItIsAskedTo) {
   options.progress = [&](int, double) {
     if (++calls == 2) source.request_stop();
   };
-  EXPECT_THROW(fitFriction(scene, {&data, 1}, threeParameters(scene), options), StudyStopped);
+  EXPECT_THROW(fitFriction(scene, {&data, 1}, threeParameters(scene), options), StopRequested);
 }
 
 }  // namespace

@@ -126,15 +126,15 @@ TEST(FrictionData, AStateHasTheValuesOfItsPoint) {
   point.velocity = 0.3;
   point.normalForce = 2;
   point.temperature = 310;
-  const Scene at = sceneOf(point, scene);
+  const Scene at = sceneAtPoint(point, scene);
   EXPECT_EQ(at.load.kind, LoadKind::Force);
   EXPECT_EQ(at.load.normalForce, 2);
   EXPECT_EQ(at.sliding.velocity, 0.3);
   EXPECT_EQ(at.elastomer.temperature, 310);
   point.normalForce = kNotApplicable;
   point.nominalPressure = 2e5;
-  EXPECT_EQ(sceneOf(point, scene).load.kind, LoadKind::Pressure);
-  EXPECT_EQ(sceneOf(point, scene).load.nominalPressure, 2e5);
+  EXPECT_EQ(sceneAtPoint(point, scene).load.kind, LoadKind::Pressure);
+  EXPECT_EQ(sceneAtPoint(point, scene).load.nominalPressure, 2e5);
 }
 
 }  // namespace

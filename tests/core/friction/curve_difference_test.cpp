@@ -127,8 +127,8 @@ TEST(CurveDifference, NeedsNoTargetAndSteadySliding) {
 }
 
 TEST(CurveDifference, SettingsHaveNames) {
-  EXPECT_EQ(nameOf(CurveSetting{Scheme::Cubic, 8, 20}).english(), "cubic x8, 20 lines");
-  EXPECT_EQ(nameOf(CurveSetting{Scheme::Nodal, 8, 1}).english(), "nodal, 1 line");
+  EXPECT_EQ(settingName(CurveSetting{Scheme::Cubic, 8, 20}).english(), "cubic x8, 20 lines");
+  EXPECT_EQ(settingName(CurveSetting{Scheme::Nodal, 8, 1}).english(), "nodal, 1 line");
 }
 
 /// The stated error against the spread over many repetitions, for every way lines can be shared.

@@ -54,12 +54,12 @@ TEST(CurveFile, FrictionBelowWhatElementsResolveHasANote) {
       const std::vector<CurvePoint> points = frictionCurve(scene).points;
       for (const CurvePoint& point : points) {
         negative += point.mu < 0 ? 1 : 0;
-        noted += notesOf(point).empty() ? 0 : 1;
+        noted += pointNotes(point).empty() ? 0 : 1;
         if (point.mu < 0) {
-          EXPECT_EQ(notesOf(point), "unresolved_friction") << point.velocity;
+          EXPECT_EQ(pointNotes(point), "unresolved_friction") << point.velocity;
         }
       }
-      EXPECT_EQ(notesOf(points[13]), "") << "at " << points[13].velocity << " m/s";
+      EXPECT_EQ(pointNotes(points[13]), "") << "at " << points[13].velocity << " m/s";
       const std::string table = curveCsv(points);
       EXPECT_THAT(table, HasSubstr("realizations,marginal_share,notes\n"));
       EXPECT_THAT(table, HasSubstr(",unresolved_friction\n"));
@@ -92,8 +92,8 @@ TEST(CurveFile, ContactSpotsStandInTablesOfScenesThatListThem) {
     EXPECT_EQ(points[i].contactSpots, before[i].contactSpots);
     EXPECT_EQ(root["points"][i]["contact_spots"], points[i].contactSpots);
     const bool few = points[i].contactSpots < kFewContacts;
-    EXPECT_EQ(noteSetOf(before[i]).has(Note::FewContacts), few) << points[i].velocity;
-    EXPECT_EQ(notesOf(points[i]), few ? "few_contacts" : "") << points[i].velocity;
+    EXPECT_EQ(pointNoteSet(before[i]).has(Note::FewContacts), few) << points[i].velocity;
+    EXPECT_EQ(pointNotes(points[i]), few ? "few_contacts" : "") << points[i].velocity;
   }
   EXPECT_GE(points.front().contactSpots, kFewContacts);
   EXPECT_LT(points.back().contactSpots, kFewContacts);
@@ -111,7 +111,7 @@ TEST(CurveFile, FewContactsAreSingleSummitsOfRoughLines) {
   scene.sweep = {1e-2, 1, 3};
   for (const CurvePoint& point : frictionCurve(scene).points) {
     EXPECT_EQ(point.contactSpots, 1);
-    EXPECT_FALSE(noteSetOf(point).has(Note::FewContacts));
+    EXPECT_FALSE(pointNoteSet(point).has(Note::FewContacts));
   }
 }
 
@@ -130,7 +130,7 @@ TEST(CurveFile, ResolvedFrictionHasNoNote) {
         scene.load.normalForce = force;
         const std::vector<CurvePoint> points = frictionCurve(scene).points;
         for (const CurvePoint& point : points)
-          EXPECT_EQ(notesOf(point), "")
+          EXPECT_EQ(pointNotes(point), "")
               << static_cast<int>(kind) << ", H " << hurst << ", " << force << " N, "
               << point.velocity << " m/s: " << point.mu;
         EXPECT_THAT(curveCsv(points), testing::Not(HasSubstr("notes")));

@@ -28,7 +28,7 @@ void expectPlanned(const Scene& scene) {
   const StageCounts before = stageCounts();
   frictionCurve(scene);
   const StageCounts after = stageCounts();
-  for (const PlanStage& stage : planOf(scene, Purpose::Curve)) {
+  for (const PlanStage& stage : planStages(scene, Purpose::Curve)) {
     const auto i = static_cast<std::size_t>(stage.stage);
     EXPECT_EQ(after[i] > before[i], stage.runs) << stage.name << ": " << stage.reason;
   }

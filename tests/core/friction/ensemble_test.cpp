@@ -87,7 +87,7 @@ TEST(Ensemble, MeanAndStandardErrorAreThoseOfTheRealizations) {
   Scene scene = smallScene();
   scene.sweep = {0.1, 0.1, 1};
   const CurvePoint point = frictionCurve(scene).points.front();
-  const LineSource source(scene, pointsPerElementOfCurve(scene));
+  const LineSource source(scene, curvePointsPerElement(scene));
   double sum = 0, squares = 0;
   const auto n = static_cast<double>(scene.ensemble.realizations);
   for (int r = 0; r < scene.ensemble.realizations; ++r) {
@@ -107,7 +107,7 @@ TEST(Ensemble, TheSweepGivesWhatEachVelocityGivesAlone) {
   Scene scene = smallScene();
   scene.ensemble.realizations = 1;
   const Curve curve = frictionCurve(scene);
-  const LineSource source(scene, pointsPerElementOfCurve(scene));
+  const LineSource source(scene, curvePointsPerElement(scene));
   const PreparedProfile line = prepareProfile(source.make(0), scene.accuracy.scheme);
   for (const CurvePoint& point : curve.points) {
     const SteadyResult alone =

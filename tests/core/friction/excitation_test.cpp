@@ -23,7 +23,7 @@ TEST(Excitation, ASineExcitesItsOneFrequency) {
   Scene scene = sceneOfSize(512, 3, 1);
   scene.surface.kind = SurfaceKind::Sine;
   scene.elastomer = prony(1e6, {{1e6, 1e-3}});
-  const Excitation excitation = excitationOf(scene);
+  const Excitation excitation = computeExcitation(scene);
   for (const double velocity : {1e-3, 1.0, 50.0}) {
     const auto band = excitation.band(velocity);
     ASSERT_TRUE(band.has_value());
@@ -89,13 +89,13 @@ TEST(Excitation, CurvesMarkWhatWasNotMeasured) {
   const Curve curve = frictionCurve(scene);
   const std::string csv = curveCsv(curve.points);
   EXPECT_THAT(csv.substr(0, csv.find('\n')), HasSubstr(",extrapolated,"));
-  const Excitation excitation = excitationOf(scene);
+  const Excitation excitation = computeExcitation(scene);
   int inside = 0, outside = 0;
   for (const CurvePoint& point : curve.points) {
     const bool expected = excitation.shareNotMeasured(point.velocity) > kMostNotMeasured;
     EXPECT_EQ(point.extrapolated, expected ? 1 : 0) << point.velocity;
-    EXPECT_EQ(noteSetOf(point).has(Note::ExtrapolatedMaterial), expected);
-    EXPECT_TRUE(noteSetOf(point).has(Note::StrainBeyondMeasured));
+    EXPECT_EQ(pointNoteSet(point).has(Note::ExtrapolatedMaterial), expected);
+    EXPECT_TRUE(pointNoteSet(point).has(Note::StrainBeyondMeasured));
     (expected ? outside : inside) += 1;
   }
   EXPECT_GT(inside, 0);
@@ -116,7 +116,7 @@ TEST(Excitation, AForeignTemperatureIsNoted) {
   Scene scene = measuredScene();
   scene.elastomer.temperature = 320;
   for (const CurvePoint& point : frictionCurve(scene).points)
-    EXPECT_TRUE(noteSetOf(point).has(Note::ExtrapolatedTemperature));
+    EXPECT_TRUE(pointNoteSet(point).has(Note::ExtrapolatedTemperature));
 }
 
 /// mu(v, T) = mu(v a_T, T_r), with a_T from a table or by Arrhenius.

@@ -106,10 +106,11 @@ TEST(Law, Equations13And14) {
 }
 
 TEST(Law, BetaIsInterpolatedAndFallsWithH) {
-  EXPECT_NEAR(betaOf(0.65), 0.5 * (betaOf(0.6) + betaOf(0.7)), 1e-12);
-  EXPECT_DOUBLE_EQ(betaOf(-1), betaOf(0));
-  EXPECT_DOUBLE_EQ(betaOf(2), betaOf(1));
-  for (double hurst = 0; hurst < 1; hurst += 0.01) EXPECT_GE(betaOf(hurst), betaOf(hurst + 0.01));
+  EXPECT_NEAR(lawPrefactor(0.65), 0.5 * (lawPrefactor(0.6) + lawPrefactor(0.7)), 1e-12);
+  EXPECT_DOUBLE_EQ(lawPrefactor(-1), lawPrefactor(0));
+  EXPECT_DOUBLE_EQ(lawPrefactor(2), lawPrefactor(1));
+  for (double hurst = 0; hurst < 1; hurst += 0.01)
+    EXPECT_GE(lawPrefactor(hurst), lawPrefactor(hurst + 0.01));
 }
 
 TEST(Law, AtRestThereIsNoFriction) {

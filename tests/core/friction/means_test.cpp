@@ -48,7 +48,7 @@ TEST(ChosenOversampling, LeavesAnErrorBelowHalfOfTheStandardError) {
         return chosen.points[i].muStandardError / chosen.points[i].mu;
       });
       EXPECT_LT(error, 0.5 * standard)
-          << "H " << hurst << ", " << force << " N, x" << pointsPerElementOfCurve(scene);
+          << "H " << hurst << ", " << force << " N, x" << curvePointsPerElement(scene);
     }
 }
 
@@ -146,7 +146,7 @@ TEST(ConstantIndentation, MeanOfRatiosAndRatioOfMeansAreTwoColumns) {
   Scene scene = sceneOfSize(2000, 1, 30);
   scene.load = {LoadKind::Indentation, 0, 2e-7};
   scene.sweep = {0.01, 0.01, 1};
-  const LineSource source(scene, pointsPerElementOfCurve(scene));
+  const LineSource source(scene, curvePointsPerElement(scene));
   double ratios = 0, tangential = 0, normal = 0;
   for (std::int64_t r = 0; r < 30; ++r) {
     const SteadyResult result = slideAtDepth(prepareProfile(source.make(r), Scheme::Cubic),

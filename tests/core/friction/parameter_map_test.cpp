@@ -30,7 +30,7 @@ Scene smallScene() {
 }
 
 MapAxis side(const Scene& scene, const std::string& range) {
-  return mapAxis(scene, rangeFromOption("--x", range));
+  return mapAxis(scene, parseRangeOption("--x", range));
 }
 
 ParameterMap mapOf(const Scene& scene, const std::string& x, const std::string& y,
@@ -48,7 +48,7 @@ CurvePoint pointOfCurve(Scene scene) {
 void expectCellsOfCurves(const ParameterMap& map, double tolerance) {
   for (std::size_t j = 0; j < map.y.values.size(); ++j)
     for (std::size_t i = 0; i < map.x.values.size(); ++i) {
-      const CurvePoint own = pointOfCurve(sceneOfCell(map, i, j));
+      const CurvePoint own = pointOfCurve(cellScene(map, i, j));
       const CurvePoint& cell = map.at(i, j);
       SCOPED_TRACE(std::to_string(i) + " " + std::to_string(j));
       EXPECT_NEAR(cell.mu, own.mu, tolerance * own.mu);
@@ -72,7 +72,7 @@ TEST(ParameterMap, EachCellIsThePointOfItsOwnCurve) {
     Scene scene = smallScene();
     scene.elastomer = elastomer;
     expectCellsOfCurves(mapOf(scene, "sliding.velocity=1e-4:10:5", "load.normal_force=1e-3:1:4"),
-                        lawOf(elastomer).kind() == ElementKind::Arms ? 5e-12 : 1e-12);
+                        elementLaw(elastomer).kind() == ElementKind::Arms ? 5e-12 : 1e-12);
   }
 }
 
@@ -83,8 +83,8 @@ TEST(ParameterMap, EachCellHasTheResolutionOfItsOwnCurve) {
   std::int64_t least = 100, most = 0;
   for (std::size_t j = 0; j < 3; ++j)
     for (std::size_t i = 0; i < 6; ++i) {
-      least = std::min(least, pointsPerElementOfCurve(sceneOfCell(map, i, j)));
-      most = std::max(most, pointsPerElementOfCurve(sceneOfCell(map, i, j)));
+      least = std::min(least, curvePointsPerElement(cellScene(map, i, j)));
+      most = std::max(most, curvePointsPerElement(cellScene(map, i, j)));
     }
   EXPECT_LT(least, most) << "the map must cover two resolutions";
   expectCellsOfCurves(map, 1e-12);
@@ -116,8 +116,8 @@ TEST(ParameterMap, OfParametersThatMatterElsewhereOnTheMap) {
   Scene scene = smallScene();
   scene.elastomer.shift.kind = ShiftKind::Wlf;
   scene.elastomer.temperature = scene.elastomer.shift.referenceTemperature = 300;
-  const ParameterRange x = rangeFromOption("--x", "elastomer.temperature=290:310:3");
-  const ParameterRange y = rangeFromOption("--y", "elastomer.shift.c1=4:12:2");
+  const ParameterRange x = parseRangeOption("--x", "elastomer.temperature=290:310:3");
+  const ParameterRange y = parseRangeOption("--y", "elastomer.shift.c1=4:12:2");
   EXPECT_THAT(errorFrom([&] { mapAxis(scene, y); }), testing::HasSubstr("changes nothing"));
   const ParameterMap map = parameterMap(scene, mapAxis(scene, x, &y), mapAxis(scene, y, &x));
   EXPECT_NE(map.at(0, 0).mu, map.at(0, 1).mu);

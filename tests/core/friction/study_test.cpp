@@ -1,5 +1,6 @@
 // Studies: the averages of friction curves, and uncertainties by the jackknife.
 #include "core/friction/study.h"
+#include "core/base/stop.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,7 @@ TEST(Study, StopsOnRequest) {
   source.request_stop();
   StudyOptions options;
   options.stop = source.get_token();
-  EXPECT_THROW(Study(smallScene(), {0.1}, {1.0}, options), StudyStopped);
+  EXPECT_THROW(Study(smallScene(), {0.1}, {1.0}, options), StopRequested);
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST(CompleteContactFriction, AgreesWithTheSimulationForEveryRheology) {
     scene.accuracy.oversampling = 8;
     const LineSource source(scene, 1);
     const WaveSpectrum spectrum = waveSpectrum(source);
-    const ElementLaw law = lawOf(elastomer);
+    const ElementLaw law = elementLaw(elastomer);
     for (const double velocity : {1e-4, std::sqrt(1e-5), 1e-1}) {
       // As much force as keeps the least pressure above 0 on every line.
       const CompleteContactFriction unit = completeContactFriction(law, spectrum, 1, velocity);
@@ -248,7 +248,7 @@ TEST(PerssonHalfSpace, StifferAtHigherVelocityAndSoInContactWithLess) {
 
 TEST(Theories, EachHasANameOfItsOwn) {
   for (const TheoryEntry& entry : theoryEntries()) {
-    EXPECT_EQ(&entryOf(entry.theory), &entry);
+    EXPECT_EQ(&theoryEntry(entry.theory), &entry);
     for (const TheoryEntry& other : theoryEntries())
       if (&other != &entry) {
         EXPECT_STRNE(entry.name, other.name);

@@ -89,13 +89,13 @@ TEST(LessonAnswers, APointIsOnTheCurveOfItsStep) {
   LessonStep step = lessonOf(json).steps[1];
   EXPECT_TRUE(step.show.hidesCurve);
   EXPECT_EQ(lessonAnswer(step).number.value, computePoint(step.scene, 1).mu);
-  EXPECT_EQ(lessonAnswer(step).place.value, 1);
+  EXPECT_EQ(lessonAnswer(step).x.value, 1);
   json["steps"][1]["prediction"].erase("x");
   step = lessonOf(json).steps[1];
   const LessonAnswer top = lessonAnswer(step);
   for (const CurvePoint& point : computeCurve(step.scene).points)
     EXPECT_LE(point.mu, 1.001 * top.number.value);
-  EXPECT_EQ(top.place.unit, "m/s");
+  EXPECT_EQ(top.x.unit, "m/s");
 }
 
 TEST(LessonAnswers, AnAnswerThatNoChoiceCoversIsAnError) {
@@ -127,12 +127,12 @@ TEST(LessonAnswers, APointIsRightWithinAFactor) {
   LessonPrediction prediction;
   prediction.kind = PredictionKind::Point;
   prediction.tolerance = 0.5;
-  prediction.placeTolerance = 1;
+  prediction.xTolerance = 1;
   GivenAnswer given;
   given.number = 0.0135;  // 1/1.48
-  given.place = 0.19;
+  given.x = 0.19;
   EXPECT_TRUE(isRight(prediction, answer, given));
-  given.place = 0.21;
+  given.x = 0.21;
   EXPECT_FALSE(isRight(prediction, answer, given));
   prediction.x = 0.1;  // its place is not asked
   EXPECT_TRUE(isRight(prediction, answer, given));

@@ -65,9 +65,9 @@ TEST(LessonFile, TheVerticalAxisIsLogarithmicOrLinear) {
 
 TEST(LessonFile, ControlsAreFreeLockedOrHidden) {
   const LessonStep step = lessonOf(sampleLesson()).steps[0];
-  EXPECT_EQ(step.controls.of("sliding.velocity"), ControlState::Free);
-  EXPECT_EQ(step.controls.of("load.normal_force"), ControlState::Locked);
-  EXPECT_EQ(step.controls.of("surface.hurst"), ControlState::Hidden);
+  EXPECT_EQ(step.controls.state("sliding.velocity"), ControlState::Free);
+  EXPECT_EQ(step.controls.state("load.normal_force"), ControlState::Locked);
+  EXPECT_EQ(step.controls.state("surface.hurst"), ControlState::Hidden);
   Scene given = step.scene;
   given.sliding.velocity = 3;
   EXPECT_TRUE(lockedChanges(step.controls, step.scene, given).empty());

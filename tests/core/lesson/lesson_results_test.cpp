@@ -36,10 +36,10 @@ TEST(LessonResults, ComeBackAsTheyWere) {
   EXPECT_EQ(resultsJson(again), resultsJson(results));
   ASSERT_EQ(again.results.size(), 2U);
   EXPECT_EQ(again.results[0].step, 0);  // in the order of the steps
-  EXPECT_EQ(again.of(1)->given.number, 2e-7);
-  EXPECT_EQ(again.of(1)->expected.number.unit, "m");
+  EXPECT_EQ(again.find(1)->given.number, 2e-7);
+  EXPECT_EQ(again.find(1)->expected.number.unit, "m");
   EXPECT_EQ(again.right(), 1);
-  EXPECT_EQ(again.of(7), nullptr);
+  EXPECT_EQ(again.find(7), nullptr);
 }
 
 TEST(LessonResults, AnAnswerThatWasNotGivenIsNull) {
@@ -52,7 +52,7 @@ TEST(LessonResults, AnAnswerThatWasNotGivenIsNull) {
     result.kind = kind;
     results.set(result);
   }
-  const LessonResults again = resultsFrom(resultsJson(results), "x");
+  const LessonResults again = parseResults(resultsJson(results), "x");
   for (const LessonResult& result : again.results) EXPECT_FALSE(result.given.isGiven());
   EXPECT_EQ(again.results.size(), 3U);
 }
@@ -77,7 +77,7 @@ TEST(LessonResults, NothingElseIsEverReplaced) {
 TEST(LessonResults, WrongFilesAreRefusedWithTheirPlace) {
   const auto refused = [](const std::string& text, const std::string& key) {
     try {
-      resultsFrom(text, "mine.json");
+      parseResults(text, "mine.json");
       ADD_FAILURE() << text;
     } catch (const InputError& error) {
       EXPECT_EQ(error.file(), "mine.json");

@@ -100,7 +100,7 @@ TEST_P(ShippedLessonTest, AsksAndAnswersByComputing) {
       EXPECT_TRUE(std::isfinite(answer.number.value));
       GivenAnswer exact;
       exact.number = answer.number.value;
-      exact.place = answer.place.value;
+      exact.x = answer.x.value;
       EXPECT_TRUE(isRight(*step.prediction, answer, exact));
     }
     // A hidden curve lies within the axes on which it is guessed.

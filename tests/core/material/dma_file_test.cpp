@@ -227,9 +227,9 @@ TEST(DmaStrain, OneAmplitudeIsChosen) {
   all.front().strainAmplitude = std::numeric_limits<double>::quiet_NaN();
   all.resize(1);
   EXPECT_TRUE(std::isnan(chooseStrain(all, {}, 0.6, "dma.csv")));
-  EXPECT_EQ(strainFrom("1%"), 0.01);
-  EXPECT_EQ(strainFrom("0.01"), 0.01);
-  EXPECT_FALSE(strainFrom("1 mm"));
+  EXPECT_EQ(parseStrain("1%"), 0.01);
+  EXPECT_EQ(parseStrain("0.01"), 0.01);
+  EXPECT_FALSE(parseStrain("1 mm"));
 }
 
 TEST(DmaFile, MissingValuesAreLeftOutAndCounted) {

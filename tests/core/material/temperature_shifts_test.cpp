@@ -181,7 +181,7 @@ TEST(Isotherms, RowsOfAnyOrderBecomeSweeps) {
   for (const double kelvin : {300.0, 280.0, 290.0})
     for (const double frequency : {10.0, 1.0, 3.0})
       rows.push_back({kelvin + 0.05 * frequency / 10, {frequency, 1e6, 1e5}});
-  const auto isotherms = isothermsOf(rows);
+  const auto isotherms = groupIsotherms(rows);
   ASSERT_EQ(isotherms.size(), 3U);
   EXPECT_NEAR(isotherms[0].temperature, 280.0233, 1e-3);
   EXPECT_EQ(isotherms[2].lowestFrequency(), 1);
@@ -190,7 +190,7 @@ TEST(Isotherms, RowsOfAnyOrderBecomeSweeps) {
 
 TEST(Isotherms, EqualFrequenciesAreAveraged) {
   const auto isotherms =
-      isothermsOf({{300, {1, 1e6, 1e5}}, {300, {1, 4e6, 1e5}}, {300, {2, 3e6, 2e5}}});
+      groupIsotherms({{300, {1, 1e6, 1e5}}, {300, {1, 4e6, 1e5}}, {300, {2, 3e6, 2e5}}});
   ASSERT_EQ(isotherms.front().points.size(), 2U);
   EXPECT_NEAR(isotherms.front().points.front().storage, 2e6, 1e-3);
   EXPECT_EQ(isotherms.front().repeats, 1U);
@@ -199,16 +199,16 @@ TEST(Isotherms, EqualFrequenciesAreAveraged) {
 
 TEST(Isotherms, BadRowsAreSaidInOneLine) {
   EXPECT_THAT(errorFrom([] {
-                isothermsOf({{300, {1, 1e6, 1e5}}, {310, {1, 1e6, 1e5}}});
+                groupIsotherms({{300, {1, 1e6, 1e5}}, {310, {1, 1e6, 1e5}}});
               }),
               HasSubstr("one frequency alone at"));
   EXPECT_THAT(errorFrom([] {
-                isothermsOf({{300, {1, 1e6, -1}}, {300, {2, 1e6, 1}}});
+                groupIsotherms({{300, {1, 1e6, -1}}, {300, {2, 1e6, 1}}});
               }),
               HasSubstr("loss modulus: -1 at"));
   std::vector<MeasuredModulus> ramp;
   for (int i = 0; i < 40; ++i) ramp.push_back({280 + 0.25 * i, {1.0 + i % 3, 1e6, 1e5}});
-  EXPECT_THAT(errorFrom([&] { isothermsOf(ramp); }), HasSubstr("without a gap"));
+  EXPECT_THAT(errorFrom([&] { groupIsotherms(ramp); }), HasSubstr("without a gap"));
 }
 
 // ---- Formulas
@@ -239,7 +239,7 @@ TEST(Isotherms, HaveTheTemperatureOfTheirRowsExactly) {
   for (int points = 2; points < 40; ++points) {
     std::vector<MeasuredModulus> rows;
     for (int i = 0; i < points; ++i) rows.push_back({298.15, {1.0 + i, 1e6, 1e5}});
-    EXPECT_EQ(isothermsOf(rows).front().temperature, 298.15) << points;
+    EXPECT_EQ(groupIsotherms(rows).front().temperature, 298.15) << points;
   }
 }
 

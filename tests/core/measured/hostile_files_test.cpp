@@ -11,6 +11,7 @@
 #include <map>
 
 #include "core/base/processor_time.h"
+#include "core/base/stop.h"
 #include "tests/core/error_from.h"
 #include "tests/core/measured/binary_writers.h"
 #include "tests/core/measured/instrument_writers.h"
@@ -122,7 +123,7 @@ TEST(HostileFiles, StopWhereTheyAreAsked) {
   std::stop_source stop;
   stop.request_stop();
   for (const auto& [name, bytes] : samples())
-    EXPECT_THROW(readMeasuredBytes(bytes, name, {}, stop.get_token()), ReadingStopped) << name;
+    EXPECT_THROW(readMeasuredBytes(bytes, name, {}, stop.get_token()), StopRequested) << name;
 }
 
 // ---- Gwyddion ----------------------------------------------------------------------------------

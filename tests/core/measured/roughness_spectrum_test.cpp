@@ -67,7 +67,7 @@ SpectralDensity periodogram(int waves, double step, const std::function<double(i
     density.waveNumber.push_back(k * step);
     density.density.push_back(value(k));
   }
-  density.binEdge = binEdgesOf(density.waveNumber);
+  density.binEdge = findBinEdges(density.waveNumber);
   return density;
 }
 
@@ -111,7 +111,7 @@ TEST(SpectralDensity, HasBinsOnlyWhereTheWavesAreMultiplesOfOneStep) {
     return q;
   };
   const auto isBinned = [&](int points, const std::function<double(double)>& wave) {
-    return !binEdgesOf(waves(points, wave)).empty();
+    return !findBinEdges(waves(points, wave)).empty();
   };
   EXPECT_TRUE(isBinned(4, [](double i) { return 700 * (i + 1); }));
   EXPECT_TRUE(isBinned(900, [](double i) { return 700 * (i + 3); }));
@@ -124,7 +124,7 @@ TEST(SpectralDensity, HasBinsOnlyWhereTheWavesAreMultiplesOfOneStep) {
   EXPECT_FALSE(isBinned(1000, [](double i) { return 10 + 999.0 * i; }));  // from far below a step
   EXPECT_FALSE(isBinned(1000, [](double i) { return 1.4 + i; }));
   // Bins meet half-way, and the outermost are as wide as the others.
-  const auto edges = binEdgesOf(waves(4, [](double i) { return 2 * (i + 1); }));
+  const auto edges = findBinEdges(waves(4, [](double i) { return 2 * (i + 1); }));
   EXPECT_EQ(edges, (std::vector<double>{1, 3, 5, 7, 9}));
 }
 
@@ -219,7 +219,7 @@ TEST(EquivalentLine, OfTopographiesHasTheirHeightAndGradient) {
   double height = 0, slope = 0;
   constexpr int kSurfaces = 40;
   for (unsigned r = 0; r < kSurfaces; ++r) {
-    const EquivalentSpectra spectra = equivalentOf(surface.make(r + 1), FormRemoval::None);
+    const EquivalentSpectra spectra = equivalentSpectra(surface.make(r + 1), FormRemoval::None);
     height += spectra.line.total() / kSurfaces;
     slope += squareSlope(spectra.line) / kSurfaces;
   }
@@ -236,7 +236,7 @@ TEST(EquivalentLine, OfCutProfilesIsThatOfTheirSurface) {
     const Topography topography = surface.make(r + 1);
     for (std::int64_t row = 12; row < topography.rows; row += 25, ++cuts) {
       const BandPowers cut =
-          equivalentOf(inBands(hannPowers(topography.row(row)), topography.length())).line;
+          equivalentSpectra(inBands(hannPowers(topography.row(row)), topography.length())).line;
       height += cut.total();
       slope += squareSlope(cut);
     }
@@ -254,7 +254,7 @@ TEST(EquivalentLine, OfASelfAffineProfileHasTheKnownFactor) {
   std::vector<double> powers(modes);
   for (std::size_t k = 1; k < modes; ++k)
     powers[k] = std::pow(static_cast<double>(k), -1 - 2 * hurst);
-  const EquivalentSpectra spectra = equivalentOf(inBands(powers, 1));
+  const EquivalentSpectra spectra = equivalentSpectra(inBands(powers, 1));
   const double expected =
       std::sqrt(std::numbers::pi) * std::tgamma(1 + hurst) / std::tgamma(hurst + 0.5);
   for (const double k : {20.0, 100.0, 400.0})

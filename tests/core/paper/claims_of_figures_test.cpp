@@ -135,9 +135,9 @@ TEST(Claims, OfFigure4KnowRoughSummitsAndOneSidedContacts) {
 }
 
 TEST(Claims, OfThePaperLeaveOutTheEndsOfItsRange) {
-  EXPECT_FALSE(isMiddle(0.2));
-  EXPECT_FALSE(isMiddle(0.8));
-  for (const double hurst : {0.3, 0.4, 0.5, 0.6, 0.7}) EXPECT_TRUE(isMiddle(hurst));
+  EXPECT_FALSE(isInPaperRange(0.2));
+  EXPECT_FALSE(isInPaperRange(0.8));
+  for (const double hurst : {0.3, 0.4, 0.5, 0.6, 0.7}) EXPECT_TRUE(isInPaperRange(hurst));
 }
 
 TEST(Claims, OnAlphaNameTheirWindowAndWhatAnotherGives) {

@@ -1,5 +1,6 @@
 // The paper's figures: that each is whole, the same every time, and refuses what it sets itself.
 #include "core/paper/figure.h"
+#include "core/base/stop.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <set>
 
 #include "core/base/input_error.h"
-#include "core/friction/study.h"
 
 namespace asperity {
 namespace {
@@ -93,7 +93,7 @@ TEST_P(EachLongFigure, StopsOnRequest) {
   FigureOptions options = optionsFor(GetParam());
   options.stop = source.get_token();
   options.progress = [&](double) { source.request_stop(); };
-  EXPECT_THROW(makeFigure(GetParam(), options), StudyStopped);
+  EXPECT_THROW(makeFigure(GetParam(), options), StopRequested);
 }
 
 /// From this one on.
@@ -105,7 +105,7 @@ std::vector<FigureName> namesFrom(FigureName first) {
 }
 
 std::string nameOf(const testing::TestParamInfo<FigureName>& name) {
-  return "Number" + std::string(entryOf(name.param).word);
+  return "Number" + std::string(figureEntry(name.param).word);
 }
 
 INSTANTIATE_TEST_SUITE_P(Figures, EachFigure, testing::ValuesIn(namesFrom(FigureName::Contact)),

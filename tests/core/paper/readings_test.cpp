@@ -53,13 +53,14 @@ TEST_P(ConvergedTable, RmsSlope) {
 /// Eqs. (5) and (7) in zone 1.
 TEST_P(ConvergedTable, AlphaAndBeta) {
   const Study study(scene_, zone1Cases(scene_, slope_), {});
-  const Estimate alpha = jackknife(study.groups(), [&](int out) { return alphaOf(study, out); });
-  const Estimate beta = jackknife(study.groups(), [&](int out) { return betaOf(study, out); });
+  const Estimate alpha = jackknife(study.groups(), [&](int out) { return fitAlpha(study, out); });
+  const Estimate beta = jackknife(study.groups(), [&](int out) { return fitBeta(study, out); });
   EXPECT_NEAR(alpha.value, GetParam().alpha, allowed(alpha, GetParam().alpha));
   EXPECT_NEAR(beta.value, GetParam().beta, allowed(beta, GetParam().beta));
   // The table that Eq. (11) uses.
-  EXPECT_NEAR(beta.value, betaOf(GetParam().hurst), allowed(beta, betaOf(GetParam().hurst)));
-  EXPECT_NEAR(betaOf(GetParam().hurst) / GetParam().beta, 1, 0.01);
+  EXPECT_NEAR(beta.value, lawPrefactor(GetParam().hurst),
+              allowed(beta, lawPrefactor(GetParam().hurst)));
+  EXPECT_NEAR(lawPrefactor(GetParam().hurst) / GetParam().beta, 1, 0.01);
 }
 
 /// Region III.
@@ -71,12 +72,12 @@ TEST_P(ConvergedTable, Plateau) {
       {});
   for (std::size_t j = 0; j < 3; ++j) {
     const Estimate plateau =
-        jackknife(study.groups(), [&](int out) { return plateauOf(study, j, out).normalizedMu; });
+        jackknife(study.groups(), [&](int out) { return findPlateau(study, j, out).normalizedMu; });
     const double expected = GetParam().plateau[j];
     EXPECT_NEAR(plateau.value, expected, allowed(plateau, expected)) << j;
     // The maximum lies inside the velocities that are looked at.
-    EXPECT_GT(plateauOf(study, j).velocity, study.velocities(j).front());
-    EXPECT_LT(plateauOf(study, j).velocity, study.velocities(j).back());
+    EXPECT_GT(findPlateau(study, j).velocity, study.velocities(j).front());
+    EXPECT_LT(findPlateau(study, j).velocity, study.velocities(j).back());
   }
 }
 
@@ -94,7 +95,7 @@ TEST(Readings, FullContactIsEquation8) {
     scene.surface.elements = 500;
     scene.ensemble.realizations = 3;
     scene.accuracy.oversampling = oversampling;
-    const FullContact contact = fullContactOf(Study(scene, {100}, {1e-4, 1e-3}, {}));
+    const FullContact contact = compareFullContact(Study(scene, {100}, {1e-4, 1e-3}, {}));
     EXPECT_EQ(contact.points, 2);
     EXPECT_LT(contact.toResolved, 1e-11);
     EXPECT_LT(contact.toSpectral, 0.15 * last);

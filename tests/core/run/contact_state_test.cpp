@@ -24,7 +24,7 @@ Frame frameOf(const std::function<void(Scene&)>& change = {}) {
 /// All sentences, each with a space behind it.
 std::string said(const Frame& frame, const CurveAtVelocity& curve = {}) {
   std::string text;
-  for (const Message& sentence : contactInWords(frame, curve)) {
+  for (const Message& sentence : describeContact(frame, curve)) {
     const std::string one = sentence.english();
     EXPECT_TRUE(one.ends_with('.')) << one;
     for (const char* place : {"%1", "%2", "%3", "%4", "{"})
@@ -41,7 +41,7 @@ bool says(const std::string& text, const std::string& part) {
 TEST(ContactState, NamesVelocityForceContactsAndFriction) {
   const Frame frame = frameOf();
   const std::string text = said(frame);
-  const std::vector<ContactStretch> contacts = stretchesOf(frame, false);
+  const std::vector<ContactStretch> contacts = findStretches(frame, false);
   ASSERT_GT(contacts.size(), 3U);
   double longest = 0;
   for (const ContactStretch& contact : contacts) longest = std::max(longest, contact.length);
@@ -54,12 +54,12 @@ TEST(ContactState, NamesVelocityForceContactsAndFriction) {
         "coefficient of friction is " + printedNumber(frame.muSteady, 3, Zeros::Keep),
         "a tangential force of " + printedQuantity(frame.tangentialForce, "N")})
     EXPECT_TRUE(says(text, part)) << part << " is not in " << text;
-  EXPECT_EQ(contactInWords(frame).size(), 4U);
+  EXPECT_EQ(describeContact(frame).size(), 4U);
 }
 
 TEST(ContactState, SpeaksOfOneContactInTheSingular) {
   const Frame frame = frameOf([](Scene& scene) { scene.surface.kind = SurfaceKind::Parabola; });
-  ASSERT_EQ(stretchesOf(frame, false).size(), 1U);
+  ASSERT_EQ(findStretches(frame, false).size(), 1U);
   const std::string length = printedQuantity(frame.contactFraction * frame.length, "m");
   EXPECT_TRUE(says(said(frame), "at one contact of " + length + ", which is ")) << said(frame);
 }
@@ -129,7 +129,7 @@ TEST(ContactState, AFrameWithoutContactSaysSo) {
   frame.contactFraction = 0;
   const std::string text = said(frame);
   EXPECT_TRUE(says(text, "do not touch") && says(text, "no friction")) << text;
-  EXPECT_TRUE(contactInWords(Frame{}).empty());
+  EXPECT_TRUE(describeContact(Frame{}).empty());
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(Power, OfAMarchAddsUpToWhatItsStepsDissipate) {
     const double spacing = rigid.line->spacing;
     for (int i = 0; i < 50; ++i) {
       const double distance = (0.2 + 0.05 * i) * spacing, dt = distance / 0.2;
-      const MarchStep step = march.step(marchLoadOf(scene.load), dt, distance);
+      const MarchStep step = march.step(marchLoad(scene.load), dt, distance);
       EXPECT_NEAR(integral(march.power(), spacing) * dt, step.dissipated + step.gapWork,
                   1e-9 * std::abs(step.work) + 1e-25)
           << static_cast<int>(rheology) << " " << i;
@@ -145,7 +145,7 @@ TEST(Power, OfMarchedSteadySlidingIsFrictionTimesVelocity) {
     Scene scene = withElastomer(rheology);
     scene.accuracy.oversampling = 8;
     Simulation simulation(shared(scene), 1);
-    simulation.want(kEverything);
+    simulation.requestFields(kEverything);
     double energy = 0, before = 0;
     while (simulation.frame().distance < scene.surface.length / 2) {
       simulation.singleStep();
@@ -163,7 +163,7 @@ TEST(Power, OfMarchedSteadySlidingIsFrictionTimesVelocity) {
 TEST(SinceContact, IsCountedInTheMarch) {
   const Scene scene = rough();
   Simulation simulation(shared(scene), 1);
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   for (int i = 0; i < 300; ++i) simulation.singleStep();
   const Frame frame = simulation.frame();
   const std::vector<double> steady =
@@ -179,7 +179,7 @@ TEST(SinceContact, OfAMotionFromRestBeginsWithIt) {
   Scene scene = rough();
   scene.sliding.kind = SlidingKind::Start;
   Simulation simulation(shared(scene), 1);
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   for (const double age : simulation.frame().sinceContact) EXPECT_TRUE(age == 0 || std::isinf(age));
   for (int i = 0; i < 40; ++i) simulation.singleStep();
   const Frame frame = simulation.frame();
@@ -197,7 +197,7 @@ TEST(LineSlope, IsTheSlopeOfTheHeightsShown) {
   Scene scene = rough();
   scene.accuracy.oversampling = 16;
   Simulation simulation(shared(scene), 1);
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   for (int i = 0; i < 7; ++i) simulation.singleStep();
   const Frame frame = simulation.frame();
   const std::size_t n = frame.lineHeight.size();
@@ -216,16 +216,16 @@ TEST(Fields, AreEmptyUnlessWanted) {
   Simulation simulation(shared(rough()), 1);
   for (const Frame& frame : {simulation.frame(), SteadyFrames(shared(rough())).frame(0, 1, 25)})
     EXPECT_TRUE(frame.lineSlope.empty() && frame.sinceContact.empty() && frame.power.empty());
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   simulation.singleStep();
-  simulation.want({});
+  simulation.requestFields({});
   const Frame frame = simulation.frame();
   EXPECT_TRUE(frame.lineSlope.empty() && frame.sinceContact.empty() && frame.power.empty());
 }
 
 TEST(Fields, GoOnWithThePresentShapeUnderAnotherScene) {
   Simulation simulation(shared(rough()), 1);
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   for (int i = 0; i < 5; ++i) simulation.singleStep();
   const std::vector<double> before = simulation.frame().sinceContact;
   simulation.update(shared(rough(0.3)), 2);
@@ -242,7 +242,7 @@ TEST(Fields, ArriveWhileTheRunnerIsPaused) {
     while (!runner.newestFrame() || !isThere(*runner.newestFrame())) std::this_thread::yield();
   };
   waitFor([](const Frame& frame) { return frame.power.empty(); });
-  runner.want(kEverything);
+  runner.requestFields(kEverything);
   waitFor([](const Frame& frame) { return !frame.power.empty(); });
   EXPECT_EQ(runner.newestFrame()->sinceContact.size(), runner.newestFrame()->power.size());
 }
@@ -275,7 +275,7 @@ TEST(Power, OfAMarchAtRestIsNone) {
         scene.load.kind = kind;
         scene.load.depth = 2e-6;
         Simulation simulation(shared(scene), 1);
-        simulation.want(kEverything);
+        simulation.requestFields(kEverything);
         const std::vector<double> begin = simulation.frame().surfaceHeight;
         for (int i = 0; i < 300; ++i) {
           expectNoPower(simulation.frame(), std::to_string(i));
@@ -294,7 +294,7 @@ TEST(Power, AfterSlidingEndsAtNone) {
     sliding.elastomer.arms = {{2e7, 1e-4}};
     if (!armsAlone) sliding.elastomer.rheology = Rheology::Kelvin;
     Simulation simulation(shared(sliding), 1);
-    simulation.want(kEverything);
+    simulation.requestFields(kEverything);
     Scene resting = sliding;
     resting.sliding.velocity = 0;
     simulation.update(shared(resting), 2);
@@ -306,7 +306,7 @@ TEST(Power, AfterSlidingEndsAtNone) {
 
 TEST(Power, OfAnElasticMarchIsNone) {
   Simulation simulation(shared(withElastomer(Rheology::Elastic)), 1);
-  simulation.want(kEverything);
+  simulation.requestFields(kEverything);
   for (int i = 0; i < 100; ++i) {
     simulation.singleStep();
     expectNoPower(simulation.frame(), std::to_string(i));

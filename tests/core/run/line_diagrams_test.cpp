@@ -85,10 +85,10 @@ TEST(Spectrum, SheetShowsWantedAndFitted) {
 }
 
 TEST(Histogram, SharesAddUpToWhatIsInside) {
-  const Histogram histogram = histogramOf({0, 0.1, 0.49, 0.5, 0.99, 1, -3}, 0, 1, 2);
+  const Histogram histogram = makeHistogram({0, 0.1, 0.49, 0.5, 0.99, 1, -3}, 0, 1, 2);
   EXPECT_NEAR(histogram.share[0], 3.0 / 7, 1e-12);
   EXPECT_NEAR(histogram.share[1], 2.0 / 7, 1e-12);
-  EXPECT_EQ(histogramOf({}, 0, 1, 3).share, std::vector<double>(3));
+  EXPECT_EQ(makeHistogram({}, 0, 1, 3).share, std::vector<double>(3));
 }
 
 /// Slopes of random phases are normally distributed.

@@ -41,7 +41,7 @@ Extent extentOf(const std::vector<TransientSample>& samples, double TransientSam
 }
 
 TEST(StripRange, ARippleOfOneNodeStaysSmall) {
-  const auto samples = transientOf(slowParabola(), 200);
+  const auto samples = computeTransient(slowParabola(), 200);
   const MinimumSpan floors = minimumSpan(*samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
        {std::pair{&TransientSample::mu, floors.friction},
@@ -58,7 +58,7 @@ TEST(StripRange, WhatIsMoreThanARippleFillsItsStrip) {
   Scene scene = slowParabola();
   scene.sliding.velocity = 0.5;
   scene.sliding.velocityAfter = 0.55;
-  const auto samples = transientOf(scene, 200);
+  const auto samples = computeTransient(scene, 200);
   const MinimumSpan floors = minimumSpan(*samples, 1e-5, 0.04);
   for (const auto& [member, floor] :
        {std::pair{&TransientSample::mu, floors.friction},
@@ -92,7 +92,7 @@ TEST(StripRange, WithoutKnowledgeTheValuesDecide) {
 
 TEST(StripRange, SheetsHoldItToo) {
   const Scene scene = slowParabola();
-  const auto samples = transientOf(scene, 200);
+  const auto samples = computeTransient(scene, 200);
   const DiagramSheet sheet = transientSheet(scene, *samples, 1e-5, 0.04);
   const DiagramAxis& friction = sheet.diagrams[1].y;
   const Extent ripple = extentOf(*samples, &TransientSample::mu);

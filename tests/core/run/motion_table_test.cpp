@@ -1,5 +1,6 @@
 // The table of a motion: its columns, its rows and what their numbers have to do with each other.
 #include "core/run/motion_table.h"
+#include "core/base/stop.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 #include <sstream>
 
 #include "core/base/input_error.h"
-#include "core/friction/study.h"
 #include "core/scene/columns.h"
 
 namespace asperity {
@@ -302,7 +302,7 @@ TEST(MotionTable, TellsItsStepsAndStops) {
   std::stop_source source;
   options.stop = source.get_token();
   options.progress = [&](std::int64_t, std::int64_t) { source.request_stop(); };
-  EXPECT_THROW(marchMotion(scene, options), StudyStopped);
+  EXPECT_THROW(marchMotion(scene, options), StopRequested);
 }
 
 TEST(MotionTable, RefusesWhatItCannotDo) {

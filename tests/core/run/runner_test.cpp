@@ -146,7 +146,7 @@ TEST(Runner, AMomentIsFoundForwardAndBackWhilePaused) {
     });
   }
   const std::uint64_t step = runner.newestFrame()->step;
-  runner.want({true, false, false});  // one more frame, at the same moment
+  runner.requestFields({true, false, false});  // one more frame, at the same moment
   waitFor([&] { return !runner.newestFrame()->lineSlope.empty(); });
   EXPECT_EQ(runner.newestFrame()->step, step);
 }
@@ -243,12 +243,12 @@ TEST(Runner, UnseenItStandsStillAndItsCurveGoesOn) {
   Runner runner(options);
   const std::uint64_t number = runner.post(smallScene());
   waitFor([&] { return runner.newestFrame() && runner.newestFrame()->step > 3; });
-  runner.setSeen(false);
+  runner.setVisible(false);
   EXPECT_TRUE(runner.isPlaying());
   const auto answer = [&](bool slopes) {
     FrameFields fields;
     fields.lineSlope = slopes;
-    runner.want(fields);
+    runner.requestFields(fields);
     waitFor([&] { return runner.newestFrame()->lineSlope.empty() != slopes; });
     return runner.newestFrame()->step;
   };
@@ -262,7 +262,7 @@ TEST(Runner, UnseenItStandsStillAndItsCurveGoesOn) {
   EXPECT_FALSE(runner.newestFrame()->isSettling);
   EXPECT_EQ(runner.newestFrame()->step, step);
   EXPECT_TRUE(curveOf(runner, next).back().isComplete);
-  runner.setSeen(true);
+  runner.setVisible(true);
   waitFor([&] { return runner.newestFrame()->step > step + 3; });
 }
 

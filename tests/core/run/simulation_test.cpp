@@ -432,7 +432,7 @@ TEST(Simulation, SettledFramesShowWhatTheirNumbersSay) {
   auto scene = someScene();
   scene->interface.frictionCoefficient = 0.1;
   Simulation simulation(scene, 1);
-  simulation.want({true, true, true});
+  simulation.requestFields({true, true, true});
   const double g = scene->elastomer.shearModulus, c = scene->elastomer.relaxationTime;  // at 1 m/s
   std::size_t first = 0;  // where the lowest point was at distance 0
   for (int i = 0; i < 30; ++i) {

@@ -39,7 +39,7 @@ Scene rough(SlidingKind kind) {
 }
 
 Samples run(const Scene& scene, std::int64_t count) {
-  return *transientOf(scene, count);
+  return *computeTransient(scene, count);
 }
 
 /// 1/s, of the last decay of mu towards `end` between two times.
@@ -74,7 +74,7 @@ TEST(Transient, ARateIsPredictedForKelvinElementsAlone) {
   for (const auto& [name, elastomer] : allElastomers()) {
     Scene scene = parabola(SlidingKind::Step);
     scene.elastomer = elastomer;
-    const bool isKelvin = lawOf(elastomer).kind() == ElementKind::Kelvin;
+    const bool isKelvin = elementLaw(elastomer).kind() == ElementKind::Kelvin;
     EXPECT_EQ(std::isfinite(run(scene, 4).back().predictedRate), isKelvin) << name;
   }
 }

@@ -33,7 +33,7 @@ Scene changed(const std::string& json, const std::vector<std::string>& assignmen
 
 TEST(Assignments, NothingIsSetOverTheSceneItself) {
   for (const Text& text : shippedScenes())
-    EXPECT_TRUE(assignmentsFrom(text.scene, text.scene).empty()) << text.name;
+    EXPECT_TRUE(differingAssignments(text.scene, text.scene).empty()) << text.name;
 }
 
 TEST(Assignments, MakeEverySceneOfEveryOther) {
@@ -41,7 +41,7 @@ TEST(Assignments, MakeEverySceneOfEveryOther) {
   ASSERT_GE(scenes.size(), 25U);
   for (const Text& base : scenes)
     for (const Text& wanted : scenes)
-      EXPECT_EQ(writeScene(changed(base.json, assignmentsFrom(base.scene, wanted.scene))),
+      EXPECT_EQ(writeScene(changed(base.json, differingAssignments(base.scene, wanted.scene))),
                 writeScene(wanted.scene))
           << base.name << " to " << wanted.name;
 }
@@ -50,7 +50,7 @@ TEST(Assignments, NameOnlyWhatDiffers) {
   Scene scene;
   scene.load.normalForce = 0.1;
   scene.surface.hurst = 0.25;
-  EXPECT_EQ(assignmentsFrom(Scene{}, scene),
+  EXPECT_EQ(differingAssignments(Scene{}, scene),
             (std::vector<std::string>{"surface.hurst=0.25", "load.normal_force=0.1"}));
 }
 
@@ -66,7 +66,7 @@ TEST(Assignments, ATargetAndAResolutionTakeEachOthersPlace) {
   const std::vector<Scene> all{Scene{}, target, nodal, fine};
   for (const Scene& base : all)
     for (const Scene& wanted : all)
-      EXPECT_EQ(writeScene(changed(writeScene(base), assignmentsFrom(base, wanted))),
+      EXPECT_EQ(writeScene(changed(writeScene(base), differingAssignments(base, wanted))),
                 writeScene(wanted))
           << writeScene(base) << writeScene(wanted);
 }
@@ -80,7 +80,7 @@ TEST(Assignments, AProfileKeepsTheSizeOfItsFileAndIsLeftAgain) {
   const std::vector<Scene> all{Scene{}, profile};
   for (const Scene& base : all)
     for (const Scene& wanted : all)
-      EXPECT_EQ(writeScene(changed(writeScene(base), assignmentsFrom(base, wanted))),
+      EXPECT_EQ(writeScene(changed(writeScene(base), differingAssignments(base, wanted))),
                 writeScene(wanted));
 }
 
@@ -97,7 +97,7 @@ TEST(Assignments, NumbersKeepEveryDigit) {
   Scene scene;
   scene.load.normalForce = 0.1 + 0.2;
   scene.surface.seed = (std::int64_t{1} << 53) - 1;
-  const Scene back = changed("{}", assignmentsFrom(Scene{}, scene));
+  const Scene back = changed("{}", differingAssignments(Scene{}, scene));
   EXPECT_EQ(back.load.normalForce, scene.load.normalForce);
   EXPECT_EQ(back.surface.seed, scene.surface.seed);
 }

@@ -57,12 +57,12 @@ TEST(Essentials, AreWithoutConstantsSeedAndElements) {
 TEST(Essentials, ANoteIsAboutARowThatHasAMeaning) {
   for (const Scene& scene : scenesOfAllKinds())
     for (std::size_t i = 0; i < kNotes; ++i) {
-      const std::string_view key = keyOfNote(static_cast<Note>(i), scene);
+      const std::string_view key = noteKey(static_cast<Note>(i), scene);
       ASSERT_NE(findParameter(key), nullptr) << key;
       EXPECT_TRUE(isApplicable(*findParameter(key), scene)) << key;
     }
-  EXPECT_EQ(keyOfNote(Note::SlopeAbove, {}), "surface.rms_height");
-  EXPECT_EQ(keyOfNote(Note::FewContacts, {}), "load.normal_force");
+  EXPECT_EQ(noteKey(Note::SlopeAbove, {}), "surface.rms_height");
+  EXPECT_EQ(noteKey(Note::FewContacts, {}), "load.normal_force");
 }
 
 }  // namespace

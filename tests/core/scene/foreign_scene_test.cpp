@@ -25,7 +25,7 @@ class ForeignSceneTest : public testing::Test {
     scene.surface.kind = SurfaceKind::Profile;
     scene.surface.file = profile;
     scene.surface.elements = 0;
-    return !demandsOf(scene).file.empty();
+    return !sceneDemands(scene).file.empty();
   }
 
   TemporaryFolder folder;
@@ -36,7 +36,7 @@ TEST_F(ForeignSceneTest, FilesBesideThePictureAreReadUnasked) {
                            "gone.csv", "../pictures/line.csv"})
     EXPECT_FALSE(asksFor(file)) << file;
   EXPECT_FALSE(asksFor((folder / "pictures/line.csv").string()));
-  EXPECT_FALSE(demandsOf(Scene{}).any());
+  EXPECT_FALSE(sceneDemands(Scene{}).any());
 }
 
 TEST_F(ForeignSceneTest, AllOtherFilesAreAskedAbout) {
@@ -54,12 +54,12 @@ TEST_F(ForeignSceneTest, MuchMemoryAndTimeAreAskedAbout) {
   scene.surface.elements = 16777216;
   scene.accuracy.oversampling = 4;
   scene.ensemble.realizations = 1;
-  EXPECT_GT(demandsOf(scene).memory, 3e9);
+  EXPECT_GT(sceneDemands(scene).memory, 3e9);
   scene.surface.elements = 100000;
-  EXPECT_FALSE(demandsOf(scene).any());
+  EXPECT_FALSE(sceneDemands(scene).any());
   scene.ensemble.realizations = 1000000;
-  EXPECT_EQ(demandsOf(scene).memory, 0);
-  EXPECT_GT(demandsOf(scene).seconds, kSecondsUnasked);
+  EXPECT_EQ(sceneDemands(scene).memory, 0);
+  EXPECT_GT(sceneDemands(scene).seconds, kSecondsUnasked);
   // A profile has as many elements as its file has rows.
   scene = Scene{};
   scene.folder = folder.path();
@@ -67,7 +67,7 @@ TEST_F(ForeignSceneTest, MuchMemoryAndTimeAreAskedAbout) {
   scene.surface.file = "large.csv";
   scene.surface.elements = 0;
   std::filesystem::resize_file(folder.write("large.csv", ""), 250000000);
-  EXPECT_GT(demandsOf(scene).memory, 1e9);
+  EXPECT_GT(sceneDemands(scene).memory, 1e9);
 }
 
 }  // namespace

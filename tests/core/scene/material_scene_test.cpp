@@ -132,11 +132,11 @@ TEST_F(MaterialScene, AssignmentsLeadFromAnySceneToAnyOther) {
   };
   for (const Scene& base : scenes)
     for (const Scene& scene : scenes)
-      EXPECT_EQ(read(writeScene(base), assignmentsFrom(base, scene)), scene)
-          << writeScene(base) << joinedAssignments(assignmentsFrom(base, scene));
+      EXPECT_EQ(read(writeScene(base), differingAssignments(base, scene)), scene)
+          << writeScene(base) << joinedAssignments(differingAssignments(base, scene));
   // A scene file has the name alone.
   for (const Scene& scene : scenes)
-    EXPECT_EQ(read(kNamed, assignmentsFrom(read(kNamed), scene)), scene);
+    EXPECT_EQ(read(kNamed, differingAssignments(read(kNamed), scene)), scene);
 }
 
 TEST_F(MaterialScene, EveryShippedMaterialMakesAScene) {

@@ -29,9 +29,9 @@ TEST(Parameters, KeysAreUniqueAndEveryRowIsComplete) {
 TEST(Parameters, DefaultsLieInsideTheirOwnRangesAndSliders) {
   for (const Parameter& row : parameters()) {
     Scene scene;
-    EXPECT_NO_THROW(setValue(row, scene, defaultOf(row))) << row.key;
+    EXPECT_NO_THROW(setValue(row, scene, defaultValue(row))) << row.key;
     if (const auto* real = std::get_if<RealField>(&row.field)) {
-      const double usual = std::get<double>(defaultOf(row));
+      const double usual = std::get<double>(defaultValue(row));
       const bool isNone = real->scale == Scale::LogarithmicFromNone && usual == 0;
       EXPECT_TRUE(usual >= real->sliderFrom || isNone) << row.key;
       EXPECT_LE(usual, real->sliderTo) << row.key;
@@ -48,14 +48,15 @@ TEST(Parameters, EachRowSetsItsOwnMember) {
   for (const Parameter& row : parameters()) {
     if (!std::holds_alternative<RealField>(row.field)) continue;
     Scene scene;
-    const double usual = std::get<double>(defaultOf(row));
+    const double usual = std::get<double>(defaultValue(row));
     const double other = usual != 0 ? 0.75 * usual : 0.5 * std::get<RealField>(row.field).sliderTo;
     setValue(row, scene, other);
     for (const Parameter& each : parameters()) {
       if (each.key == row.key) {
-        EXPECT_EQ(std::get<double>(valueOf(each, scene)), other) << row.key;
+        EXPECT_EQ(std::get<double>(parameterValue(each, scene)), other) << row.key;
       } else {
-        EXPECT_EQ(valueOf(each, scene), defaultOf(each)) << row.key << " changed " << each.key;
+        EXPECT_EQ(parameterValue(each, scene), defaultValue(each))
+            << row.key << " changed " << each.key;
       }
     }
   }
@@ -85,7 +86,8 @@ TEST(Parameters, MicrometresMayBeWrittenWithEitherMicroSign) {
   for (const char* unit : {"um", "\u00B5m", "\u03BCm"}) {
     setFromText(*findParameter("surface.height_unit"), scene, "mm");
     setFromText(*findParameter("surface.height_unit"), scene, unit);
-    EXPECT_EQ(valueOf(*findParameter("surface.height_unit"), scene), ParameterValue("um")) << unit;
+    EXPECT_EQ(parameterValue(*findParameter("surface.height_unit"), scene), ParameterValue("um"))
+        << unit;
   }
 }
 

@@ -11,34 +11,34 @@ namespace {
 using testing::HasSubstr;
 
 std::string reasonOf(const Scene& scene, Purpose purpose, Stage stage) {
-  return planOf(scene, purpose)[static_cast<std::size_t>(stage)].reason.english();
+  return planStages(scene, purpose)[static_cast<std::size_t>(stage)].reason.english();
 }
 
 TEST(Plan, NamesEveryStageOnceAndGivesAReason) {
   for (const Purpose purpose :
        {Purpose::Curve, Purpose::Picture, Purpose::Surface, Purpose::Window}) {
-    const auto plan = planOf(Scene{}, purpose);
+    const auto plan = planStages(Scene{}, purpose);
     ASSERT_EQ(plan.size(), kStages);
     for (std::size_t i = 0; i < kStages; ++i) {
       EXPECT_EQ(static_cast<std::size_t>(plan[i].stage), i);
-      EXPECT_EQ(plan[i].name, nameOf(plan[i].stage));
+      EXPECT_EQ(plan[i].name, stageName(plan[i].stage));
       EXPECT_FALSE(plan[i].reason.empty());
       EXPECT_FALSE(plan[i].reason.english().ends_with('.'));
-      EXPECT_EQ(plan[i].runs, callsFor(Scene{}, purpose, plan[i].stage));
+      EXPECT_EQ(plan[i].runs, needsStage(Scene{}, purpose, plan[i].stage));
     }
   }
 }
 
 TEST(Plan, SteadySlidingIsNeverMarched) {
-  EXPECT_FALSE(callsFor(Scene{}, Purpose::Curve, Stage::TimeMarch));
-  EXPECT_FALSE(callsFor(Scene{}, Purpose::Picture, Stage::TimeMarch));
-  EXPECT_TRUE(callsFor(Scene{}, Purpose::Window, Stage::TimeMarch));
+  EXPECT_FALSE(needsStage(Scene{}, Purpose::Curve, Stage::TimeMarch));
+  EXPECT_FALSE(needsStage(Scene{}, Purpose::Picture, Stage::TimeMarch));
+  EXPECT_TRUE(needsStage(Scene{}, Purpose::Window, Stage::TimeMarch));
   EXPECT_THAT(reasonOf(Scene{}, Purpose::Curve, Stage::TimeMarch),
               HasSubstr("stationary in the line's frame"));
   Scene scene;
   scene.sliding.kind = SlidingKind::Oscillation;
-  EXPECT_TRUE(callsFor(scene, Purpose::Picture, Stage::TimeMarch));
-  EXPECT_FALSE(callsFor(scene, Purpose::Curve, Stage::TimeMarch));
+  EXPECT_TRUE(needsStage(scene, Purpose::Picture, Stage::TimeMarch));
+  EXPECT_FALSE(needsStage(scene, Purpose::Curve, Stage::TimeMarch));
 }
 
 TEST(Plan, TheWindowMovesThePictureAndDrawsTheCurve) {
@@ -48,13 +48,14 @@ TEST(Plan, TheWindowMovesThePictureAndDrawsTheCurve) {
     for (std::size_t i = 0; i < kStages; ++i) {
       const auto stage = static_cast<Stage>(i);
       if (stage == Stage::TimeMarch) continue;
-      EXPECT_EQ(callsFor(scene, Purpose::Window, stage),
-                callsFor(scene, Purpose::Curve, stage) || callsFor(scene, Purpose::Picture, stage))
-          << nameOf(stage);
+      EXPECT_EQ(
+          needsStage(scene, Purpose::Window, stage),
+          needsStage(scene, Purpose::Curve, stage) || needsStage(scene, Purpose::Picture, stage))
+          << stageName(stage);
     }
-    EXPECT_TRUE(callsFor(scene, Purpose::Window, Stage::Sweep));
-    EXPECT_TRUE(callsFor(scene, Purpose::Window, Stage::Averaging));
-    EXPECT_TRUE(callsFor(scene, Purpose::Window, Stage::Shape));
+    EXPECT_TRUE(needsStage(scene, Purpose::Window, Stage::Sweep));
+    EXPECT_TRUE(needsStage(scene, Purpose::Window, Stage::Averaging));
+    EXPECT_TRUE(needsStage(scene, Purpose::Window, Stage::Shape));
   }
 }
 
@@ -67,7 +68,7 @@ TEST(Plan, EffectsOfNoStrengthAreLeftOut) {
       "s.json");
   for (const Stage stage : {Stage::RollOff, Stage::SummitCorrelation, Stage::TemperatureShift,
                             Stage::FreeSurface, Stage::Arms, Stage::Periodicity, Stage::Interface})
-    EXPECT_FALSE(callsFor(scene, Purpose::Curve, stage)) << nameOf(stage);
+    EXPECT_FALSE(needsStage(scene, Purpose::Curve, stage)) << stageName(stage);
 }
 
 TEST(Plan, EffectsWithStrengthRun) {
@@ -79,7 +80,7 @@ TEST(Plan, EffectsWithStrengthRun) {
       "s.json");
   for (const Stage stage : {Stage::RollOff, Stage::SummitCorrelation, Stage::TemperatureShift,
                             Stage::FreeSurface, Stage::Arms, Stage::Periodicity, Stage::Interface})
-    EXPECT_TRUE(callsFor(scene, Purpose::Curve, stage)) << nameOf(stage);
+    EXPECT_TRUE(needsStage(scene, Purpose::Curve, stage)) << stageName(stage);
   EXPECT_THAT(reasonOf(scene, Purpose::Curve, Stage::TemperatureShift), HasSubstr("at 310 K"));
   EXPECT_THAT(reasonOf(scene, Purpose::Curve, Stage::Arms), HasSubstr("1 internal variable an"));
 }
@@ -87,7 +88,7 @@ TEST(Plan, EffectsWithStrengthRun) {
 TEST(Plan, RefusesWhatExcludesEachOther) {
   Scene scene;
   scene.interface = {0.1, 3};
-  EXPECT_THROW(planOf(scene, Purpose::Curve), InputError);
+  EXPECT_THROW(planStages(scene, Purpose::Curve), InputError);
 }
 
 }  // namespace

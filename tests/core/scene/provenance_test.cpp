@@ -84,11 +84,11 @@ TEST(Provenance, SceneComesBackFromAnyFile) {
       {provenance("curve", awkwardScene()).dump(2), true},
       {writeScene(awkwardScene()), false},
       {"\xEF\xBB\xBF " + writeScene(awkwardScene()), false}};
-  for (const auto& [form, isCarried] : forms) {
+  for (const auto& [form, isEmbedded] : forms) {
     const FoundScene found = findScene(folder.write("file", form));
     EXPECT_EQ(writeScene(found.scene), writeScene(awkwardScene())) << form;
     EXPECT_EQ(found.scene.folder, folder.path());
-    EXPECT_EQ(found.isCarried, isCarried) << form;
+    EXPECT_EQ(found.isEmbedded, isEmbedded) << form;
   }
 }
 

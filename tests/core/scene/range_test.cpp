@@ -13,40 +13,40 @@ namespace {
 
 std::string refusal(const std::string& text) {
   return errorFrom([&] {
-    const ParameterRange range = rangeFromOption("--over", text);
+    const ParameterRange range = parseRangeOption("--over", text);
     checkRange(range, Scene{});
   });
 }
 
 TEST(Range, IsLogarithmicWhereTheSliderIs) {
-  const ParameterRange force = rangeFrom("load.normal_force", "1e-3:10:5");
+  const ParameterRange force = parseRange("load.normal_force", "1e-3:10:5");
   EXPECT_TRUE(force.isLogarithmic);
-  const std::vector<double> values = valuesOf(force);
+  const std::vector<double> values = rangeValues(force);
   ASSERT_EQ(values.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(values[i], std::pow(10.0, static_cast<double>(i) - 3), 1e-15 * values[i] * 10);
   EXPECT_EQ(values.back(), 10);
-  EXPECT_FALSE(rangeFrom("surface.hurst", "0.3:0.9:7").isLogarithmic);
-  EXPECT_FALSE(rangeFrom("load.normal_force", "1:2:3:linear").isLogarithmic);
-  EXPECT_TRUE(rangeFrom("surface.hurst", "0.3:0.9:7:log").isLogarithmic);
+  EXPECT_FALSE(parseRange("surface.hurst", "0.3:0.9:7").isLogarithmic);
+  EXPECT_FALSE(parseRange("load.normal_force", "1:2:3:linear").isLogarithmic);
+  EXPECT_TRUE(parseRange("surface.hurst", "0.3:0.9:7:log").isLogarithmic);
 }
 
 TEST(Range, TakesUnitsAndReadsBack) {
-  const ParameterRange range = rangeFrom("load.normal_force", "1mN:10N:41");
+  const ParameterRange range = parseRange("load.normal_force", "1mN:10N:41");
   EXPECT_EQ(range.from, 1e-3);
   EXPECT_EQ(range.to, 10);
   EXPECT_EQ(range.points, 41);
-  EXPECT_EQ(rangeFrom("load.normal_force", textOf(range)), range);
-  EXPECT_EQ(rangeFrom("elastomer.temperature", "0\u00B0C:40\u00B0C:3").from, 273.15);
+  EXPECT_EQ(parseRange("load.normal_force", formatRange(range)), range);
+  EXPECT_EQ(parseRange("elastomer.temperature", "0\u00B0C:40\u00B0C:3").from, 273.15);
 }
 
 TEST(Range, RunsDownwardsAndThroughOnePoint) {
-  EXPECT_EQ(valuesOf(rangeFrom("load.normal_force", "10:1:2")), (std::vector<double>{10, 1}));
-  EXPECT_EQ(valuesOf(rangeFrom("load.normal_force", "3:7:1")), (std::vector<double>{3}));
+  EXPECT_EQ(rangeValues(parseRange("load.normal_force", "10:1:2")), (std::vector<double>{10, 1}));
+  EXPECT_EQ(rangeValues(parseRange("load.normal_force", "3:7:1")), (std::vector<double>{3}));
 }
 
 TEST(Range, WholeNumbersAreRoundedWithoutRepeats) {
-  const std::vector<double> values = valuesOf(rangeFrom("surface.waves", "1:4:20"));
+  const std::vector<double> values = rangeValues(parseRange("surface.waves", "1:4:20"));
   EXPECT_EQ(values, (std::vector<double>{1, 2, 3, 4}));
 }
 

@@ -18,7 +18,7 @@ TEST(Resolution, IsLeftOpenByDefaultAndStatedNumbersStand) {
   EXPECT_THAT(writeScene({}), HasSubstr("\"oversampling\": 0"));
   const Scene stated = readScene(R"({"accuracy":{"oversampling":2}})", "s.json");
   EXPECT_EQ(pointsPerElement(stated), 2);
-  EXPECT_EQ(pointsPerElementOfCurve(stated), 2);
+  EXPECT_EQ(curvePointsPerElement(stated), 2);
   const Scene open = readScene("{}", "s.json", {}, {"accuracy.oversampling=0"});
   EXPECT_EQ(open, Scene{});
   EXPECT_EQ(readScene(R"({"accuracy":{"scheme":"nodal","oversampling":0}})", "s.json"),
@@ -35,7 +35,7 @@ TEST(Resolution, OneLineHasFourPointsAnElement) {
     scene.surface.kind = kind;
     scene.ensemble.realizations = kind == SurfaceKind::SelfAffine ? 1 : 200;
     EXPECT_EQ(pointsPerElement(scene), 4);
-    EXPECT_EQ(pointsPerElementOfCurve(scene), 4);
+    EXPECT_EQ(curvePointsPerElement(scene), 4);
   }
   // A picture or a motion shows one line of many.
   Scene scene;
@@ -48,10 +48,10 @@ TEST(Resolution, OtherSchemesHaveTheirOwn) {
   Scene scene;
   scene.accuracy.scheme = Scheme::Nodal;
   EXPECT_EQ(pointsPerElement(scene), 1);
-  EXPECT_EQ(pointsPerElementOfCurve(scene), 1);
+  EXPECT_EQ(curvePointsPerElement(scene), 1);
   scene.accuracy.scheme = Scheme::Linear;
   EXPECT_EQ(pointsPerElement(scene), 8);
-  EXPECT_EQ(pointsPerElementOfCurve(scene), 8);
+  EXPECT_EQ(curvePointsPerElement(scene), 8);
 }
 
 /// The standard error falls with the number of lines, with a roll-off and with the load.
@@ -62,7 +62,7 @@ TEST(Resolution, FollowsTheStandardErrorOfACurve) {
     scene.surface.rollOffWavelength = rollOff;
     scene.ensemble.realizations = lines;
     scene.load.normalForce = force;
-    return pointsPerElementOfCurve(scene);
+    return curvePointsPerElement(scene);
   };
   EXPECT_EQ(points(0.7, 200, 0.0034), 2);  // the paper's
   EXPECT_EQ(points(0.7, 10000, 0.0034), 4);
@@ -85,7 +85,7 @@ TEST(Resolution, StaysWithinTheMemoryOfAMachine) {
   for (const std::int64_t elements : {std::int64_t{1} << 23, std::int64_t{1} << 24}) {
     scene.surface.elements = elements;
     EXPECT_LE(elements * pointsPerElement(scene), std::int64_t{1} << 25);
-    EXPECT_LE(elements * pointsPerElementOfCurve(scene), std::int64_t{1} << 25);
+    EXPECT_LE(elements * curvePointsPerElement(scene), std::int64_t{1} << 25);
     EXPECT_GE(pointsPerElement(scene), 2);
   }
   scene.accuracy.oversampling = 4;  // stated
@@ -108,16 +108,16 @@ TEST(Resolution, IsChosenForAnyScene) {
   Scene scene;
   scene.elastomer.rheology = Rheology::Prony;
   scene.elastomer.equilibriumModulus = 0;
-  EXPECT_GE(pointsPerElementOfCurve(scene), 2);
+  EXPECT_GE(curvePointsPerElement(scene), 2);
   scene.surface.rmsHeight = 0;
-  EXPECT_GE(pointsPerElementOfCurve(scene), 2);
+  EXPECT_GE(curvePointsPerElement(scene), 2);
   scene = {};
   scene.load.normalForce = 1e30;
   scene.elastomer.shearModulus = 1e-6;
   scene.surface.length = 1e-9;
-  EXPECT_GE(pointsPerElementOfCurve(scene), 4);
+  EXPECT_GE(curvePointsPerElement(scene), 4);
   scene.load = {LoadKind::Indentation, 0, 1e6};
-  EXPECT_GE(pointsPerElementOfCurve(scene), 4);
+  EXPECT_GE(curvePointsPerElement(scene), 4);
 }
 
 TEST(Resolution, ProvenanceNamesTheNumberUsed) {

@@ -98,13 +98,13 @@ TEST(Sweep, AnyNumberWithAMeaningReadsBackFromItsOwnText) {
     EXPECT_THAT(text, HasSubstr(std::string("\"key\": \"") + key));
     EXPECT_THAT(text, Not(HasSubstr("velocity_from")));
     // What tells it from a plain scene tells everything.
-    EXPECT_EQ(readScene("{}", "s.json", {}, assignmentsFrom(Scene{}, scene)), scene);
+    EXPECT_EQ(readScene("{}", "s.json", {}, differingAssignments(Scene{}, scene)), scene);
   }
   // An end of 0 is the default of the key, and is written nonetheless.
   const Scene scene =
       sceneOver("interface.friction_coefficient", "0", "0.5", {"sweep.scale=linear"});
   EXPECT_EQ(readScene(writeScene(scene), "t.json"), scene);
-  EXPECT_EQ(readScene("{}", "s.json", {}, assignmentsFrom(Scene{}, scene)), scene);
+  EXPECT_EQ(readScene("{}", "s.json", {}, differingAssignments(Scene{}, scene)), scene);
 }
 
 TEST(Sweep, ValuesAreSpacedAsTheScaleSaysAndRunDownwardsToo) {

@@ -101,11 +101,11 @@ TEST(StudyFile, TheTitleIsNoPartOfTheStudy) {
 TEST(StudyFile, DifferencesAreNamed) {
   const std::string a = parse(R"("space":{"surface.hurst":[0.3,0.7]})").canonical;
   const std::string b = parse(R"("space":{"surface.hurst":[0.3,0.8]})").canonical;
-  EXPECT_THAT(differenceOf(a, b).english(),
+  EXPECT_THAT(describeDifference(a, b).english(),
               testing::HasSubstr("space.surface.hurst.1 is 0.8 instead of 0.7"));
   const std::string c =
       parse(R"("set":{"load.normal_force":1},"space":{"surface.hurst":[0.3,0.7]})").canonical;
-  EXPECT_THAT(differenceOf(a, c).english(),
+  EXPECT_THAT(describeDifference(a, c).english(),
               testing::HasSubstr("scene.load.normal_force is 1.0 instead of 0.0034"));
 }
 

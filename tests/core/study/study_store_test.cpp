@@ -271,9 +271,9 @@ TEST_F(StudyStoreTest, DifferentResultsOfOneChunkAreRefused) {
 }
 
 TEST(Shard, IsReadAndRefused) {
-  EXPECT_EQ(shardFrom("3/8"), (Shard{3, 8}));
+  EXPECT_EQ(parseShard("3/8"), (Shard{3, 8}));
   for (const char* text : {"", "3", "0/8", "9/8", "3/0", "-1/8", "3/8/9", "a/b", "3/2000000"})
-    EXPECT_THROW(shardFrom(text), InputError) << text;
+    EXPECT_THROW(parseShard(text), InputError) << text;
   // Every chunk belongs to one shard.
   for (std::int64_t chunk = 0; chunk < 20; ++chunk) {
     int owners = 0;

@@ -1,6 +1,7 @@
 // From measured rows to the lines of the model: seams, orientation, realizations, the isotropic
 // equivalent. The files are made in memory, so that no reader takes part.
 #include "core/surface/measured_lines.h"
+#include "core/base/stop.h"
 
 #include <gmock/gmock.h>
 
@@ -313,7 +314,7 @@ TEST(MeasuredLines, TheSpectrumOfASurfaceSaysHowFarItIsAndCanBeStopped) {
       last = part;
       if (part >= until) source.request_stop();
     };
-    EXPECT_THROW(MeasuredLines(scene, file, source.get_token(), stopAt), ReadingStopped) << until;
+    EXPECT_THROW(MeasuredLines(scene, file, source.get_token(), stopAt), StopRequested) << until;
     EXPECT_LT(last, until + 0.05);
   }
 }

@@ -165,14 +165,15 @@ TEST_F(MeasuredScene, IsPredictedAndReachesATarget) {
 
 TEST_F(MeasuredScene, SaysWhatTheUserMustKnow) {
   const auto notes = [&](const std::vector<std::string>& settings) {
-    return notesOf(LineSource(scene(settings), 1));
+    return lineNotes(LineSource(scene(settings), 1));
   };
   EXPECT_TRUE(notes({}).empty());
   EXPECT_THAT(notes({"surface.seam=periodic", "surface.form=none"}).list(),
               ElementsAre(Note::SeamJump));
   EXPECT_THAT(notes({"surface.height_unit=mm"}).list(), ElementsAre(Note::SlopeAbove));
   const Curve curve = computeCurve(scene({"surface.seam=periodic", "surface.form=none"}));
-  for (const CurvePoint& point : curve.points) EXPECT_THAT(notesOf(point), HasSubstr("seam_jump"));
+  for (const CurvePoint& point : curve.points)
+    EXPECT_THAT(pointNotes(point), HasSubstr("seam_jump"));
   EXPECT_THAT(curveCsv(curve.points), HasSubstr(",notes\n"));
 }
 

@@ -102,16 +102,16 @@ TEST_F(PinnedCurves, KeepTheirColourWhenOthersGo) {
   }
   const auto colourOf = [&](int id) { return seriesOf(diagram_.sheet(), id)->colour; };
   EXPECT_THAT((std::vector{colourOf(ids[0]), colourOf(ids[1]), colourOf(ids[2])}),
-              ElementsAre(colourOfPin(0), colourOfPin(1), colourOfPin(2)));
+              ElementsAre(pinColour(0), pinColour(1), pinColour(2)));
   diagram_.unpin(ids[1]);
   const DiagramSheet without = diagram_.sheet();
   EXPECT_FALSE(seriesOf(without, ids[1]));
-  EXPECT_EQ(colourOf(ids[2]), colourOfPin(2));
+  EXPECT_EQ(colourOf(ids[2]), pinColour(2));
   Scene next = smallScene();
   next.elastomer.shearModulus *= 5;
   show(next);
   const int again = diagram_.pin();
-  EXPECT_EQ(colourOf(again), colourOfPin(1)) << "the free place";
+  EXPECT_EQ(colourOf(again), pinColour(1)) << "the free place";
   EXPECT_GT(again, ids[2]) << "numbers are not used again";
   diagram_.unpinAll();
   EXPECT_TRUE(diagram_.pinned().empty());

@@ -35,7 +35,7 @@ TEST(ContactSigns, EachHasAnExplanationAndAPlaceInThePicture) {
     const std::vector<ContactSign> signs = contactSigns(frame(), options);
     EXPECT_GT(signs.size(), 10U);
     for (const ContactSign& sign : signs) {
-      EXPECT_TRUE(explanationOf(sign.id)) << sign.name << ": " << sign.id;
+      EXPECT_TRUE(findExplanation(sign.id)) << sign.name << ": " << sign.id;
       EXPECT_FALSE(sign.name.empty());
       const Clip& place = sign.place;
       EXPECT_GT(place.width, 4) << sign.name;

@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   scene.surface.elements = argc > 3 ? std::atol(argv[3]) : 5000;
   scene.load.normalForce = 0.2;
   Simulation simulation(std::make_shared<const Scene>(scene), 1);
-  simulation.want({true, true, true});
+  simulation.requestFields({true, true, true});
   const double march = cost([&] { simulation.advance(1.0 / 720, 1.0 / 60); });
   const Frame frame = simulation.frame();
   std::printf("%d x %d, %lld elements: march %.2f ms a frame, its copy %.2f ms\n", options.width,

@@ -89,7 +89,7 @@ void addRegions(Texts& texts, Scene scene) {
   const std::vector<CurvePoint> points = frictionCurve(scene).points;
   add(texts, curveSheet(scene, points));
   for (const char* name : {"I", "II", "III", "IV"})
-    texts.insert({wordOfRegion(name), sentenceOfRegion(name)});
+    texts.insert({regionWord(name), regionSentence(name)});
 }
 
 /// A curve pinned, one of another setting, and every parameter that may tell two curves apart.
@@ -101,10 +101,10 @@ void addComparison(Texts& texts) {
     for (const std::int64_t lines : {1, 20}) {
       set.difference = CurveDifference{};
       set.difference->setting = {scheme, 2, lines};
-      texts.insert(nameOf(set.difference->setting));
+      texts.insert(settingName(set.difference->setting));
       add(texts, curveSheet(set));
     }
-  for (const Scene& scene : shippedScenes()) texts.insert(differencesInWords(scene, {}));
+  for (const Scene& scene : shippedScenes()) texts.insert(describeDifferences(scene, {}));
 }
 
 void addLineDiagrams(Texts& texts) {
@@ -158,7 +158,7 @@ Texts explanationTexts() {
   Texts texts;
   for (const HoverExplanation& one : explanations())
     if (!one.sentence.empty()) texts.insert(Message(one.sentence));
-  for (std::size_t i = 0; i < kNotes; ++i) texts.insert(sentenceOf(static_cast<Note>(i)));
+  for (std::size_t i = 0; i < kNotes; ++i) texts.insert(noteSentence(static_cast<Note>(i)));
   for (const TheoryEntry& entry : theoryEntries()) texts.insert(Message(entry.range));
   return texts;
 }
@@ -180,7 +180,7 @@ Texts planTexts() {
   for (const Scene& scene : scenes)
     for (const Purpose purpose :
          {Purpose::Curve, Purpose::Picture, Purpose::Surface, Purpose::Window})
-      for (const PlanStage& stage : planOf(scene, purpose))
+      for (const PlanStage& stage : planStages(scene, purpose))
         texts.insert({stage.name, stage.reason});
   return texts;
 }
@@ -263,7 +263,7 @@ Texts complaintTexts() {
   Scene sinks;
   sinks.elastomer.rheology = Rheology::Prony;
   sinks.elastomer.equilibriumModulus = 0;
-  complaintOf([&] { needEquilibrium(sinks); });
+  complaintOf([&] { requireEquilibrium(sinks); });
   for (const SlidingKind kind :
        {SlidingKind::Start, SlidingKind::Step, SlidingKind::Oscillation, SlidingKind::Reversal}) {
     Scene moving;

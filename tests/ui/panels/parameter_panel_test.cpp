@@ -77,11 +77,11 @@ TEST_F(ParameterPanelTest, KeysOnASliderChangeTheScene) {
                           "elastomer.relaxation_time", "surface.hurst", "surface.rms_height",
                           "surface.length", "surface.elements", "ensemble.realizations"}) {
     const Parameter& row = *findParameter(key);
-    const ParameterValue before = valueOf(row, panel_.scene());
+    const ParameterValue before = parameterValue(row, panel_.scene());
     spy_.clear();
     QTest::keyClick(&slider(key), Qt::Key_Right);
     EXPECT_EQ(spy_.count(), 1) << key;
-    const ParameterValue after = valueOf(row, panel_.scene());
+    const ParameterValue after = parameterValue(row, panel_.scene());
     EXPECT_GT(after, before) << key;
     const QString unit = control<QLabel>("unit:" + QString(key))->text();
     const QString text = inShownUnit(entry(key).text(), unit);

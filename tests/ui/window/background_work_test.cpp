@@ -1,6 +1,7 @@
 // Work in the background: what a newer request does to older ones, cancelling, failures, and that
 // everything arrives on the thread of the window.
 #include "ui/window/tasks/background_work.h"
+#include "core/base/stop.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "core/friction/study.h"
 #include "tests/ui/window/qt_application.h"
 
 namespace asperity {
@@ -146,7 +146,7 @@ TEST(BackgroundWork, WorkThatWasStoppedIsNoFailure) {
   int told = 0;
   bool isDone = false;
   BackgroundWork work(Overtaking::WaitsForItsTurn);
-  work.request([](const BackgroundWork::Run&) { throw StudyStopped{}; }, [&] { ++told; },
+  work.request([](const BackgroundWork::Run&) { throw StopRequested{}; }, [&] { ++told; },
                [&](const QString&) { ++told; });
   work.request([](const BackgroundWork::Run&) {}, [&] { isDone = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return isDone; }, kPatience));

@@ -202,7 +202,7 @@ TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
     const QPoint at = middleOf(sign.place);
     QHelpEvent help(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
     QApplication::sendEvent(&canvas_, &help);
-    const HoverExplanation explanation = *explanationOf(sign.id);
+    const HoverExplanation explanation = *findExplanation(sign.id);
     EXPECT_TRUE(QToolTip::text().contains(QString::fromStdString(sign.name).toHtmlEscaped()));
     EXPECT_TRUE(QToolTip::text().contains(formulaHtml(explanation.formula))) << sign.name;
     canvas_.setContextMenuPolicy(Qt::NoContextMenu);  // a menu would wait for an answer

@@ -12,7 +12,7 @@
 #include <mutex>
 #include <set>
 
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 #include "tests/ui/window/main_window_fixture.h"
 #include "ui/window/figures/claims_table.h"
 #include "ui/window/figures/gallery_page.h"
@@ -53,7 +53,7 @@ inline Figure endlessFigure(FigureName, const FigureOptions& options) {
   std::condition_variable_any changed;
   std::unique_lock lock(mutex);
   changed.wait(lock, options.stop, [] { return false; });
-  throw StudyStopped{};
+  throw StopRequested{};
 }
 
 inline std::size_t coloursOf(QWidget& widget) {

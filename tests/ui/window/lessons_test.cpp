@@ -125,7 +125,7 @@ TEST_F(LessonsTest, AButtonIsPressedByReturnThoughItIsNotTheOneThatLeadsOn) {
   button("lessonShow").setFocus();
   QTest::keyClick(window_.windowHandle(), Qt::Key_Return);
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_FALSE(lessons().results().of(0)->given.isGiven());
+  EXPECT_FALSE(lessons().results().find(0)->given.isGiven());
 }
 
 TEST_F(LessonsTest, TheTabKeyGoesFromTheQuestionToTheAnswerAndOn) {
@@ -182,7 +182,7 @@ TEST_F(LessonsTest, WhatIsLockedStaysAndWhatIsFreeMoves) {
   EXPECT_TRUE(said("lessonNote").contains("guess"));
   click("lessonShow");
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_FALSE(lessons().results().of(0)->given.isGiven());
+  EXPECT_FALSE(lessons().results().find(0)->given.isGiven());
   press("sliding.velocity");
   EXPECT_NE(session().scene().sliding.velocity, 2e-4);
   changed = session().scene();
@@ -240,7 +240,7 @@ TEST_F(LessonsTest, ANumberIsTypedWithOrWithoutItsUnit) {
   QTest::keyClicks(&number, "0.3 um");
   QTest::keyClick(&number, Qt::Key_Return);
   ASSERT_TRUE(waitForAnswer());
-  EXPECT_DOUBLE_EQ(lessons().results().of(1)->given.number, 3e-7);
+  EXPECT_DOUBLE_EQ(lessons().results().find(1)->given.number, 3e-7);
   ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
 }
 
@@ -272,7 +272,7 @@ TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
     const double placed = point.point()->y();
     click("lessonNext");
     ASSERT_TRUE(waitForAnswer());
-    EXPECT_EQ(lessons().results().of(1)->given.number, placed);
+    EXPECT_EQ(lessons().results().find(1)->given.number, placed);
     ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
     lessons().end();
     EXPECT_FALSE(point.isVisible());
@@ -482,7 +482,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   ASSERT_TRUE(editor.saveTo(QString::fromStdString(file)));
   const Lesson read = readLessonFile(file);
   ASSERT_EQ(read.steps.size(), 3U);
-  EXPECT_EQ(predictionsOf(read), 3);
+  EXPECT_EQ(predictionCount(read), 3);
   EXPECT_TRUE(read.steps[0].prediction->choices[0].isRight);
   EXPECT_EQ(read.steps[1].prediction->answer->set,
             std::vector<std::string>{"load.normal_force=0.01"});

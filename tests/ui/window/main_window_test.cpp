@@ -334,9 +334,9 @@ TEST_F(MainWindowTest, ThePlanFollowsTheScene) {
     return found.isEmpty() ? QString() : found.first()->text(1);
   };
   ASSERT_EQ(plan.topLevelItemCount(), static_cast<int>(kStages));
-  EXPECT_EQ(runs(QString::fromStdString(std::string(nameOf(Stage::Interface)))), "no");
+  EXPECT_EQ(runs(QString::fromStdString(std::string(stageName(Stage::Interface)))), "no");
   type("interface.friction_coefficient", "0.2");
-  EXPECT_EQ(runs(QString::fromStdString(std::string(nameOf(Stage::Interface)))), "yes");
+  EXPECT_EQ(runs(QString::fromStdString(std::string(stageName(Stage::Interface)))), "yes");
 }
 
 TEST_F(MainWindowTest, AValueIsTypedWithItsUnit) {

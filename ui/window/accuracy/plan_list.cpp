@@ -33,7 +33,7 @@ void PlanList::showScene(const Scene& scene) {
 void PlanList::fill() {
   clear();
   try {
-    for (const PlanStage& stage : planOf(scene_, Purpose::Window)) {
+    for (const PlanStage& stage : planStages(scene_, Purpose::Window)) {
       const QString reason = translatedText(stage.reason);
       auto* item = new QTreeWidgetItem(
           {translatedText(stage.name), stage.runs ? tr("yes") : tr("no"), reason});

@@ -31,7 +31,7 @@ QString whatADragDoes(ContactHandle handle, const Scene& scene) {
 /// Returns what a sign means: its explanation, or what it says where it has none.
 ContactTip tipOf(const ContactSign& sign) {
   const QString sentence = keptTogether(QString::fromStdString(sign.tip));
-  const auto explanation = explanationOf(sign.id);
+  const auto explanation = findExplanation(sign.id);
   if (!explanation) return {wrappedTip(sentence), {}};
   return {explanationHtml(*explanation, QString::fromStdString(sign.name), sentence),
           anchorText(*explanation)};
@@ -41,7 +41,7 @@ ContactTip tipOf(const ContactSign& sign) {
 
 QString draggedText(ContactHandle handle, const Scene& scene) {
   const Parameter& parameter = knownParameter(draggedKey(handle, scene));
-  const double value = std::get<double>(valueOf(parameter, scene));
+  const double value = std::get<double>(parameterValue(parameter, scene));
   return ParameterRow::labelOf(parameter) + ": " +
          QString::fromStdString(quantity(value, parameter.unit, 4));
 }

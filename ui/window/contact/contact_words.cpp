@@ -32,7 +32,7 @@ QStringList sentencesOf(const Session& session) {
   }
   curve.notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
   QStringList said;
-  for (const Message& sentence : contactInWords(frame, curve)) said += translatedText(sentence);
+  for (const Message& sentence : describeContact(frame, curve)) said += translatedText(sentence);
   return said;
 }
 

@@ -120,7 +120,7 @@ void AxisChoosers::showTitles(const QString& x, const QString& y) {
 void AxisChoosers::fillKeys() {
   QList<std::pair<QString, QVariant>> entries;
   for (const Parameter* row : commands_.axisKeys())
-    entries.emplaceBack(entryText(titleOfKey(row->key), row->unit), fromUtf8(row->key));
+    entries.emplaceBack(entryText(parameterTitle(row->key), row->unit), fromUtf8(row->key));
   entries.insert(1, {tr("Dimensionless velocity v̄, Eq. (13)"), kDimensionless});
   setEntries(*x_, entries);
   follow();
@@ -140,7 +140,7 @@ void AxisChoosers::fillQuantities() {
 void AxisChoosers::explain() {
   const bool isPlain = !commands_.hasDimensionlessAxes();
   const auto tip = [](std::string_view id, const QString& hint) {
-    const auto explanation = explanationOf(id);
+    const auto explanation = findExplanation(id);
     return (explanation ? explanationHtml(*explanation) : QString()) + "<p><small>" +
            hint.toHtmlEscaped() + "</small></p>";
   };
@@ -148,9 +148,9 @@ void AxisChoosers::explain() {
       tip(isPlain ? std::string_view(session_.scene().sweep.key) : "dimensionless_velocity",
           tr("What the curve goes over: any number that changes friction in this scene. "
              "The marker then sets it.")));
-  y_->setToolTip(tip(
-      isPlain ? std::string_view(entryOf(session_.friction().quantity()).word) : "normalized_mu",
-      tr("What the curve shows")));
+  y_->setToolTip(tip(isPlain ? std::string_view(quantityEntry(session_.friction().quantity()).word)
+                             : "normalized_mu",
+                     tr("What the curve shows")));
 }
 
 /// Selects what is shown.

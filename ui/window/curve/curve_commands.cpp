@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/accuracy/compute_curve.h"
+#include "core/base/stop.h"
 #include "core/chart/curve_words.h"
-#include "core/friction/study.h"
 #include "core/scene/sweep.h"
 #include "ui/chart/chart_view.h"
 #include "ui/language/language.h"
@@ -181,7 +181,7 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
   menu.clear();
   const Scene& scene = session_.scene();
   const auto addKey = [&](const Parameter& row) {
-    QAction* action = menu.addAction(capitalized(translatedText(titleOfKey(row.key))), this,
+    QAction* action = menu.addAction(capitalized(translatedText(parameterTitle(row.key))), this,
                                      [choose, &row] { choose(row); });
     action->setObjectName("key:" + QString::fromStdString(std::string(row.key)));
     action->setCheckable(&menu == keys_);
@@ -275,7 +275,7 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
   work_.request(
       [scene, range](const BackgroundWork::Run& run) {
         std::vector<std::shared_ptr<const CurveUpdate>> family;
-        for (const double value : valuesOf(range)) {
+        for (const double value : rangeValues(range)) {
           auto member = std::make_shared<Scene>(scene);
           member->sweep.key = std::string(range.key());
           *member = withSweptValue(*member, value);
@@ -283,7 +283,7 @@ void CurveCommands::pinFamily(const Parameter& parameter) {
           CurveOptions options;
           options.stop = run.stop();
           Curve curve = computeCurve(*member, options);
-          if (!curve.isComplete) throw StudyStopped{};
+          if (!curve.isComplete) throw StopRequested{};
           auto update = std::make_shared<CurveUpdate>();
           update->scene = std::move(member);
           update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;

@@ -26,7 +26,7 @@ nlohmann::ordered_json originOf(const CurveSet& set) {
   if (set.axes == CurveAxes::Dimensionless) origin["axes"] = "dimensionless";
   for (const NamedCurve& curve : set.pinned)
     origin["pinned"].push_back(provenance("curve", curve.scene)["scene"]);
-  if (set.difference) origin["compared_with"] = nameOf(set.difference->setting).english();
+  if (set.difference) origin["compared_with"] = settingName(set.difference->setting).english();
   return origin;
 }
 

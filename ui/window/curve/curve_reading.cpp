@@ -74,7 +74,7 @@ NoteSet notesAt(const CurveUpdate& curve, double place) {
 }
 
 std::string regionAt(const CurveUpdate& curve, double velocity) {
-  for (const CurveRegion& region : regionsOfCurve(*curve.scene, curve.points))
+  for (const CurveRegion& region : findRegions(*curve.scene, curve.points))
     if (velocity >= region.from && velocity <= region.to) return region.name;
   return {};
 }
@@ -83,7 +83,7 @@ std::string regionAt(const CurveUpdate& curve, double velocity) {
 
 QString regionText(std::string_view name) {
   return CurveReadingText::tr("region %1, %2")
-      .arg(fromUtf8(name), translatedText(wordOfRegion(name)));
+      .arg(fromUtf8(name), translatedText(regionWord(name)));
 }
 
 CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {

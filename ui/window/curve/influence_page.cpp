@@ -36,13 +36,14 @@ struct Result {
 };
 
 Result sensitivityOf(const Scene& scene, const StateOptions& options) {
-  needSteadySliding(scene, "the sensitivity");
-  const std::vector<Exponent> exponents = exponentsOf(scene, sensitivities(scene, options));
+  requireSteadySliding(scene, "the sensitivity");
+  const std::vector<Exponent> exponents =
+      sensitivityExponents(scene, sensitivities(scene, options));
   return {sensitivitySheet(scene, exponents), sensitivityCsv(exponents)};
 }
 
 Result wavesOf(const Scene& scene, const StateOptions& options) {
-  needSteadySliding(scene, "the short-wave cut-off");
+  requireSteadySliding(scene, "the short-wave cut-off");
   const std::vector<CutoffPoint> points = frictionOverCutoff(scene, options);
   return {cutoffSheet(scene, points), cutoffCsv(points)};
 }

@@ -38,7 +38,7 @@ Scene withAbsoluteProfile(Scene scene) {
 
 std::vector<std::string> assignmentsOver(const SceneOrigin& origin, const Scene& scene) {
   const bool sameFolder = !origin.file.isEmpty() && origin.scene.folder == scene.folder;
-  return assignmentsFrom(origin.scene, sameFolder ? scene : withAbsoluteProfile(scene));
+  return differingAssignments(origin.scene, sameFolder ? scene : withAbsoluteProfile(scene));
 }
 
 /// Returns the shipped scene from which the fewest assignments lead to this one.
@@ -158,7 +158,7 @@ QString pinnedText(Scene pinned, const Scene& scene) {
   pinned.description = scene.description;
   pinned.chapter = scene.chapter;
   pinned.sliding = scene.sliding;
-  return QString::fromStdString(joinedAssignments(assignmentsFrom(scene, pinned)));
+  return QString::fromStdString(joinedAssignments(differingAssignments(scene, pinned)));
 }
 
 /// Returns the options of the curves that are compared, and of the axes.

@@ -53,7 +53,7 @@ void choose(QComboBox& box, const QString& word) {
 /// Returns the size of a style.
 std::optional<SizePreset> sizeOfStyle(const QString& name) {
   const FigureStyle style = readStyle(name.toStdString());
-  const auto size = pictureSizeFrom(style.size);
+  const auto size = parsePictureSize(style.size);
   if (!size) return {};
   const bool isOnPaper = size->isOnPaper();
   const double inUnit = isOnPaper ? kInch / size->perInch : 1;

@@ -33,7 +33,7 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
     return maker();
   } catch (const std::exception& error) {
     DiagramSheet sheet;
-    sheet.title = messageOf(error);
+    sheet.title = errorMessage(error);
     return sheet;
   }
 }

@@ -9,7 +9,7 @@ namespace asperity {
 QString figureLabel(FigureName name) {
   if (name == FigureName::Master) return FigureGallery::tr("Master curve");
   if (name == FigureName::Spacing) return FigureGallery::tr("Spacing");
-  return FigureGallery::tr("Figure %1").arg(fromUtf8(entryOf(name).word));
+  return FigureGallery::tr("Figure %1").arg(fromUtf8(figureEntry(name).word));
 }
 
 FigureGallery::FigureGallery(FigureMaker maker, QObject* parent)

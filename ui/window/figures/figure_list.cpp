@@ -145,7 +145,7 @@ void FigureList::showStatus(FigureName name, const FigureStatus& status) {
   item.setData(kPart, status.work == FigureStage::Computing ? QVariant(status.part) : QVariant());
   item.setData(Qt::AccessibleTextRole,
                QStringLiteral("%1, %2, %3")
-                   .arg(figureLabel(name), translatedText(entryOf(name).headline), state));
+                   .arg(figureLabel(name), translatedText(figureEntry(name).headline), state));
   updateGeometry();
 }
 

@@ -44,7 +44,7 @@ std::string originOf(const Figure& figure) {
 }  // namespace
 
 QString figureFile(FigureName name, const QString& extension) {
-  return "figure_" + fromUtf8(entryOf(name).word) + extension;
+  return "figure_" + fromUtf8(figureEntry(name).word) + extension;
 }
 
 void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {

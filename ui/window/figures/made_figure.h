@@ -2,7 +2,7 @@
 // the same names as on the command line.
 // Threading: a figure is made on the thread of a BackgroundWork; the result is immutable. Files may
 // be written on any thread, PNG not on the GUI thread, which it would stop for a while.
-// Failure: StudyStopped where the work was stopped, else as makeFigure; InputError for another
+// Failure: StopRequested where the work was stopped, else as makeFigure; InputError for another
 // extension and std::runtime_error where a file cannot be drawn or written.
 #pragma once
 

@@ -138,8 +138,8 @@ void FitChoices::fillKeys() {
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(Qt::Unchecked);
     name->setToolTip(label + ", " + fromUtf8(parameter.key()));
-    auto* now = new QTableWidgetItem(shortQuantity(parameter.of(scene_), parameter.row()));
-    now->setToolTip(quantity(parameter.of(scene_), parameter.row()));
+    auto* now = new QTableWidgetItem(shortQuantity(parameter.valueIn(scene_), parameter.row()));
+    now->setToolTip(quantity(parameter.valueIn(scene_), parameter.row()));
     now->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     keys_->setItem(row, kName, name);
     keys_->setItem(row, kNow, now);

@@ -16,7 +16,7 @@ namespace asperity {
 inline constexpr QSize kScenePicture{480, 288};
 
 /// Draws the picture. A friction curve is the mean of a few lines only, a motion is that of the
-/// scene. Throws StudyStopped where it is stopped.
+/// scene. Throws StopRequested where it is stopped.
 QImage drawScenePicture(const Scene& scene, SceneView view, const Theme& theme,
                         const std::stop_token& stop = {});
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 #include "core/base/input_error.h"
 #include "core/base/json_text.h"
 #include "core/base/regular_file.h"
@@ -87,7 +87,7 @@ FileKind kindOfFile(const std::filesystem::path& file) {
       return isMaterialJson(opened.read(0, kLargestMaterial)) ? FileKind::Material
                                                               : FileKind::Scene;
     }
-    if (isPicture(file) || beginsAsObject(carriedText(beginning))) return FileKind::Scene;
+    if (isPicture(file) || beginsAsObject(embeddedProvenance(beginning))) return FileKind::Scene;
     const bool mayBeText = beginning.find('\0') == beginning.npos ||
                            beginning.starts_with("\xFF\xFE") || beginning.starts_with("\xFE\xFF");
     if (mayBeText && opened.size() <= kLargestTable)

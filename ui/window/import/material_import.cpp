@@ -23,8 +23,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
 #include "core/base/regular_file.h"
+#include "core/base/stop.h"
 #include "core/chart/material_sheets.h"
-#include "core/friction/study.h"
 #include "core/scene/columns.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
@@ -56,7 +56,7 @@ double kelvins(const QString& text, const char* option) {
     throw InputError(
         "", option,
         message("'{}' has no unit; \u00B0C, K or \u00B0F stands behind it", text.toStdString()));
-  const auto temperature = temperatureFrom(withPoint(text.trimmed()).toStdString());
+  const auto temperature = parseTemperature(withPoint(text.trimmed()).toStdString());
   if (!temperature || !(*temperature > 0 && *temperature <= 2000))
     throw InputError("", option,
                      message("'{}' is not a temperature such as 20 \u00B0C, 293.15 K or 68 \u00B0F",
@@ -351,8 +351,6 @@ void MaterialImport::begin() {
           choices.stop = run.stop();
           preview.material = std::make_shared<const Material>(makeMaterial(
               *preview.bytes, std::filesystem::path(file).filename().string(), choices));
-        } catch (const MaterialStopped&) {
-          throw StudyStopped{};
         } catch (const InputError& error) {
           preview.fault = {error.key(), error.message()};
         }

@@ -10,7 +10,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 #include "core/run/measured_sheet.h"
 #include "core/scene/parameters.h"
 #include "core/surface/line_source.h"
@@ -63,7 +63,7 @@ QString valuesTable(const MeasuredSummary& summary) {
   const QString cell = QStringLiteral("<td align=right style='padding-left:14px'>%1</td>");
   QString rows = "<tr><td></td>" + cell.arg(SurfaceImport::tr("raw")) +
                  cell.arg("<b>" + SurfaceImport::tr("used") + "</b>") + "</tr>";
-  for (const NamedValue& value : valuesOf(summary))
+  for (const NamedValue& value : namedValues(summary))
     rows += "<tr><td>" + QString::fromStdString(value.name).toHtmlEscaped() + "</td>" +
             cell.arg(valueText(value.raw, value.unit)) +
             cell.arg("<b>" + valueText(value.used, value.unit) + "</b>") + "</tr>";
@@ -160,8 +160,6 @@ void SurfaceImport::begin() {
           const LineSource source(scene, 1);
           preview.line = {source.length(), source.elements()};
           preview.summary = measuredSummary(scene, source);
-        } catch (const ReadingStopped&) {
-          throw StudyStopped{};
         } catch (const InputError& error) {
           preview.fault = {QString::fromStdString(error.key()), error.message()};
         } catch (const std::bad_alloc&) {
@@ -207,7 +205,7 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
                       quantity(load.normalForce / summary.period, "N/m"));
   }
   for (const Note note : summary.notes.list())
-    notes += QStringLiteral("⚠ ") + sentence(withLabels(translatedText(sentenceOf(note))));
+    notes += QStringLiteral("⚠ ") + sentence(withLabels(translatedText(noteSentence(note))));
   facts_->setText(facts.join('\n'));
   notes_->setText(keptTogether(notes.join('\n')));
   notes_->setVisible(!notes.isEmpty());

@@ -94,7 +94,7 @@ void AssignmentList::showRows() {
 }
 
 QWidget* AssignmentList::makeRow(std::size_t place) {
-  const std::string key(keyOf(assignments_[place]));
+  const std::string key(assignmentKey(assignments_[place]));
   const Parameter* row = findParameter(key);
   auto* all = new QWidget;
   auto* line = new QHBoxLayout(all);
@@ -180,7 +180,7 @@ QWidget* AssignmentList::makeValue(std::size_t place, const Parameter& row) {
 
 void AssignmentList::write(std::size_t place, const QString& value) {
   assignments_[place] =
-      std::string(keyOf(assignments_[place])) + '=' + value.trimmed().toStdString();
+      std::string(assignmentKey(assignments_[place])) + '=' + value.trimmed().toStdString();
   emit edited();
 }
 
@@ -193,7 +193,7 @@ void AssignmentList::remove(std::size_t place) {
 
 /// Adds a change to the value that the parameter has, which the teacher edits.
 void AssignmentList::add(const Parameter& row) {
-  const QString value = plainValue(asperity::valueOf(row, changed()));
+  const QString value = plainValue(parameterValue(row, changed()));
   assignments_.push_back(std::string(row.key) + '=' + value.toStdString());
   showRows();
   auto* field = findChild<QWidget*>(name_ + ':' + fromUtf8(row.key));
@@ -205,7 +205,7 @@ void AssignmentList::add(const Parameter& row) {
 /// Offers what has a meaning in the scene and is not changed yet.
 void AssignmentList::fillMenu() {
   fillParameterMenu(*add_->menu(), changed(), [this](QMenu& section, const Parameter& row) {
-    const auto isSame = [&](const std::string& one) { return keyOf(one) == row.key; };
+    const auto isSame = [&](const std::string& one) { return assignmentKey(one) == row.key; };
     if (std::ranges::any_of(assignments_, isSame)) return;
     QAction* action = section.addAction(ParameterRow::labelOf(row));
     action->setObjectName(name_ + "With:" + fromUtf8(row.key));

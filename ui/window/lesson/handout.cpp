@@ -16,12 +16,12 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/stop.h"
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_set.h"
 #include "core/chart/curve_words.h"
 #include "core/chart/material_sheets.h"
 #include "core/friction/curve_quantity.h"
-#include "core/friction/study.h"
 #include "core/lesson/lesson_answers.h"
 #include "core/run/line_diagrams.h"
 #include "core/run/simulation.h"
@@ -125,7 +125,7 @@ class HandoutMaker {
     // Seen on the screen; printed, it would tell the answer.
     toldContact_ = untitled(step.revealedScene);
     if (!step.show.hidesCurve) return;
-    toldCurve_ = sceneOfCurve(step.revealedScene);
+    toldCurve_ = canonicalCurveScene(step.revealedScene);
     toldQuantity_ = step.show.quantity;
   }
 
@@ -174,7 +174,7 @@ class HandoutMaker {
   /// Returns whether the chart differs from the one before, and notes it as the last one.
   bool isNewChart(const LessonStep& step, const Scene& scene) {
     const auto shownOf = [&](const Scene& of) {
-      return step.show.tab == "curve" ? sceneOfCurve(of) : untitled(of);
+      return step.show.tab == "curve" ? canonicalCurveScene(of) : untitled(of);
     };
     const std::string key =
         step.show.tab + " " + step.show.quantity + (step.show.isLinearY ? " linear" : "");
@@ -188,16 +188,16 @@ class HandoutMaker {
     const bool isNew = isNewChart(step, scene);
     if (isHidden) chartKey_.clear();  // the whole curve is another chart
     if (!isNew && !isHidden && step.show.beside.empty()) return;
-    const bool isAnswer =
-        toldCurve_ && *toldCurve_ == sceneOfCurve(scene) && toldQuantity_ == step.show.quantity;
+    const bool isAnswer = toldCurve_ && *toldCurve_ == canonicalCurveScene(scene) &&
+                          toldQuantity_ == step.show.quantity;
     if (isAnswer && !isHidden) return;
     CurveSet set;
     set.present = {{}, untitled(scene), curveOf(scene)};
-    set.y = *quantityNamed(step.show.quantity);
+    set.y = *findQuantity(step.show.quantity);
     if (step.show.isLinearY) set.yScale = AxisScale::Linear;
     for (std::size_t i = 0; i < step.show.beside.size(); ++i) {
       const Scene other = untitled(withKeys(step.scene, step.show.beside[i]));
-      set.pinned.push_back({differencesInWords(other, untitled(step.scene)), other, curveOf(other),
+      set.pinned.push_back({describeDifferences(other, untitled(step.scene)), other, curveOf(other),
                             static_cast<int>(i), static_cast<int>(i) + 1});
     }
     DiagramSheet sheet = curveSheet(set);
@@ -235,7 +235,7 @@ class HandoutMaker {
   std::vector<CurvePoint> curveOf(const Scene& scene) const {
     CurveOptions options = curveOptions();
     Curve curve = computeCurve(scene, options);
-    if (!curve.isComplete) throw StudyStopped{};
+    if (!curve.isComplete) throw StopRequested{};
     return std::move(curve.points);
   }
 
@@ -275,8 +275,7 @@ class HandoutMaker {
     else
       said = QString::fromStdString(numberInWords(answer.number));
     if (prediction.kind == PredictionKind::Point && !prediction.x)
-      said +=
-          " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.place)));
+      said += " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);

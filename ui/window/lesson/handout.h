@@ -4,7 +4,7 @@
 // for the same lesson and language.
 // Threading: any thread on which no OpenGL context of the window is current, with a Qt application.
 // Failure: InputError for another extension than .html or .pdf, or a scene that cannot run;
-// std::runtime_error where it cannot be written; StudyStopped where it was stopped.
+// std::runtime_error where it cannot be written; StopRequested where it was stopped.
 #pragma once
 
 #include <QByteArray>

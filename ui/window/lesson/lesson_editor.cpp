@@ -325,7 +325,7 @@ void LessonEditor::addShownStep() {
     scene.title = before.title;
     scene.description = before.description;
     scene.chapter = before.chapter;
-    step.set = assignmentsFrom(before, scene);
+    step.set = differingAssignments(before, scene);
     try {
       if (!(withKeys(before, step.set) == scene) || before.folder != scene.folder)
         step.sceneJson = writeScene(step.scene);

@@ -139,7 +139,7 @@ void LessonStepPage::fillControls() {
     QAction* action = section.addAction(ParameterRow::labelOf(row));
     action->setObjectName("free:" + fromUtf8(row.key));
     action->setCheckable(true);
-    action->setChecked(chosen_.of(row.key) == ControlState::Free);
+    action->setChecked(chosen_.state(row.key) == ControlState::Free);
     connect(action, &QAction::toggled, this,
             [this, key = std::string(row.key)](bool isFree) { chooseControl(key, isFree); });
   });

@@ -137,7 +137,7 @@ void LessonValueFields::proposeEnds() {
   const std::string key = key_->currentData().toString().toStdString();
   const Parameter* row = findParameter(key);
   if (!row || !std::holds_alternative<RealField>(row->field)) return;
-  const double present = std::get<double>(valueOf(*row, scene_));
+  const double present = std::get<double>(parameterValue(*row, scene_));
   const double most = std::get<RealField>(row->field).maximum;
   const double to = present > 0 ? std::min(10 * present, most) : 1;
   from_->setText(valueOfKey(key, roundedToDigits(0.1 * to, 4)));

@@ -17,7 +17,7 @@
 
 #include "core/accuracy/compute_curve.h"
 #include "core/base/input_error.h"
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameters.h"
 #include "core/scene/sweep.h"
@@ -81,7 +81,7 @@ std::shared_ptr<const CurveUpdate> computed(const Scene& scene, const std::stop_
   CurveOptions options;
   options.stop = stop;
   Curve curve = computeCurve(scene, options);
-  if (!curve.isComplete) throw StudyStopped{};
+  if (!curve.isComplete) throw StopRequested{};
   auto update = std::make_shared<CurveUpdate>();
   update->scene = std::make_shared<const Scene>(scene);
   update->realizationsDone = update->realizationsTotal = curve.points.front().realizations;
@@ -221,7 +221,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
     const auto tab = static_cast<std::size_t>(std::max(0, parts_.tabs.currentIndex()));
     if (tab < std::size(kLessonTabs)) step.show.tab = kLessonTabs[tab];
     const FrictionChartModel& chart = parts_.session.friction();
-    step.show.quantity = std::string(entryOf(chart.quantity()).word.text());
+    step.show.quantity = std::string(quantityEntry(chart.quantity()).word.text());
     step.show.isLinearY = chart.isLinearY();
     return step;
   };
@@ -277,7 +277,7 @@ void Lessons::start(const Lesson& lesson, int step) {
 }
 
 bool Lessons::isRevealed() const {
-  return !isRunning() || !present().prediction || results_.of(step_) != nullptr;
+  return !isRunning() || !present().prediction || results_.find(step_) != nullptr;
 }
 
 void Lessons::show(int step) {
@@ -302,9 +302,9 @@ void Lessons::showPage() {
   page.lesson = lesson_.get();
   page.step = step_;
   const LessonStep& step = present();
-  const LessonResult* result = results_.of(step_);
+  const LessonResult* result = results_.find(step_);
   if (step.prediction && step.prediction->answer)
-    page.unit = unitOf(*step.prediction->answer, step.scene);
+    page.unit = lessonValueUnit(*step.prediction->answer, step.scene);
   const auto known = answers_.find(step_);
   if (result) {
     page.answer = known != answers_.end() ? &known->second : &result->expected;
@@ -385,7 +385,7 @@ void Lessons::showChart() {
   parts_.tabs.plot().fit();
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.unpinAll();
-    plot.setQuantity(*quantityNamed(view.quantity));
+    plot.setQuantity(*findQuantity(view.quantity));
     plot.setLinearY(view.isLinearY);
     plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
   });
@@ -406,13 +406,13 @@ void Lessons::showChart() {
         [this](const QString& reason) { pane_->showNote(reason); });
   }
   const bool isPoint = step.prediction && step.prediction->kind == PredictionKind::Point;
-  const LessonResult* result = results_.of(step_);
+  const LessonResult* result = results_.find(step_);
   if (!isPoint)
     point_->dismiss();
   else if (!result)
     point_->ask(step.prediction->x, plainText(step.prediction->question));
   else if (result->given.isGiven())
-    point_->showDecided(step.prediction->x.value_or(result->given.place), result->given.number);
+    point_->showDecided(step.prediction->x.value_or(result->given.x), result->given.number);
   else
     point_->dismiss();
 }
@@ -446,7 +446,7 @@ void Lessons::answer(const GivenAnswer& said, bool surrenders) {
   if (!isRunning() || isRevealed() || waiting_) return;
   GivenAnswer given = said;
   if (present().prediction->kind == PredictionKind::Point && !surrenders && point_->point()) {
-    given.place = point_->point()->x();
+    given.x = point_->point()->x();
     given.number = point_->point()->y();
   }
   if (answers_.contains(step_)) return settle(given);

@@ -136,7 +136,7 @@ void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
   const bool isShown = mayShow(file, found);
   if (isShown) {
     // A scene that was opened from a picture must not be saved over the picture.
-    document_.open({{}, found.isCarried ? QString() : file, found.scene});
+    document_.open({{}, found.isEmbedded ? QString() : file, found.scene});
     addRecentFile(file);
     fillRecent();
   }
@@ -146,7 +146,7 @@ void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
 /// Asks a question where a scene, which another user may have put into a file, reads other files or
 /// needs much memory or time.
 bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
-  const SceneDemands demands = found.isCarried ? demandsOf(found.scene) : SceneDemands{};
+  const SceneDemands demands = found.isEmbedded ? sceneDemands(found.scene) : SceneDemands{};
   if (!demands.any()) return true;
   QStringList wants;
   if (!demands.file.empty())

@@ -185,7 +185,7 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
                        kind, program_, &parts_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   if (kind == ExportKind::Figure && parts_.figures.isShowingFigures())
-    dialog->form().setContent(fromUtf8(entryOf(parts_.figures.gallery().chosen()).word));
+    dialog->form().setContent(fromUtf8(figureEntry(parts_.figures.gallery().chosen()).word));
   connect(dialog, &ExportDialog::exported, this, [this](const QString& file) {
     parts_.status.say(tr("Saved %1").arg(QFileInfo(file).fileName()));
     emit exported(file);

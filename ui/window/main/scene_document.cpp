@@ -262,7 +262,7 @@ QString SceneDocument::proposedFile() const {
                             .toLower()
                             .remove(mark);
   const QString words = plain.split(between, Qt::SkipEmptyParts).join('_');
-  const std::string name = fileNameOf(words.toStdString());
+  const std::string name = makeFileName(words.toStdString());
   return (name.empty() ? QStringLiteral("scene") : QString::fromStdString(name)) +
          QStringLiteral(".json");
 }
@@ -279,7 +279,7 @@ void SceneDocument::goTo(const SceneState& state, SceneChange change) {
 std::vector<std::string_view> differingKeys(const Scene& a, const Scene& b) {
   std::vector<std::string_view> keys;
   for (const Parameter& parameter : parameters())
-    if (valueOf(parameter, a) != valueOf(parameter, b)) keys.push_back(parameter.key);
+    if (parameterValue(parameter, a) != parameterValue(parameter, b)) keys.push_back(parameter.key);
   return keys;
 }
 

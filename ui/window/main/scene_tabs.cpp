@@ -62,7 +62,7 @@ class ExcitationOfScene {
                         scene.ensemble == scene_.ensemble;
     if (!isSame) {
       excitation_.reset();
-      excitation_ = std::make_shared<const Excitation>(excitationOf(scene));
+      excitation_ = std::make_shared<const Excitation>(computeExcitation(scene));
     }
     scene_ = scene;
     return excitation_;

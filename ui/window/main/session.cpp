@@ -57,7 +57,7 @@ void Session::begin() {
 
 /// Returns options that take a curve when it arrives, not at the next step of the window's timer.
 RunnerOptions Session::withNews(RunnerOptions options) {
-  options.curveNews = [this] {
+  options.curveUpdated = [this] {
     if (hasNews_.exchange(true)) return;
     QMetaObject::invokeMethod(
         this, [this] { takeCurves(); }, Qt::QueuedConnection);
@@ -109,7 +109,7 @@ void Session::seek(double time) {
 }
 
 void Session::wantFields(const FrameFields& fields) {
-  runner_.want(fields);
+  runner_.requestFields(fields);
   stir();
 }
 
@@ -127,7 +127,7 @@ void Session::singleStep(double part) {
 
 void Session::setSeen(bool seen) {
   isSeen_ = seen;
-  runner_.setSeen(seen);
+  runner_.setVisible(seen);
 }
 
 void Session::reset() {

@@ -70,7 +70,7 @@ struct Reason {
 };
 
 Reason whyNoVelocity(const Frame& frame) {
-  const ElementKind kind = lawOf(frame.scene->elastomer).kind();
+  const ElementKind kind = elementLaw(frame.scene->elastomer).kind();
   if (kind == ElementKind::Elastic)
     return {StatusLine::tr("elastic"),
             StatusLine::tr("None here: an elastic body has no relaxation time.")};
@@ -105,12 +105,12 @@ Work workOf(const Session& session) {
 }  // namespace
 
 double dimensionlessForce(const Frame& frame) {
-  return orMissing(frame.normalForce / (lawOf(frame.scene->elastomer).equilibriumModulus *
+  return orMissing(frame.normalForce / (elementLaw(frame.scene->elastomer).equilibriumModulus *
                                         frame.rmsHeight * frame.length));
 }
 
 double dimensionlessVelocity(const Frame& frame) {
-  const ElementLaw law = lawOf(frame.scene->elastomer);
+  const ElementLaw law = elementLaw(frame.scene->elastomer);
   if (law.kind() != ElementKind::Kelvin) return kNotApplicable;
   const double velocity = frame.transient ? frame.velocity : frame.scene->sliding.velocity;
   return orMissing(law.relaxationTime * velocity * frame.rmsSlope /
@@ -159,7 +159,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
     QMenu menu(this);
     menu.setObjectName("notesMenu");
     for (const Note note : present_.list())
-      menu.addAction(QStringLiteral("⚠ ") + translatedText(sentenceOf(note)));
+      menu.addAction(QStringLiteral("⚠ ") + translatedText(noteSentence(note)));
     menu.exec(notes_->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
   });
   line->addWidget(notes_);
@@ -328,7 +328,7 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
 void StatusLine::showNotes(const NoteSet& notes) {
   present_ = notes;
   QStringList sentences;
-  for (const Note note : notes.list()) sentences += translatedText(sentenceOf(note));
+  for (const Note note : notes.list()) sentences += translatedText(noteSentence(note));
   QString text;
   if (sentences.size() == 1)
     text = tr("⚠ 1 note");

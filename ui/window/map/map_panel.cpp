@@ -11,8 +11,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
+#include "core/base/stop.h"
 #include "core/chart/map_sheet.h"
-#include "core/friction/study.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
@@ -42,7 +42,7 @@ double rounded(double value) {
 bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
   Scene same = a;
   for (const Parameter* row : {&x, &y})
-    if (isApplicable(*row, b)) setValue(*row, same, valueOf(*row, b));
+    if (isApplicable(*row, b)) setValue(*row, same, parameterValue(*row, b));
   // Texts and what stands beside a curve mean nothing for a map.
   same.title = b.title;
   same.description = b.description;
@@ -144,7 +144,7 @@ void MapPanel::showTexts() {
   view_->setAccessibleName(tr("friction over two parameters"));
   for (int i = 0; i < quantity_->count(); ++i)
     quantity_->setItemText(
-        i, translatedText(titleOfMapQuantity(quantity_->itemData(i).toString().toStdString())));
+        i, translatedText(mapQuantityTitle(quantity_->itemData(i).toString().toStdString())));
   for (QComboBox* box : {x_, y_})
     for (int i = 0; i < box->count(); ++i)
       if (const Parameter* row = findParameter(box->itemData(i).toString().toStdString()))
@@ -204,8 +204,8 @@ bool MapPanel::isCoveredBy(const ParameterMap& map) const {
   const Parameter &x = *map.x.range.row, &y = *map.y.range.row;
   return x_->currentData().toString().toStdString() == x.key &&
          y_->currentData().toString().toStdString() == y.key &&
-         differOnlyIn(scene_, map.scene, x, y) && holds(map.x, numberOf(x, scene_)) &&
-         holds(map.y, numberOf(y, scene_));
+         differOnlyIn(scene_, map.scene, x, y) && holds(map.x, parameterNumber(x, scene_)) &&
+         holds(map.y, parameterNumber(y, scene_));
 }
 
 void MapPanel::compute() {
@@ -249,7 +249,7 @@ void MapPanel::compute() {
           });
         };
         ParameterMap map = parameterMap(scene, x, y, options);
-        if (!map.isComplete) throw StudyStopped{};
+        if (!map.isComplete) throw StopRequested{};
         return map;
       },
       [this](ParameterMap map) { take(std::move(map)); },
@@ -271,8 +271,8 @@ void MapPanel::showMap() {
   if (!map_) return;
   save_->setEnabled(map_->isFinal);  // a stage has fewer lines than its file would say
   const std::string shown = quantity().toStdString();
-  view_->setCross(numberOf(*map_->x.range.row, map_->scene),
-                  numberOf(*map_->y.range.row, map_->scene));
+  view_->setCross(parameterNumber(*map_->x.range.row, map_->scene),
+                  parameterNumber(*map_->y.range.row, map_->scene));
   const auto origin = [map = map_, shown] { return provenanceLine(mapProvenance(*map, shown)); };
   view_->show([map = map_, shown] { return sheetWithCut(*map, shown); },
               {"map", origin,
@@ -325,7 +325,7 @@ void MapPanel::read(double x, double y) {
                         .arg(text(map_->x.values[i], map_->x.range.row->unit),
                              text(map_->y.values[j], map_->y.range.row->unit),
                              map_->isFinal ? QString() : QStringLiteral("\u2248 "),
-                             text(value, unitOfMapQuantity(shown))));
+                             text(value, mapQuantityUnit(shown))));
 }
 
 }  // namespace asperity

@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "core/friction/study.h"
+#include "core/base/stop.h"
 #include "ui/language/translated.h"
 
 namespace asperity {
@@ -62,7 +62,7 @@ void BackgroundWork::carryOut(const Request& request, const std::stop_token& sto
   const Run run(*this, request.number, stop);
   try {
     request.work(run);
-  } catch (const StudyStopped&) {
+  } catch (const StopRequested&) {
     return;
   } catch (const std::exception& error) {
     if (request.failed)

@@ -10,7 +10,7 @@
 // work should check it at least every few milliseconds. The destructor waits for the work to stop.
 // Where work cannot be stopped, the end of the program does not wait for it (runUntilClosed in
 // ui/window/main/run_window.h). Failure: an exception of the work becomes one translated sentence
-// for `failed`. Stopped work throws StudyStopped and reports nothing. Ownership: it is the last
+// for `failed`. Stopped work throws StopRequested and reports nothing. Ownership: it is the last
 // member of its owner, so that its thread ends before other members are destroyed.
 #pragma once
 

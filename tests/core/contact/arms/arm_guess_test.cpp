@@ -20,7 +20,7 @@ ArmBalance balanceAt(const ElementLaw& law, double velocity, const Function& str
 }
 
 TEST(ArmGuess, KnowsNothingAtFirstNorAfterAFailure) {
-  const ElementLaw law = lawOf(treadCompound());
+  const ElementLaw law = elementLaw(treadCompound());
   ArmGuess guess(law);
   EXPECT_EQ(guess.at(1), nullptr);
   guess.take(1, balanceAt(law, 1, [](double c) { return c; }));
@@ -34,7 +34,7 @@ TEST(ArmGuess, KnowsNothingAtFirstNorAfterAFailure) {
 /// A shape that does not change gives strains of v tau alone: a cubic in its logarithm is met
 /// exactly between the arms, and the depth's power of the velocity everywhere.
 TEST(ArmGuess, LooksStrainsUpByTheRelaxationLength) {
-  const ElementLaw law = lawOf(treadCompound());
+  const ElementLaw law = elementLaw(treadCompound());
   const auto cubic = [](double c) {
     const double x = std::log10(c);
     return 1e-8 * (20 + x * (1 + x * (0.1 - 0.01 * x)));
@@ -51,7 +51,7 @@ TEST(ArmGuess, LooksStrainsUpByTheRelaxationLength) {
 
 /// Where strains change with the velocity as well, they go on as they went.
 TEST(ArmGuess, GoesOnAsFromTheVelocityBefore) {
-  const ElementLaw law = lawOf(treadCompound());
+  const ElementLaw law = elementLaw(treadCompound());
   const auto strain = [](double velocity) {
     return [velocity](double c) { return 1e-8 * (std::log(c) + 3 * std::log(velocity)); };
   };
@@ -65,7 +65,7 @@ TEST(ArmGuess, GoesOnAsFromTheVelocityBefore) {
 
 /// One arm has no neighbours to look up.
 TEST(ArmGuess, OneArmIsEnough) {
-  const ElementLaw law = lawOf(standardSolid(1e6, {4e6, 1e-3}));
+  const ElementLaw law = elementLaw(standardSolid(1e6, {4e6, 1e-3}));
   ArmGuess guess(law);
   guess.take(1, balanceAt(law, 1, [](double) { return 2e-8; }));
   guess.take(2, balanceAt(law, 2, [](double) { return 3e-8; }));

@@ -27,7 +27,7 @@ ElementLaw lawWith(int arms, double viscosity = 0) {
     const double share = arms > 1 ? static_cast<double>(i) / (arms - 1) : 0.5;
     list.push_back({1e6 * (1 + i % 3) * std::pow(100, share), 10 * std::pow(10, -9 * share)});
   }
-  return lawOf(prony(1e6, list, viscosity));
+  return elementLaw(prony(1e6, list, viscosity));
 }
 
 void expectSame(const PassSums& sums, const PassSums& plain, double depth, double length) {
@@ -212,7 +212,7 @@ TEST_P(ArmKernel, ASweepFindsWhatEachVelocityFindsByItself) {
 TEST_P(ArmKernel, AMarchInFineStepsEndsAtTheSameFriction) {
   const double velocity = 0.3, newton = 0.05;
   const Elastomer elastomer = prony(1e6, {{1e6, 3e-3}, {4e6, 3e-4}, {2e7, 1e-5}});
-  const ElementLaw law = lawOf(elastomer);
+  const ElementLaw law = elementLaw(elastomer);
   const auto marched = [&](std::int64_t oversampling) {
     const auto line = std::make_shared<const Line>(roughLine(40, oversampling));
     TimeMarch march(line, prepareProfile(*line, Scheme::Cubic).lowestHeight, law);

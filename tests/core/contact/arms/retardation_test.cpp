@@ -19,7 +19,7 @@ TEST(Retardation, ComplianceIsTheInverseOfTheModulus) {
   elastomers.emplace_back("weak beside strong", prony(1, {{1e-6, 1}, {1e12, 0.999999}, {5, 1e-9}}));
   elastomers.emplace_back("fluid with dashpot", prony(0, {{1e6, 1}}, 3));
   for (const auto& [name, elastomer] : elastomers) {
-    const ElementLaw law = lawOf(elastomer);
+    const ElementLaw law = elementLaw(elastomer);
     const RetardationModes modes = retardationModes(law);
     EXPECT_EQ(modes.modes(), law.arms.size() + (law.viscosity > 0 ? 1 : 0)) << name;
     for (double frequency = 1e-6; frequency < 1e13; frequency *= 7) {
@@ -36,7 +36,7 @@ TEST(Retardation, ComplianceIsTheInverseOfTheModulus) {
 /// Rates lie between those of the arms: one below each, one above all with a dashpot.
 TEST(Retardation, RatesAndArmsAlternate) {
   for (const auto& [name, elastomer] : allElastomers()) {
-    const ElementLaw law = lawOf(elastomer);
+    const ElementLaw law = elementLaw(elastomer);
     if (law.arms.empty()) continue;
     const RetardationModes modes = retardationModes(law);
     for (std::size_t i = 0; i < law.arms.size(); ++i) {
@@ -51,7 +51,7 @@ TEST(Retardation, RatesAndArmsAlternate) {
 /// What arms have yielded, as amplitudes and back, wherever no pressure acts.
 TEST(Retardation, AmplitudesAndYieldsAreTheSameState) {
   for (const auto& [name, elastomer] : allElastomers()) {
-    const ElementLaw law = lawOf(elastomer);
+    const ElementLaw law = elementLaw(elastomer);
     const std::size_t arms = law.arms.size();
     if (arms == 0) continue;
     const RetardationModes modes = retardationModes(law);

@@ -11,7 +11,7 @@ namespace asperity {
 namespace {
 
 template <int N>
-std::vector<double> listOf(const Few<N>& few) {
+std::vector<double> listOf(const StaticVector<N>& few) {
   return {few.begin(), few.end()};
 }
 

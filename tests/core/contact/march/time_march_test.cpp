@@ -32,7 +32,7 @@ ElementLaw kelvin(double tau = kTau) {
   Elastomer elastomer;
   elastomer.shearModulus = kModulus;
   elastomer.relaxationTime = tau;
-  return lawOf(elastomer);
+  return elementLaw(elastomer);
 }
 
 Line flatLine(int nodes) {
@@ -85,7 +85,7 @@ TEST(TimeMarch, EveryStepKeepsForcePressureAndShape) {
 /// apart.
 TEST(TimeMarch, WorkIsStoredOrDissipated) {
   const Line line = roughLine(200, 2);
-  for (const ElementLaw& law : {kelvin(), lawOf(prony(1e6, {{1e6, 1}, {4e6, 1e-2}}, 200))}) {
+  for (const ElementLaw& law : {kelvin(), elementLaw(prony(1e6, {{1e6, 1}, {4e6, 1e-2}}, 200))}) {
     TimeMarch march(std::make_shared<Line>(line), lowestOf(line), law);
     for (int i = 0; i < 300; ++i) {
       const double distance = line.spacing * 0.8;
@@ -102,7 +102,7 @@ TEST(TimeMarch, WorkIsStoredOrDissipated) {
 /// sliding, rest and back. The difference of the two works is that of elements met within a step.
 TEST(TimeMarch, FrictionAndSinkingDoTheWork) {
   const Line line = roughLine(200, 2);
-  for (const ElementLaw& law : {kelvin(), lawOf(prony(1e6, {{1e6, 1}, {4e6, 1e-2}}, 200))}) {
+  for (const ElementLaw& law : {kelvin(), elementLaw(prony(1e6, {{1e6, 1}, {4e6, 1e-2}}, 200))}) {
     TimeMarch march(std::make_shared<Line>(line), lowestOf(line), law);
     for (int i = 0; i < 400; ++i) {
       const double ways[] = {0.8, 0, -0.4, 1e-9};  // of a node
@@ -177,7 +177,7 @@ TEST(TimeMarch, EnergiesOfALongStepAreThoseOfManyShortOnes) {
   const Line line = flatLine(8);
   for (const double duration : {1e-6, 1e-2, 1e3})
     for (const auto& [name, elastomer] : allElastomers()) {
-      const ElementLaw law = lawOf(elastomer);
+      const ElementLaw law = elementLaw(elastomer);
       if (law.viscosity > 0) continue;  // pressed evenly in a step, not growing
       TimeMarch once(std::make_shared<Line>(line), 0, law), often = once;
       const auto pressed = [&](TimeMarch& march, int steps) {

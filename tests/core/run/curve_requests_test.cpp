@@ -1,6 +1,6 @@
 // Which curve is averaged and what of it is handed on, step by step: no threads, so nothing depends
 // on who comes first.
-#include "core/run/curve_orders.h"
+#include "core/run/curve_requests.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ PostedScene posted(std::uint64_t number, double force, double velocity = 1) {
 }
 
 /// Offers an average over `done` of 9 realizations, all of this coefficient of friction.
-bool offer(CurveOrders& orders, std::uint64_t curve, std::int64_t done, double mu) {
+bool offer(CurveRequests& orders, std::uint64_t curve, std::int64_t done, double mu) {
   CurvePoint point;
   point.mu = mu;
   point.realizations = done;
@@ -28,8 +28,8 @@ bool offer(CurveOrders& orders, std::uint64_t curve, std::int64_t done, double m
   return orders.offer(curve, update);
 }
 
-TEST(CurveOrders, AnAverageComesUnderTheNumberOfItsScene) {
-  CurveOrders orders;
+TEST(CurveRequests, AnAverageComesUnderTheNumberOfItsScene) {
+  CurveRequests orders;
   EXPECT_FALSE(orders.hasNewerThan(0));
   orders.post(posted(1, 1));
   ASSERT_TRUE(orders.hasNewerThan(0));
@@ -46,8 +46,8 @@ TEST(CurveOrders, AnAverageComesUnderTheNumberOfItsScene) {
   EXPECT_TRUE(orders.takeUpdates().empty());
 }
 
-TEST(CurveOrders, AnotherScenesCurveStopsTheOneUnderWay) {
-  CurveOrders orders;
+TEST(CurveRequests, AnotherScenesCurveStopsTheOneUnderWay) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   const CurveWork old = orders.begin();
   orders.post(posted(2, 2));
@@ -59,8 +59,8 @@ TEST(CurveOrders, AnotherScenesCurveStopsTheOneUnderWay) {
 }
 
 /// A line may be done in the very moment when the next scene is posted.
-TEST(CurveOrders, AStaleAverageIsNotOfferedUnderTheNewScenesNumber) {
-  CurveOrders orders;
+TEST(CurveRequests, AStaleAverageIsNotOfferedUnderTheNewScenesNumber) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   const CurveWork old = orders.begin();
   orders.post(posted(2, 2));
@@ -75,8 +75,8 @@ TEST(CurveOrders, AStaleAverageIsNotOfferedUnderTheNewScenesNumber) {
   EXPECT_EQ(updates.front().points.front().mu, 0.7);
 }
 
-TEST(CurveOrders, UpdatesOfTheLastSceneAreNotKept) {
-  CurveOrders orders;
+TEST(CurveRequests, UpdatesOfTheLastSceneAreNotKept) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   const CurveWork old = orders.begin();
   EXPECT_TRUE(offer(orders, old.number, 1, 0.5));
@@ -85,8 +85,8 @@ TEST(CurveOrders, UpdatesOfTheLastSceneAreNotKept) {
   EXPECT_TRUE(orders.takeUpdates().empty());
 }
 
-TEST(CurveOrders, ASceneWithTheSameCurveGetsItUnderItsOwnNumberAndStopsNothing) {
-  CurveOrders orders;
+TEST(CurveRequests, ASceneWithTheSameCurveGetsItUnderItsOwnNumberAndStopsNothing) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   const CurveWork work = orders.begin();
   EXPECT_TRUE(offer(orders, work.number, 1, 0.5));
@@ -104,8 +104,8 @@ TEST(CurveOrders, ASceneWithTheSameCurveGetsItUnderItsOwnNumberAndStopsNothing) 
   EXPECT_EQ(orders.takeUpdates().front().sceneNumber, 2U);
 }
 
-TEST(CurveOrders, StoppedItStaysAndStartedItBeginsAnew) {
-  CurveOrders orders;
+TEST(CurveRequests, StoppedItStaysAndStartedItBeginsAnew) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   const CurveWork work = orders.begin();
   orders.stop();
@@ -119,8 +119,8 @@ TEST(CurveOrders, StoppedItStaysAndStartedItBeginsAnew) {
   EXPECT_FALSE(again.stop.stop_requested());
 }
 
-TEST(CurveOrders, StoppedBeforeItBeganItIsNotAveraged) {
-  CurveOrders orders;
+TEST(CurveRequests, StoppedBeforeItBeganItIsNotAveraged) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   orders.stop();
   EXPECT_TRUE(orders.begin().stop.stop_requested());
@@ -128,8 +128,8 @@ TEST(CurveOrders, StoppedBeforeItBeganItIsNotAveraged) {
   EXPECT_FALSE(orders.begin().stop.stop_requested());
 }
 
-TEST(CurveOrders, AtTheEndNothingIsAveraged) {
-  CurveOrders orders;
+TEST(CurveRequests, AtTheEndNothingIsAveraged) {
+  CurveRequests orders;
   orders.post(posted(1, 1));
   const CurveWork work = orders.begin();
   orders.end();

@@ -1,4 +1,4 @@
-#include "core/measured/surface_values.h"
+#include "core/measured/profile_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Highest to lowest of the measured heights; NaN without any.
-double rangeOf(std::span<const double> heights) {
+/// Returns the difference of the highest and the lowest measured height; NaN where there is none.
+double heightRange(std::span<const double> heights) {
   double lowest = kNone, highest = kNone;
   for (const double height : heights) {
     if (std::isnan(height)) continue;
@@ -24,20 +24,21 @@ double meanRange(std::span<const double> heights, std::size_t section) {
   double sum = 0;
   int count = 0;
   for (std::size_t first = 0; first + section <= heights.size(); first += section) {
-    const double range = rangeOf(heights.subspan(first, section));
+    const double range = heightRange(heights.subspan(first, section));
     if (std::isnan(range)) continue;
     sum += range;
     ++count;
   }
-  return count > 0 ? sum / count : rangeOf(heights);
+  return count > 0 ? sum / count : heightRange(heights);
 }
 
-/// Slope times the spacing at point i by the seven-point formula of ISO 4287 and ISO 21920-2.
+/// Returns the slope times the spacing at point i by the seven-point formula of ISO 4287 and ISO
+/// 21920-2.
 double sevenPointStep(const double* at) {
   return (at[3] - 9 * at[2] + 45 * at[1] - 45 * at[-1] + 9 * at[-2] - at[-3]) / 60;
 }
 
-double rmsSlopeOf(std::span<const double> heights, double spacing) {
+double sevenPointRmsSlope(std::span<const double> heights, double spacing) {
   const std::size_t reach = heights.size() >= 7 ? 3 : 0;
   double sum = 0;
   std::size_t count = 0;
@@ -53,8 +54,9 @@ double rmsSlopeOf(std::span<const double> heights, double spacing) {
 
 }  // namespace
 
-SurfaceValues surfaceValues(std::span<const double> heights, double spacing, double sectionLength) {
-  SurfaceValues values;
+ProfileParameters profileParameters(std::span<const double> heights, double spacing,
+                                    double sectionLength) {
+  ProfileParameters values;
   values.length = static_cast<double>(heights.size()) * spacing;
   double sum = 0, count = 0;
   for (const double height : heights)
@@ -78,12 +80,12 @@ SurfaceValues surfaceValues(std::span<const double> heights, double spacing, dou
   const double pq = values.pq;
   values.psk = pq > 0 ? cube / count / (pq * pq * pq) : kNone;
   values.pku = pq > 0 ? fourth / count / (pq * pq * pq * pq) : kNone;
-  values.pt = rangeOf(heights);
+  values.pt = heightRange(heights);
   const double section = std::floor(sectionLength / spacing * (1 + 1e-9));
   values.pz = section >= 2 && section < static_cast<double>(heights.size())
                   ? meanRange(heights, static_cast<std::size_t>(section))
                   : values.pt;
-  values.pdq = rmsSlopeOf(heights, spacing);
+  values.pdq = sevenPointRmsSlope(heights, spacing);
   return values;
 }
 

@@ -38,35 +38,35 @@ struct CurveWork {
   std::stop_token stop;
 };
 
-class CurveOrders {
+class CurveRequests {
  public:
   /// Sets the present scene. If its curve is the same as before, that curve is reported again under
-  /// the scene's number; else a new one is ordered.
+  /// the scene's number; else a new one is requested.
   void post(const PostedScene& scene);
 
-  /// Stops the present or ordered curve; its results so far are kept.
+  /// Stops the present or requested curve; its results so far are kept.
   void stop();
   /// Starts the same curve from its beginning.
   void start();
   /// Ends all averaging.
   void end() { working_.request_stop(); }
 
-  /// Returns whether a curve was ordered after this one.
+  /// Returns whether a curve was requested after this one.
   bool hasNewerThan(std::uint64_t number) const { return number_ != number; }
   /// Returns the newest curve, for the thread that averages it.
   CurveWork begin();
 
   /// Stores the state of a curve under the newest scene that has this curve, whatever scene the
-  /// update names; returns false, and stores nothing, where another curve was ordered since.
+  /// update names; returns false, and stores nothing, where another curve was requested since.
   bool offer(std::uint64_t number, const CurveUpdate& update);
 
   /// Returns all updates of the present scene since the last call, oldest first.
   std::vector<CurveUpdate> takeUpdates();
 
  private:
-  void order();
+  void request();
 
-  PostedScene present_, ordered_;
+  PostedScene present_, requested_;
   std::uint64_t number_ = 0;
   std::stop_source working_;
   bool isStopped_ = false;

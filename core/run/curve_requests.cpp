@@ -1,18 +1,19 @@
-#include "core/run/curve_orders.h"
+#include "core/run/curve_requests.h"
 
 #include <utility>
 
 #include "core/scene/sweep.h"
 
 namespace asperity {
-void CurveOrders::post(const PostedScene& scene) {
-  const bool isSame = ordered_.scene && sceneOfCurve(*scene.scene) == sceneOfCurve(*ordered_.scene);
+void CurveRequests::post(const PostedScene& scene) {
+  const bool isSame = requested_.scene &&
+                      canonicalCurveScene(*scene.scene) == canonicalCurveScene(*requested_.scene);
   present_ = scene;
   updates_.clear();
   if (!isSame) {
-    ordered_ = scene;
+    requested_ = scene;
     last_.reset();
-    order();
+    request();
   } else if (last_) {
     last_->scene = scene.scene;
     last_->sceneNumber = scene.number;
@@ -20,28 +21,28 @@ void CurveOrders::post(const PostedScene& scene) {
   }
 }
 
-void CurveOrders::stop() {
+void CurveRequests::stop() {
   isStopped_ = true;
   working_.request_stop();
 }
 
-void CurveOrders::start() {
-  order();
+void CurveRequests::start() {
+  request();
 }
 
-void CurveOrders::order() {
+void CurveRequests::request() {
   working_.request_stop();
   isStopped_ = false;
   ++number_;
 }
 
-CurveWork CurveOrders::begin() {
+CurveWork CurveRequests::begin() {
   working_ = std::stop_source();
   if (isStopped_) working_.request_stop();
-  return {ordered_, number_, working_.get_token()};
+  return {requested_, number_, working_.get_token()};
 }
 
-bool CurveOrders::offer(std::uint64_t number, const CurveUpdate& update) {
+bool CurveRequests::offer(std::uint64_t number, const CurveUpdate& update) {
   if (number != number_) return false;
   last_ = update;
   last_->scene = present_.scene;
@@ -50,7 +51,7 @@ bool CurveOrders::offer(std::uint64_t number, const CurveUpdate& update) {
   return true;
 }
 
-std::vector<CurveUpdate> CurveOrders::takeUpdates() {
+std::vector<CurveUpdate> CurveRequests::takeUpdates() {
   return std::exchange(updates_, {});
 }
 

@@ -1,4 +1,4 @@
-#include "core/base/carried_text.h"
+#include "core/base/embedded_provenance.h"
 
 #include <array>
 #include <cstddef>
@@ -48,7 +48,7 @@ std::string_view textOfPng(std::string_view bytes) {
   return {};
 }
 
-/// MP4: a comment is a box that contains one box of data.
+/// Returns the comment of MP4: a box that contains one box of data.
 std::string_view textOfMp4(std::string_view bytes) {
   constexpr std::string_view kUtf8 = "data\0\0\0\1\0\0\0\0"sv;
   while (!(bytes = after(bytes,
@@ -62,8 +62,8 @@ std::string_view textOfMp4(std::string_view bytes) {
   return {};
 }
 
-/// WebM: a tag of this name, then its string. The number of leading zero bits in the length's first
-/// byte, plus one, is the number of bytes of the length.
+/// Returns the string behind the tag of this name of WebM. The number of leading zero bits in the
+/// length's first byte, plus one, is the number of bytes of the length.
 std::string_view textOfWebm(std::string_view bytes) {
   const std::string_view rest = after(bytes,
                                       "\x45\xA3\x87"
@@ -84,7 +84,7 @@ std::string_view textOfElement(std::string_view bytes, std::string_view beginnin
   return before(after(after(bytes, beginning), ">"), "<");
 }
 
-/// PDF, GIF and WebP: the description in an XMP packet.
+/// Returns the description in an XMP packet of PDF, GIF and WebP.
 std::string_view textOfXmp(std::string_view bytes) {
   return textOfElement(after(bytes, "<dc:description>"), "<rdf:li");
 }
@@ -115,7 +115,7 @@ std::string withoutEntities(std::string_view xml) {
   return text;
 }
 
-/// Table: its first line.
+/// Returns the first line of a table.
 std::string_view textOfTable(std::string_view bytes) {
   constexpr std::string_view kBeginning = "# asperity: ";
   if (!bytes.starts_with(kBeginning)) return {};
@@ -123,13 +123,13 @@ std::string_view textOfTable(std::string_view bytes) {
   return bytes.substr(0, bytes.find_first_of("\r\n"));
 }
 
-/// TIFF: the description of the image, a text that ends with a zero byte.
+/// Returns the description of the image of TIFF, a text that ends with a zero byte.
 std::string_view textOfTiff(std::string_view bytes) {
   const std::string_view rest = after(bytes, "asperity: {");
   return rest.empty() ? rest : before({rest.data() - 1, rest.size() + 1}, "\0"sv);
 }
 
-/// EPS: comments after the header, each with a part of the text.
+/// Returns the text in the comments after the header of EPS, each of which has a part of it.
 std::string textOfEps(std::string_view bytes) {
   constexpr std::string_view kBeginning = "\n%asperity: ";
   std::string text;
@@ -144,7 +144,7 @@ std::string textOfEps(std::string_view bytes) {
 
 }  // namespace
 
-std::string carriedText(std::string_view bytes) {
+std::string embeddedProvenance(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   if (bytes.starts_with("\x89PNG\r\n\x1A\n")) return std::string(textOfPng(bytes));
   if (bytes.substr(0, 8).ends_with("ftyp")) return std::string(textOfMp4(bytes));

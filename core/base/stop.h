@@ -1,0 +1,15 @@
+// How work ends that its caller stops by a std::stop_token.
+#pragma once
+
+#include <stop_token>
+
+namespace asperity {
+
+/// Thrown by work of any kind (readers, fits, curves, films) where a stop was requested.
+struct StopRequested {};
+
+inline void throwIfStopped(const std::stop_token& stop) {
+  if (stop.stop_requested()) throw StopRequested{};
+}
+
+}  // namespace asperity
