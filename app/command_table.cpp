@@ -62,7 +62,7 @@ int CommandTable::run() const {
   return selected_ ? selected_() : runWindowCommand(window_);
 }
 
-void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage) {
+void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* defaultLanguage) {
   common_.push_back(&common);
   app.add_option("--set", common.assignments,
                  "Set a scene key, e.g. --set load.normal_force=0.1; may be repeated, the last "
@@ -80,7 +80,7 @@ void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* u
   app.add_flag("--timing", common.timing, "Write the run time to standard error");
   app.add_option("--language", common.language,
                  fmt::format("Language of pictures and summaries: {} (default: {})",
-                             languageCodes(), usualLanguage));
+                             languageCodes(), defaultLanguage));
 }
 
 CLI::App* CommandTable::addCommand(const char* name, const char* sentence, CommonOptions& common,
@@ -465,7 +465,7 @@ void CommandTable::addStudy() {
       "study", "Very many simulations: a space of scene keys, in a store that survives kills");
   study->require_subcommand(1);
   study->footer(kStudyFormat);
-  // An action has what it reads as its first word, and no --set: the study says everything.
+  // The first word of an action is its input, and there is no --set: the study has all values.
   const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
                           int (*work)(const StudyCommand&)) {
     CLI::App* app = study->add_subcommand(name, sentence);

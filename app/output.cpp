@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-std::string extensionOf(const std::string& file) {
+std::string fileExtension(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
@@ -25,11 +25,11 @@ std::string extensionOf(const std::string& file) {
 }
 
 bool isPictureFile(const std::string& file) {
-  return std::ranges::find(kPictureExtensions, extensionOf(file)) != kPictureExtensions.end();
+  return std::ranges::find(kPictureExtensions, fileExtension(file)) != kPictureExtensions.end();
 }
 
 void needToolFor(const std::string& file) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = fileExtension(file);
   if (extension == ".eps") needEpsTool(file);
   if ((extension == ".tif" || extension == ".tiff") && !canWriteTiff())
     throw InputError(file, "",
@@ -58,7 +58,7 @@ void checkOutputs(const std::vector<std::string>& files,
       continue;
     }
     checkWritable(file);
-    const std::string extension = extensionOf(file);
+    const std::string extension = fileExtension(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
       throw unknownExtension(file, extension, extensions);
     needToolFor(file);

@@ -10,7 +10,7 @@
 namespace asperity {
 
 /// Returns the extension in small letters: ".csv" for "out/Curve.CSV".
-std::string extensionOf(const std::string& file);
+std::string fileExtension(const std::string& file);
 
 /// Extensions of pictures, and of the tables and pictures that most commands write.
 inline const std::initializer_list<std::string_view> kPictureExtensions = {".png", ".svg", ".pdf",
@@ -18,16 +18,16 @@ inline const std::initializer_list<std::string_view> kPictureExtensions = {".png
 inline const std::initializer_list<std::string_view> kOutputExtensions = {
     ".csv", ".json", ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
 
-/// Whether a file is a picture by its extension.
+/// Returns whether a file is a picture by its extension.
 bool isPictureFile(const std::string& file);
 
 /// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
 void needToolFor(const std::string& file);
 
-/// What a command prints where it is given no output file.
+/// The output of a command without an output file.
 enum class Without { PrintsSummary, PrintsTable };
 
-/// Whether `-`, standard output, is one of the outputs.
+/// Returns whether `-`, standard output, is one of the outputs.
 bool hasStandardOutput(const std::vector<std::string>& files);
 
 /// Writes a table to a file, or to standard output where it is `-`.
@@ -43,7 +43,7 @@ void checkOutputs(const std::vector<std::string>& files,
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError where the folder's name is "-": pictures and tables cannot go to standard
-/// output together, and hardly anybody means a folder of that name.
+/// output together, and a folder of that name is hardly intended.
 void checkFolderName(const std::string& folder);
 
 /// Makes the folder and its parents where they are missing. Throws InputError.

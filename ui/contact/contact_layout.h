@@ -1,5 +1,5 @@
-// The places of the parts of a contact picture, and the map from metres to pixels. Private to
-// ui/contact. Plain values; any thread.
+// The layout of a contact picture, and the map from metres to pixels. Private to ui/contact. Plain
+// values; any thread.
 #pragma once
 
 #include "ui/contact/contact_overlay.h"
@@ -25,7 +25,7 @@ struct LegendPlace {
   Box bar;              // width 0: nothing is coloured, or there is no space
   bool inLine = false;  // the numbers are beside the bar
   std::string title;    // or why nothing is coloured; may be empty
-  Place titleEnd;       // right end of its baseline
+  DrawPoint titleEnd;   // right end of its baseline
 };
 
 struct ContactLayout {
@@ -37,7 +37,7 @@ struct ContactLayout {
   AxisTicks xTicks, heightTicks;
   ColourScale scale;
   bool axisTitles = true;
-  Place axisTitle;  // of the x-axis: middle of its baseline
+  DrawPoint axisTitle;  // of the x-axis: middle of its baseline
   LegendPlace legend;
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;

@@ -14,7 +14,7 @@ namespace {
 // Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
 constexpr double kRoomAbove = 0.24, kRoomBelow = 0.30;
-constexpr double kMostPeriods = 50;
+constexpr double kMaxPeriods = 50;
 
 struct Extent {
   double low = 0, high = 0;
@@ -74,7 +74,7 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
   ContactView resolved = view;
   if (!std::isfinite(resolved.left)) resolved.left = 0;
   if (!(resolved.width > 0)) resolved.width = period;
-  resolved.width = std::min(resolved.width, kMostPeriods * period);
+  resolved.width = std::min(resolved.width, kMaxPeriods * period);
   const ContactView fitted = fittedView(frame);
   if (!(resolved.bottom < resolved.top) || !std::isfinite(resolved.top - resolved.bottom)) {
     resolved.bottom = fitted.bottom;

@@ -42,7 +42,7 @@ struct Clip {
   float x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Colours on a rectangular grid of places, interpolated between neighbours. In a cell of the grid
+/// Colours on a rectangular grid of points, interpolated between neighbours. In a cell of the grid
 /// with a corner without colour (a = 0) nothing is drawn.
 struct DrawField {
   std::vector<float> x, y;    // pixels, of columns and rows; rising or falling

@@ -56,10 +56,10 @@ class TextBox : public QPlainTextEdit {
   QString accepted_;
 };
 
-/// Whether the windows of a palette are dark.
+/// Returns whether the windows of a palette are dark.
 bool isDark(const QPalette& palette);
 
-/// The colour of texts about a wrong value, legible on the palette's background.
+/// Returns the colour of error messages, legible on the palette's background.
 QColor faultColour(const QPalette& palette);
 
 QString panelStyleSheet(const QPalette& palette);

@@ -52,7 +52,7 @@ void FigureGallery::startNext() {
       [maker = maker_, job, progressed](const BackgroundWork::Run& run) {
         return makeFigureBeside(run, maker, job.name, job.realizations, progressed);
       },
-      [this, name = job.name](std::shared_ptr<const MadeFigure> made) {
+      [this, name = job.name](std::shared_ptr<const ComputedFigure> made) {
         of(name).made = std::move(made);
         end(name);
       },

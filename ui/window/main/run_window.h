@@ -75,7 +75,7 @@ double secondsSinceStart();
 
 /// Prints "NAME after 0.312 s, 0.210 s of them computing": the processor time of this thread
 /// distinguishes a slow start from a busy machine.
-void sayTime(const char* name);
+void printTime(const char* name);
 
 /// Watches the window until all times have been printed. Owned by the window.
 class StartTimes : public QObject {
