@@ -39,8 +39,8 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 namespace {
 
 template <class Number>
-void limitNumber(CLI::Option* option, Number least, Number most, const char* what,
-                 const std::string& allowed) {
+void setNumberRange(CLI::Option* option, Number least, Number most, const char* what,
+                    const std::string& allowed) {
   const CLI::Validator check(
       [=](const std::string& text) -> std::string {
         Number number{};
@@ -116,11 +116,11 @@ InputError mismatch(const std::string& text) {
 }  // namespace
 
 void limit(CLI::Option* option, double least, double most, std::string_view unit) {
-  limitNumber(option, least, most, "number", rangeText(least, most, unit).english());
+  setNumberRange(option, least, most, "number", rangeText(least, most, unit).english());
 }
 
-void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most) {
-  limitNumber(option, least, most, "whole number", fmt::format("{} to {}", least, most));
+void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most) {
+  setNumberRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
 void refuseEmptyWords(CLI::App& app) {
@@ -136,20 +136,20 @@ void refuseEmptyWords(CLI::App& app) {
 
 bool shapesOutputs(std::string_view word) {
   // Measured friction and theories are part of the scene by then.
-  static constexpr std::array<std::string_view, 13> kShapeNothing{"output",
-                                                                  "set",
-                                                                  "threads",
-                                                                  "quiet",
-                                                                  "json",
-                                                                  "timing",
-                                                                  "resume",
-                                                                  "remake",
-                                                                  "from",
-                                                                  "data",
-                                                                  "theory",
-                                                                  "help",
-                                                                  "realizations-table"};
-  return std::ranges::find(kShapeNothing, word) == kShapeNothing.end();
+  static constexpr std::array<std::string_view, 13> kNoOutputOptions{"output",
+                                                                     "set",
+                                                                     "threads",
+                                                                     "quiet",
+                                                                     "json",
+                                                                     "timing",
+                                                                     "resume",
+                                                                     "remake",
+                                                                     "from",
+                                                                     "data",
+                                                                     "theory",
+                                                                     "help",
+                                                                     "realizations-table"};
+  return std::ranges::find(kNoOutputOptions, word) == kNoOutputOptions.end();
 }
 
 std::vector<GivenOption> givenOptions(const CLI::App& command) {

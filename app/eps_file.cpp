@@ -66,7 +66,7 @@ DrawList opaque(DrawList list) {
 
 }  // namespace
 
-void needEpsTool(const std::string& file) {
+void checkEpsTool(const std::string& file) {
   if (findProgram(kTool).empty())
     throw InputError(file, "",
                      "EPS is made by pdftops, which is not installed (package poppler-utils); .pdf "

@@ -11,7 +11,7 @@
 namespace asperity {
 
 /// Throws InputError where pdftops is not installed.
-void needEpsTool(const std::string& file);
+void checkEpsTool(const std::string& file);
 
 /// Writes the file, complete or not at all. The metadata are in comments "%asperity: ..." after the
 /// header. Throws std::runtime_error in one sentence that names the file.

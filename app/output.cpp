@@ -28,9 +28,9 @@ bool isPictureFile(const std::string& file) {
   return std::ranges::find(kPictureExtensions, fileExtension(file)) != kPictureExtensions.end();
 }
 
-void needToolFor(const std::string& file) {
+void checkToolFor(const std::string& file) {
   const std::string extension = fileExtension(file);
-  if (extension == ".eps") needEpsTool(file);
+  if (extension == ".eps") checkEpsTool(file);
   if ((extension == ".tif" || extension == ".tiff") && !canWriteTiff())
     throw InputError(file, "",
                      "this program was built without libtiff, which writes TIFF; .png needs no "
@@ -49,10 +49,10 @@ void writeTable(const std::string& output, const std::string& text) {
 }
 
 void checkOutputs(const std::vector<std::string>& files,
-                  std::initializer_list<std::string_view> extensions, Without without) {
+                  std::initializer_list<std::string_view> extensions, DefaultOutput byDefault) {
   std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
-    if (file == "-" && without == Without::PrintsTable) {
+    if (file == "-" && byDefault == DefaultOutput::PrintsTable) {
       if (!seen.insert(file).second)
         throw InputError("", "--output", file + " is given more than once");
       continue;
@@ -61,7 +61,7 @@ void checkOutputs(const std::vector<std::string>& files,
     const std::string extension = fileExtension(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
       throw unknownExtension(file, extension, extensions);
-    needToolFor(file);
+    checkToolFor(file);
     if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
       throw InputError("", "--output", file + " is given more than once");
   }

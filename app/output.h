@@ -1,4 +1,5 @@
 // Output files of the commands: their names are checked before any work, their kinds by extension.
+// Main thread.
 #pragma once
 
 #include <filesystem>
@@ -22,10 +23,10 @@ inline const std::initializer_list<std::string_view> kOutputExtensions = {
 bool isPictureFile(const std::string& file);
 
 /// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
-void needToolFor(const std::string& file);
+void checkToolFor(const std::string& file);
 
 /// The output of a command without an output file.
-enum class Without { PrintsSummary, PrintsTable };
+enum class DefaultOutput { PrintsSummary, PrintsTable };
 
 /// Returns whether `-`, standard output, is one of the outputs.
 bool hasStandardOutput(const std::vector<std::string>& files);
@@ -37,7 +38,7 @@ void writeTable(const std::string& output, const std::string& text);
 /// twice. `-` is allowed where a table can be printed.
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions,
-                  Without without = Without::PrintsSummary);
+                  DefaultOutput byDefault = DefaultOutput::PrintsSummary);
 
 /// Throws InputError where an output would replace a file that was read.
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);

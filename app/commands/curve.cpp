@@ -172,7 +172,7 @@ int runCurve(const CurveCommand& command) {
   const ComparedScene compared = withCurveOptions(loadScene(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);

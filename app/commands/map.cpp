@@ -81,7 +81,7 @@ std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& o
 int runMap(const MapCommand& command) {
   const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { needSteadySliding(scene, "asperity map"); });
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);

@@ -85,7 +85,7 @@ std::string summaryOf(const MotionTable& table, const std::vector<std::string>& 
 
 int runMotion(const MotionCommand& command) {
   const Scene scene = loadScene(command.common);
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);

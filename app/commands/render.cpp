@@ -42,7 +42,7 @@ Kind kindOf(const std::string& output) {
   checkFolderName(output);
   const std::string extension = fileExtension(output);
   if (isPictureFile(output)) {
-    needToolFor(output);
+    checkToolFor(output);
     return Kind::Picture;
   }
   if (isFilm(extension)) return Kind::Film;

@@ -13,7 +13,7 @@ namespace asperity {
 
 PictureSettings checkSheetOutputs(const SheetCommand& command, const Scene& scene,
                                   const PictureDefaults& defaults) {
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
     checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);

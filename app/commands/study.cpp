@@ -258,7 +258,7 @@ int runStudyTable(const StudyCommand& command) {
   const StudyStore store(command.study);
   const TableShape shape = chosenFrom(kShapes, command.shape, "--shape");
   const bool isStdout = command.outputs.empty();
-  checkOutputs(command.outputs, {".csv", ".json"}, Without::PrintsTable);
+  checkOutputs(command.outputs, {".csv", ".json"}, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs) checkNoInput(output, {command.study});
   std::int64_t rows = 0;
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));

@@ -179,7 +179,7 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
   const Scene scene = isFile ? sceneOfFile(command.common) : loadScene(command.common);
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   checkTable(command);
   checkUseful(command.picture, command.outputs);
   settingsOf(command, false);

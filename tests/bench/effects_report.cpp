@@ -160,10 +160,10 @@ constexpr LoadKind kLoads[] = {LoadKind::Force, LoadKind::Indentation};
 /// Four cases of a law and a scheme: each load without and with local friction.
 template <class MakeWork>
 void addFour(std::vector<Case>& cases, const std::string& name, const Law& law, Scheme scheme,
-             const MakeWork& currentWork) {
+             const MakeWork& workOf) {
   for (const LoadKind load : kLoads)
     for (const bool interface : {false, true})
-      cases.push_back({name, currentWork(sceneOf(law, scheme, load, interface))});
+      cases.push_back({name, workOf(sceneOf(law, scheme, load, interface))});
 }
 
 std::string combinationsTable(const std::vector<Case>& cases, const char* what) {

@@ -243,7 +243,7 @@ void ChartView::showAll() {
   while (panels_.size() > frames_.size()) panels_.pop_back();
   while (panels_.size() < frames_.size())
     panels_.push_back(std::make_unique<ChartPanel>(*view_->scene()));
-  const double beside = besideWidth();
+  const double beside = besideTitleWidth();
   update();
   for (std::size_t i = 0; i < frames_.size(); ++i)
     panels_[i]->show(sheet_.diagrams[i], frames_[i], style_, i + 1 == frames_.size(), beside,
@@ -264,7 +264,7 @@ void ChartView::showAll() {
 /// Returns the width of titles beside strips, which are too low for upright titles. A title has one
 /// line where that leaves most of the width to the strips, otherwise two, otherwise one for each
 /// word.
-double ChartView::besideWidth() const {
+double ChartView::besideTitleWidth() const {
   if (sheet_.diagrams.size() < kStrips) return 0;
   const QFontMetricsF metrics(font());
   double whole = 0, halves = 0, words = 0;
@@ -293,7 +293,7 @@ void ChartView::layOutFrames() {
   const QFontMetricsF metrics(font());
   const double line = metrics.height(), scale = style_.scale(), edge = kFrameEdge * scale;
   const double names = std::max(18.0, std::ceil(line));
-  const double beside = besideWidth();
+  const double beside = besideTitleWidth();
   const bool hasUprightTitle = beside == 0 && !(yChooser_ && diagrams.size() == 1);
   const double left =
       12 + (hasUprightTitle ? line : 0) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
@@ -311,7 +311,7 @@ void ChartView::layOutFrames() {
     return std::floor((available - static_cast<double>(count - 1) * gap) * diagrams[i].height /
                       share);
   };
-  // The title of a strip stands above it where it is too low for an upright one.
+  // The title of a strip is above it where the strip is too low for an upright one.
   const auto isTooLowFor = [&](std::size_t i) {
     const double length =
         metrics.horizontalAdvance(QString::fromStdString(diagrams[i].y.title.text));

@@ -103,7 +103,7 @@ class ChartView : public QWidget {
   VisibleRange whole() const;
   void showAll();
   void layOutFrames();
-  double besideWidth() const;
+  double besideTitleWidth() const;
   void showFocus(bool shows);
   void updateMarker();
   QPointF corner() const;

@@ -98,8 +98,7 @@ std::vector<DrawPoint> pointsAlong(const std::vector<Polyline>& lines, float ste
   return points;
 }
 
-/// Finds a part of a line that is nearly straight, where no other label stands and no border
-/// passes.
+/// Finds a part of a line that is nearly straight, without another label and without a border.
 std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& frame,
                                  const std::vector<LineLabel>& others,
                                  const std::vector<DrawPoint>& dashes) {

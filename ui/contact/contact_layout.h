@@ -21,7 +21,7 @@ inline constexpr float kNumberGap = 6;  // units, from a legend's bar to a numbe
 
 /// The legend of the colours: a title, a bar, and numbers below it or, in a low picture, beside it
 /// in one line.
-struct LegendPlace {
+struct LegendLayout {
   Box bar;              // width 0: nothing is coloured, or there is no space
   bool inLine = false;  // the numbers are beside the bar
   std::string title;    // or why nothing is coloured; may be empty
@@ -38,7 +38,7 @@ struct ContactLayout {
   ColourScale scale;
   bool axisTitles = true;
   DrawPoint axisTitle;  // of the x-axis: middle of its baseline
-  LegendPlace legend;
+  LegendLayout legend;
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot must show it

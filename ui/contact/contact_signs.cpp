@@ -33,7 +33,7 @@ std::string_view idOf(ContactOverlay overlay) {
 
 /// Adds the legend of the colours: its title, its bar and the numbers below or beside it.
 void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout) {
-  const LegendPlace& legend = layout.legend;
+  const LegendLayout& legend = layout.legend;
   const std::string_view id = idOf(layout.scale.overlay);
   const bool hasBar = legend.bar.width > 0;
   if (id.empty() || (!hasBar && legend.title.empty())) return;

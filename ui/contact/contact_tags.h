@@ -1,4 +1,5 @@
 // Short labels inside the axes: words and an arrow on a translucent plate. Private to ui/contact.
+// One thread at a time.
 #pragma once
 
 #include <string>

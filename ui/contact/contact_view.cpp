@@ -13,7 +13,7 @@ namespace {
 
 // Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
-constexpr double kRoomAbove = 0.24, kRoomBelow = 0.30;
+constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
 constexpr double kMaxPeriods = 50;
 
 struct Extent {
@@ -57,8 +57,8 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
     // The ends are rounded outwards, so that small changes do not move the axis even without
     // `last`.
     const double grid = roundUp125(extent.size() / 20);
-    view.bottom = std::floor((extent.low - kRoomBelow * extent.size()) / grid) * grid;
-    view.top = std::ceil((extent.high + kRoomAbove * extent.size()) / grid) * grid;
+    view.bottom = std::floor((extent.low - kSpaceBelow * extent.size()) / grid) * grid;
+    view.top = std::ceil((extent.high + kSpaceAbove * extent.size()) / grid) * grid;
   }
   view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
   view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);

@@ -1,7 +1,7 @@
 // The content of a picture in pixels: filled triangles, antialiased lines and texts, in this order.
 // ui/contact and ui/chart make it; ui/draw/renderer.h draws its shapes and ui/draw/fonts.h its
-// texts. A plain value; uses neither OpenGL nor Qt. Coordinates: pixels, origin top left, y down.
-// Colours: sRGB, straight alpha.
+// texts. A plain value; any thread; uses neither OpenGL nor Qt. Coordinates: pixels, origin top
+// left, y down. Colours: sRGB, straight alpha.
 #pragma once
 
 #include <array>

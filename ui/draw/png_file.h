@@ -25,7 +25,7 @@ struct PngOptions {
   double dotsPerInch = 0;  // 0: not in the file
 };
 
-/// Returns the file's bytes: 24-bit where the picture is opaque, else 32-bit. The same picture
+/// Returns the file's bytes: 24-bit where the picture is opaque, otherwise 32-bit. The same picture
 /// gives the same bytes. Throws std::runtime_error for an empty picture.
 std::string encodePng(const QImage& image, const PngOptions& options = {});
 

@@ -1,4 +1,4 @@
-// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills.
+// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills. Pure; any thread.
 #pragma once
 
 #include <vector>

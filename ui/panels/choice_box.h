@@ -1,4 +1,5 @@
-// Boxes of the panels for a choice and for a text, and the style that all controls share.
+// Boxes of the panels for a choice and for a text, and the style that all controls share. GUI
+// thread; owned by their parent. Cannot fail.
 #pragma once
 
 #include <QComboBox>

@@ -107,7 +107,7 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       sizes_(scene.surface),
       chooser_(askForTable),
       bar_(bar),
-      nothing_(new QLabel),
+      noMatch_(new QLabel),
       scroll_(new QScrollArea) {
   // The style sheet is set before there are rows, because Qt evaluates it again for all existing
   // widgets and for all that get another parent. For the same reason the rows are added to the
@@ -120,11 +120,11 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   column->setContentsMargins(14, 5, 8, 5);
   column->setSpacing(3);
   for (const ParameterGroup& group : groups) addGroup(*column, group);
-  nothing_->setObjectName("noParameterFound");
-  nothing_->setProperty("role", "unit");
-  nothing_->setWordWrap(true);
-  nothing_->hide();
-  column->addWidget(nothing_);
+  noMatch_->setObjectName("noParameterFound");
+  noMatch_->setProperty("role", "unit");
+  noMatch_->setWordWrap(true);
+  noMatch_->hide();
+  column->addWidget(noMatch_);
   column->addStretch(1);
 
   scroll_->setWidgetResizable(true);
@@ -330,8 +330,8 @@ void ParameterPanel::arrange() {
         tr("No parameter of this scene has “%1”. Escape clears the filter.").arg(words.join(' '));
   else if (found == 0 && !access_.empty())
     nothing = tr("Nothing is changed here in this step.");
-  nothing_->setText(nothing);
-  nothing_->setVisible(!nothing.isEmpty());
+  noMatch_->setText(nothing);
+  noMatch_->setVisible(!nothing.isEmpty());
 }
 
 void ParameterPanel::showNotes(const NoteSet& notes) {

@@ -111,12 +111,12 @@ class ParameterPanel : public QWidget {
 
  signals:
   void sceneEdited(const asperity::Scene& scene);
-  /// Emitted where the user wants to open a measured surface, or a material, for this scene.
+  /// Emitted when the user requests to open a measured surface, or a material, for this scene.
   void surfaceRequested(const asperity::Scene& scene);
   void materialRequested(const asperity::Scene& scene);
-  /// Emitted where the user wants to add a table of measured friction.
+  /// Emitted when the user requests to add a table of measured friction.
   void frictionRequested();
-  /// Emitted where the user wants to read about a parameter, at this anchor of the guide.
+  /// Emitted when the user requests the guide about a parameter, at this anchor.
   void guideRequested(const QString& anchor);
   /// Emitted where the user chose other rows, or folded a section.
   void viewChanged();
@@ -164,7 +164,7 @@ class ParameterPanel : public QWidget {
   NoteSet notes_;
   QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
-  QLabel* nothing_;   // where no row passes the filter
+  QLabel* noMatch_;   // where no row passes the filter
   QScrollArea* scroll_;
 };
 

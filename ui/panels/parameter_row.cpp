@@ -244,7 +244,7 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
   if (list_) list_->showScene(scene);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
-  showReset(value, restingValue(parameter_, scene));
+  showReset(value, resetValue(parameter_, scene));
   if (isChosenWhereOpen(parameter_))
     reset_->setToolTip(tr("Back to the default, chosen by the scene"));
   isFixed_ = placeholder && placeholder->isFixed;
@@ -270,11 +270,11 @@ void ParameterRow::showEntry(const ParameterValue& value,
   replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
 }
 
-void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& resting) {
-  resting_ = resting;
-  reset_->setEnabled(value != resting);
-  reset_->setToolTip(resting == defaultOf(parameter_)
-                         ? resetText(parameter_, textWithUnit(parameter_, resting))
+void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& initial) {
+  resetValue_ = initial;
+  reset_->setEnabled(value != initial);
+  reset_->setToolTip(initial == defaultOf(parameter_)
+                         ? resetText(parameter_, textWithUnit(parameter_, initial))
                          : tr("As the file says"));
 }
 
@@ -499,7 +499,7 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
   reset_->setFocusPolicy(Qt::NoFocus);
-  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });
+  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resetValue_); });
   line.addWidget(reset_);
 }
 

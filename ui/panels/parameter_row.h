@@ -103,7 +103,7 @@ class ParameterRow : public QWidget {
   void setWidths();
   void showEntry(const ParameterValue& value, const std::optional<Placeholder>& placeholder,
                  bool replace);
-  void showReset(const ParameterValue& value, const ParameterValue& resting);
+  void showReset(const ParameterValue& value, const ParameterValue& initial);
   void name(QWidget& control, const char* kind);
   void describe(QWidget& control);
   QString meaning() const;
@@ -124,7 +124,7 @@ class ParameterRow : public QWidget {
   QLabel* unit_ = nullptr;  // for numbers
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
-  ParameterValue resting_;  // value of the reset button
+  ParameterValue resetValue_;  // value of the reset button
   QLabel* note_ = nullptr;
   QLabel* warning_ = nullptr;
   QLabel* error_ = nullptr;

@@ -92,7 +92,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
              : std::nullopt;
 }
 
-ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {
+ParameterValue resetValue(const Parameter& parameter, const Scene& scene) {
   if (!mayBeLeftOpen(parameter, scene)) return defaultOf(parameter);
   if (parameter.key == kLength) return 0.0;
   return std::int64_t{0};
@@ -101,7 +101,7 @@ ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {
 void assignValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
   if (isMaterial(parameter) && std::holds_alternative<std::string>(value))
     useMaterial(scene, std::get<std::string>(value));
-  else if (mayBeLeftOpen(parameter, scene) && value == restingValue(parameter, scene))
+  else if (mayBeLeftOpen(parameter, scene) && value == resetValue(parameter, scene))
     clearValue(parameter, scene);
   else
     setValue(parameter, scene, value);

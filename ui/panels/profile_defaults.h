@@ -35,7 +35,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
 QString zeroText(const Parameter& parameter);
 
 /// Returns the reset button's value: the default, or 0 where a profile's file gives the value.
-ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
+ParameterValue resetValue(const Parameter& parameter, const Scene& scene);
 
 /// Returns whether the scene chooses a value that is left open.
 bool isChosenWhereOpen(const Parameter& parameter);

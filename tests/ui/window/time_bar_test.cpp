@@ -253,13 +253,13 @@ TEST_F(TimeInTheWindow, ADragInThePictureIsOneStepBack) {
 TEST_F(TimeInTheWindow, AWindowAtRestAnswersOrders) {
   ASSERT_TRUE(waitForFrame());
   session().setPlaying(false);
-  ASSERT_TRUE(waitFor([&] { return session().isResting(); }));
+  ASSERT_TRUE(waitFor([&] { return session().isIdle(); }));
   const double before = frame()->distance;
   session().singleStep(0.01);
-  EXPECT_FALSE(session().isResting());
+  EXPECT_FALSE(session().isIdle());
   EXPECT_TRUE(waitFor([&] { return frame()->distance > before; }));
   session().setPlaying(true);
-  EXPECT_FALSE(session().isResting());
+  EXPECT_FALSE(session().isIdle());
 }
 
 }  // namespace

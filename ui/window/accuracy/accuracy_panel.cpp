@@ -301,7 +301,7 @@ void AccuracyPanel::compareMethods() {
   };
   comparison_.request(
       [scene = scene_, progressed](const BackgroundWork::Run& run) {
-        return makeFigureBeside(run, comparisonOf(scene), {}, 0, progressed);
+        return computeFigure(run, comparisonOf(scene), {}, 0, progressed);
       },
       [this](std::shared_ptr<const ComputedFigure> made) {
         endComparison();

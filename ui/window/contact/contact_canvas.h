@@ -1,5 +1,5 @@
 // The contact view. It draws frames with OpenGL where the graphics hardware supports it in a
-// window, else with images of the program's own rasterizer: OpenGL in software draws the same
+// window, otherwise with images of the program's own rasterizer: OpenGL in software draws the same
 // pictures for five times the processor time. It switches at run time if OpenGL does not work. The
 // environment variable ASPERITY_CANVAS ("opengl", "software") overrides this choice. Wheel and
 // pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift they move

@@ -1,7 +1,7 @@
-// The state of the contact in words (core/run/contact_state.h) in a small window: a screen reader
-// speaks it when it opens, and anybody can copy it. It describes the moment at which it was
-// requested; another request updates it. Qt 6.4 has no accessible announcements, so the text is
-// also the accessible description of the picture. GUI thread; owned by its parent.
+// The state of the contact in words (core/run/contact_state.h) in a small window: screen readers
+// read it when it opens, and it can be copied. It describes the moment at which it was requested;
+// another request updates it. Qt 6.4 has no accessible announcements, so the text is also the
+// accessible description of the picture. GUI thread; owned by its parent.
 #pragma once
 
 #include <QDialog>

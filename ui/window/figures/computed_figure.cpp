@@ -15,9 +15,10 @@
 
 namespace asperity {
 
-std::shared_ptr<const ComputedFigure> makeFigureBeside(
-    const BackgroundWork::Run& run, const FigureMaker& maker, FigureName name,
-    std::int64_t realizations, const std::function<void(double)>& progressed) {
+std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
+                                                    const FigureMaker& maker, FigureName name,
+                                                    std::int64_t realizations,
+                                                    const std::function<void(double)>& progressed) {
   FigureOptions options;
   options.realizations = realizations;
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);

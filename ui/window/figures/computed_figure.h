@@ -29,9 +29,10 @@ using FigureMaker = std::function<Figure(FigureName, const FigureOptions&)>;
 
 /// Makes a figure in the background. `progressed` is called on the window's thread with the
 /// finished part, in steps of a thousandth or more. One processor is left for the window.
-std::shared_ptr<const ComputedFigure> makeFigureBeside(
-    const BackgroundWork::Run& run, const FigureMaker& maker, FigureName name,
-    std::int64_t realizations, const std::function<void(double)>& progressed);
+std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
+                                                    const FigureMaker& maker, FigureName name,
+                                                    std::int64_t realizations,
+                                                    const std::function<void(double)>& progressed);
 
 /// Returns the file name, for example "figure_5.csv" for ".csv".
 QString figureFile(FigureName name, const QString& extension);

@@ -39,8 +39,8 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
 }
 
 /// Returns the sheet as it can be read at this size: diagrams that would be too low below each
-/// other stand side by side, with symbols at the curves instead of a legend and the subtitle
-/// instead of both headings; the last ones are left out where the view is too narrow.
+/// other are side by side, with symbols at the curves instead of a legend and the subtitle instead
+/// of both headings; the last ones are left out where the view is too narrow.
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
   constexpr float kNarrowest = 190;  // logical pixels of one diagram

@@ -43,7 +43,7 @@ class FigurePages : public QStackedWidget {
   void pageChanged(bool areViewsCovered);
   /// Emitted when another figure, or none, is shown on its page.
   void figureShown();
-  /// Emitted with the scene of a figure that the user wants to edit.
+  /// Emitted with the scene of a figure when the user requests to edit it.
   void sceneRequested(const asperity::Scene& scene);
   /// Emitted with the name of a shipped scene that the user chose.
   void shippedSceneRequested(const QString& scene);

@@ -382,7 +382,7 @@ void Lessons::showChart() {
   const LessonStep& step = present();
   const LessonView& view = step.show;
   const bool hides = view.hidesCurve && (!isRevealed() || !step.prediction || view.hidesCurveAfter);
-  beside_.cancel();
+  comparisons_.cancel();
   parts_.tabs.plot().fit();
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.unpinAll();
@@ -392,7 +392,7 @@ void Lessons::showChart() {
   });
   if (!view.beside.empty()) {
     const Scene scene = step.scene;
-    beside_.request(
+    comparisons_.request(
         [scene, beside = view.beside](const BackgroundWork::Run& run) {
           std::vector<std::shared_ptr<const CurveUpdate>> curves;
           for (const std::vector<std::string>& keys : beside)
@@ -527,7 +527,7 @@ void Lessons::writeResultsFile() {
 void Lessons::end() {
   if (!isRunning()) return;
   finding_.cancel();
-  beside_.cancel();
+  comparisons_.cancel();
   waiting_.reset();
   lesson_.reset();
   point_->dismiss();

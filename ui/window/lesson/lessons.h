@@ -129,8 +129,8 @@ class Lessons : public QObject {
     bool hasDimensionlessAxes;
   };
   std::optional<Before> before_;
-  BackgroundWork beside_;   // curves to compare with
-  BackgroundWork finding_;  // last: its thread ends before other members are destroyed
+  BackgroundWork comparisons_;  // curves to compare with
+  BackgroundWork finding_;      // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

@@ -63,7 +63,7 @@ namespace asperity {
 namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
-constexpr int kRestingPoll = 100;  // ms, while the run is paused and nothing is computed
+constexpr int kIdlePoll = 100;     // ms, while the run is paused and nothing is computed
 constexpr int kHiddenPoll = 250;   // ms, while the window is hidden
 
 /// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
@@ -277,7 +277,7 @@ void MainWindow::buildCommands() {
   new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
 }
 
-// ---- Connections: whatever changes the scene changes the document, which informs all parts
+// ---- Connections: every change of the scene is a change of the document, which informs all parts
 
 void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
@@ -434,9 +434,7 @@ void MainWindow::updateVisibility() {
 void MainWindow::updatePollInterval() {
   if (!poll_) return;
   const bool isVisible = !visibility_ || visibility_->isVisible();
-  const int interval = !isVisible              ? kHiddenPoll
-                       : session_->isResting() ? kRestingPoll
-                                               : kPollInterval;
+  const int interval = !isVisible ? kHiddenPoll : session_->isIdle() ? kIdlePoll : kPollInterval;
   if (poll_->interval() != interval) poll_->setInterval(interval);
 }
 

@@ -1,4 +1,5 @@
 // The window as a program: fonts, style, language, one MainWindow, the event loop, and a quick end.
+// Main thread.
 #pragma once
 
 #include <QObject>
@@ -25,7 +26,7 @@ struct FoundScene;
 void prepareApplication(QApplication& application);
 
 /// Returns the code of the window's language: the one that was chosen and is remembered between
-/// runs; else the first available one of the desktop's; else English. Call it after
+/// runs; otherwise the first available one of the desktop's; otherwise English. Call it after
 /// prepareApplication.
 std::string_view windowLanguage();
 /// Returns the chosen language; empty where none was chosen. Choosing an empty code follows the

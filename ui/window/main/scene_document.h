@@ -86,7 +86,7 @@ class SceneDocument : public QObject {
   /// out counts.
   std::vector<SceneState> unsavedFiles() const;
 
-  /// Returns the title of the scene, or else the name of its file; may be empty.
+  /// Returns the title of the scene or, without one, the name of its file; may be empty.
   QString name() const;
 
   const Scene& scene() const { return scene_; }

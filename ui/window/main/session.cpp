@@ -93,7 +93,7 @@ void Session::notifyCommandSent() {
   emit commandSent();
 }
 
-bool Session::isResting() const {
+bool Session::isIdle() const {
   return !isPlaying() && averaging() != Averaging::Running &&
          (runningNumber_ == sceneNumber_ || brokenNumber_ == sceneNumber_) &&
          activityTime_.isValid() && activityTime_.elapsed() > kIdleDelay;

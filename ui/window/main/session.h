@@ -51,7 +51,7 @@ class Session : public QObject {
 
   /// Returns whether the session is idle: the run is paused, the curve is complete or stopped, and
   /// no command or frame is recent.
-  bool isResting() const;
+  bool isIdle() const;
 
   /// The averaging of the present scene's curve. It can be stopped, which keeps the present result,
   /// and restarted.
@@ -117,7 +117,7 @@ class Session : public QObject {
   std::shared_ptr<const Frame> frame_;
   FrictionChartModel friction_;
   std::optional<CurveUpdate> curve_;
-  QElapsedTimer sceneTime_, curveTime_;  // since the scene was set, and since its curve was begun
+  QElapsedTimer sceneTime_, curveTime_;  // since the scene was set, and since its curve was started
   QElapsedTimer activityTime_;           // since the last command or frame
   bool isStopped_ = false;
   bool wasWaiting_ = false;
