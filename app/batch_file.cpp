@@ -31,14 +31,14 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLargest = std::size_t{1} << 24;  // bytes of the largest batch file
 // the deepest nesting: a scene inside an entry inside a list
 constexpr int kDeepest = 12;
-constexpr std::size_t kMostItems = 1000;
+constexpr std::size_t kMaxItems = 1000;
 
 struct Sweep {
   std::string key;
   std::vector<std::string> values;
 };
 
-/// The values of a range, logarithmic unless it says otherwise.
+/// Returns the values of a range, logarithmic unless it is declared linear.
 std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
                                   const std::string& where) {
   checkMembers(spec, where, {"from", "to", "points", "scale", "spacing"});
@@ -51,9 +51,9 @@ std::vector<std::string> valuesOf(const Parameter& row, const Json& spec,
     refuseMember(where + "." + member,
                  notOneOf(scale, std::array<std::string_view, 2>{log, "linear"}));
   if (!spec.contains("points")) refuseMember(where + ".points", "is missing; it needs a number");
-  const ParameterRange range{
-      &row, numberMember(spec, where, "from"), numberMember(spec, where, "to"),
-      integerMember(spec, "points", 2, kMostItems, where), scale != "linear"};
+  const ParameterRange range{&row, numberMember(spec, where, "from"),
+                             numberMember(spec, where, "to"),
+                             integerMember(spec, "points", 2, kMaxItems, where), scale != "linear"};
   if (range.isLogarithmic && !(range.from > 0 && range.to > 0))
     refuseMember(where, "a logarithmic range needs ends above 0");
   std::vector<std::string> texts;
@@ -122,8 +122,8 @@ class Entry {
     std::size_t count = 1;
     for (const Sweep& sweep : sweeps_) {
       count *= sweep.values.size();
-      if (count > kMostItems)
-        refuseMember("sweep", fmt::format("gives more than {} scenes", kMostItems));
+      if (count > kMaxItems)
+        refuseMember("sweep", fmt::format("gives more than {} scenes", kMaxItems));
     }
     std::vector<BatchItem> items;
     for (std::size_t i = 0; i < count; ++i) items.push_back(item(i, count));
@@ -197,7 +197,7 @@ std::string_view contentOfCommonFile(const std::string& file) {
 class OutputNames {
  public:
   void add(const BatchItem& item, std::size_t entry) {
-    for (const std::string& file : filesOf(item)) {
+    for (const std::string& file : outputFiles(item)) {
       const std::string key = fmt::format("entries[{}].name", entry - 1);
       if (const std::string_view content = contentOfCommonFile(file); !content.empty())
         refuseMember(key,
@@ -222,8 +222,8 @@ void addEntry(Batch& batch, const Json& json, std::size_t number,
     if (name.empty()) refuseMember(where, "is empty");
     if (!names.insert(name).second) refuseMember(where, "stands twice");
     std::vector<BatchItem> items = Entry(json, name, folder).items();
-    if (batch.items.size() + items.size() > kMostItems)
-      refuseMember("", fmt::format("a batch may have {} scenes", kMostItems));
+    if (batch.items.size() + items.size() > kMaxItems)
+      refuseMember("", fmt::format("a batch may have {} scenes", kMaxItems));
     std::move(items.begin(), items.end(), std::back_inserter(batch.items));
   } catch (const InputError& error) {
     if (error.key().starts_with("sweep"))
@@ -253,7 +253,7 @@ and, of curve, both and transient, NAME.csv: the curve, or the motion as asperit
 in at most 2000 rows. In results.csv mu, indentation and contact_fraction are means over the
 scene's lines at its velocity, empty for a motion; line_mu and its like are of the line shown.)";
 
-std::vector<std::string> filesOf(const BatchItem& item) {
+std::vector<std::string> outputFiles(const BatchItem& item) {
   return {item.name + ".png", item.name + ".csv", item.name + ".json"};
 }
 
@@ -300,17 +300,17 @@ nlohmann::ordered_json itemJson(const BatchItem& item) {
 
 namespace {
 
-BatchItem itemFrom(const Json& said, const Scene& scene) {
-  checkMembers(said, "entry", {"name", "show", "title", "varied", "error", "inputs", "scene"});
+BatchItem itemFrom(const Json& json, const Scene& scene) {
+  checkMembers(json, "entry", {"name", "show", "title", "varied", "error", "inputs", "scene"});
   BatchItem item;
-  item.name = textMember(said, "name");
-  // A name out of somebody's file must not lead out of the folder.
+  item.name = textMember(json, "name");
+  // A name in a foreign file must not lead out of the folder.
   if (item.name.empty() || item.name.find_first_of("./") != std::string::npos)
     refuseMember("name", message("'{}' is no name of a scene", shortened(item.name)));
-  item.show = textMember(said, "show");
-  item.ownTitle = textMember(said, "title");
-  item.error = Message::name(textMember(said, "error"));
-  if (const auto varied = said.find("varied"); varied != said.end() && varied->is_object())
+  item.show = textMember(json, "show");
+  item.ownTitle = textMember(json, "title");
+  item.error = Message::name(textMember(json, "error"));
+  if (const auto varied = json.find("varied"); varied != json.end() && varied->is_object())
     for (const auto& [key, value] : varied->items()) {
       knownParameter(key);
       item.varied.emplace_back(key, assignedText(value));
@@ -324,7 +324,7 @@ BatchItem itemFrom(const Json& said, const Scene& scene) {
 
 }  // namespace
 
-Batch batchOf(const FoundScene& found) {
+Batch restoreBatch(const FoundScene& found) {
   Batch batch;
   const Json& options = found.options;
   if (found.parts.empty()) {

@@ -26,8 +26,8 @@ struct BatchItem {
   Message error;                              // one sentence; empty: the item can run
 };
 
-/// Returns the files that an item can write, whatever is shown: its picture, table and scene.
-std::vector<std::string> filesOf(const BatchItem& item);
+/// Returns the files that an item can write: its picture, table and scene.
+std::vector<std::string> outputFiles(const BatchItem& item);
 
 struct Batch {
   std::string title;
@@ -38,20 +38,20 @@ struct Batch {
 /// Describes for users what the file may contain.
 extern const char* const kBatchFormat;
 
-/// An invalid entry becomes an item with an error. Throws InputError where the file as a whole
-/// cannot be read, or where two entries would write the same file, or one entry a file of the whole
-/// batch.
+/// Reads a batch. An invalid entry becomes an item with an error. Throws InputError where the file
+/// as a whole cannot be read, or where two entries would write the same file, or one entry a file
+/// of the whole batch.
 Batch readBatch(const std::filesystem::path& file);
 /// Reads the same from a text; `file` is named in errors and gives the folder of its scenes.
 Batch readBatch(std::string_view json, const std::filesystem::path& file);
 
-/// What an item is beside its scene, for the provenance of its files: {"name", "show", "title",
-/// "varied"}, or {"name", "varied", "error"}.
+/// Returns the members of an item except its scene, for the provenance of its files: {"name",
+/// "show", "title", "varied"}, or {"name", "varied", "error"}.
 nlohmann::ordered_json itemJson(const BatchItem& item);
 
 struct FoundScene;
-/// The batch of one item, or of all, that made a file. Throws InputError where the file does not
-/// say it.
-Batch batchOf(const FoundScene& found);
+/// Returns the batch, of one item or of all, that made a file. Throws InputError where the file
+/// does not contain it.
+Batch restoreBatch(const FoundScene& found);
 
 }  // namespace asperity

@@ -1,4 +1,4 @@
-// What a batch writes for its readers: a page that needs no network, and a table. Pure; any thread.
+// The summaries of a batch: an HTML page that needs no network, and a table. Pure; any thread.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// What an interrupted batch has done: one line for each finished scene in a hidden file of its
-// folder, so that the same command goes on where it was. A scene counts only if nothing that has an
-// influence on its files has changed and the files are there. Main thread.
+// The progress of a batch: one line for each finished scene in a hidden file of its folder, so that
+// the same command continues after an interruption. A scene counts as finished only if nothing that
+// influences its files has changed and the files exist. Main thread.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,8 @@ class BatchProgress {
   /// Reads what an earlier run of the program has left in the folder; a damaged line ends it.
   explicit BatchProgress(const std::filesystem::path& folder);
 
-  /// key: digest of all that has an influence on the files of the scene.
+  /// Returns the entry of a finished scene; null where there is none. key: a digest of everything
+  /// that influences the files of the scene.
   const BatchProgressEntry* find(const std::string& key) const;
   /// Adds a line. A failure to write it is no error: the scene would be computed again.
   void add(const std::string& key, const BatchProgressEntry& entry);

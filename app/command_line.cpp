@@ -71,7 +71,7 @@ class CommandLine {
       app_.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app_.exit(error);
-      throw errorOf(app_, error);
+      throw parseError(app_, error);
     }
     refuseWordsBeforeCommand(app_);
     for (const CommonOptions* common : commands_.common())
@@ -93,7 +93,7 @@ class CommandLine {
     return commands_.run();
   }
 
-  /// What a remade file says, which its command has instead of a scene file.
+  /// The contents of a remade file, which its command uses instead of a scene file.
   void setRemade(const Remake& remake) {
     for (CommonOptions* common : commands_.common()) {
       if (remake.found) common->remade = remake.found;
@@ -122,7 +122,7 @@ class CommandLine {
   bool timing() const { return std::ranges::any_of(commands_.common(), &CommonOptions::timing); }
 
  private:
-  /// Whether "keys" stands behind --help, or behind "help".
+  /// Returns whether "keys" follows --help or "help".
   static bool asksForKeys(const std::vector<std::string>& reversed) {
     for (std::size_t i = 0; i + 1 < reversed.size(); ++i)
       if (reversed[i] == "keys" && (reversed[i + 1] == "--help" || reversed[i + 1] == "-h" ||
@@ -143,7 +143,7 @@ class CommandLine {
 
   /// Runs the command that made the file on the file's own scene.
   static int remake(const OpenCommand& open) {
-    Remake remake = remakeOf(open);
+    Remake remake = prepareRemake(open);
     std::optional<RemakeFolder> folder;
     if (!remake.part.empty()) {
       folder.emplace();
@@ -155,7 +155,7 @@ class CommandLine {
     CommandLine again;
     again.setRemade(remake);
     const int status = again.run(static_cast<int>(words.size()), words.data());
-    if (status != kDone && !remake.isOfMany) return status;
+    if (status != kDone && !remake.hasSeveralScenes) return status;
     if (folder) {
       folder->take(remake);
       printSummary(open.common.json || remake.output == "-", open.common.quiet,
@@ -177,7 +177,7 @@ class CommandLine {
 
 /// Prints an error to stderr. Errors of stderr itself (closed, full) are ignored: nothing else can
 /// report them.
-int complain(const std::string& sentence, int status) {
+int reportError(const std::string& sentence, int status) {
   while (isInterrupted()) ::pause();  // the interruption was the reason, and has been reported
   std::fputs(("asperity: " + printable(sentence) + "\n").c_str(), stderr);
   return status;
@@ -203,7 +203,7 @@ std::string standardInput() {
 
 }  // namespace
 
-Scene sceneOf(const CommonOptions& options) {
+Scene loadScene(const CommonOptions& options) {
   if (options.remade)
     return readScene(writeScene(options.remade->scene), options.scene, options.remade->scene.folder,
                      options.assignments);
@@ -213,7 +213,7 @@ Scene sceneOf(const CommonOptions& options) {
   return readNamedScene(options.scene, {}, options.assignments);
 }
 
-std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene) {
+std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene) {
   std::vector<std::filesystem::path> inputs;
   if (!options.remade) inputs.emplace_back(options.scene);  // a remade file may replace itself
   if (!scene.surface.file.empty()) inputs.push_back(scene.folder / scene.surface.file);
@@ -238,14 +238,14 @@ int runCommandLine(int argc, char** argv) {
       std::fputs(fmt::format("time {:.3f} s\n", elapsed.count()).c_str(), stderr);
     // A full disk may appear only when the last bytes are written.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      return complain("standard output cannot be written", kRunFailed);
+      return reportError("standard output cannot be written", kRunFailed);
     return status;
   } catch (const InputError& error) {
-    return complain(error.what(), kBadInput);
+    return reportError(error.what(), kBadInput);
   } catch (const std::bad_alloc&) {
-    return complain("the scene needs more memory than there is", kRunFailed);
+    return reportError("the scene needs more memory than there is", kRunFailed);
   } catch (const std::exception& error) {
-    return complain(error.what(), kRunFailed);
+    return reportError(error.what(), kRunFailed);
   }
 }
 

@@ -33,7 +33,7 @@ struct CommonOptions {
   std::vector<GivenOption> given;  // that shape outputs
   // instead of the file `scene`, which names it in errors
   std::optional<FoundScene> remade = {};
-  bool isPart = false;  // of a folder that is removed one file is wanted
+  bool isPart = false;  // the output folder is temporary: one of its files is kept
 
   bool hidesSummary() const { return quiet || isPart; }
 };
@@ -145,7 +145,7 @@ struct FigureCommand {
 struct ExplainCommand {
   CommonOptions common;
   bool analyze = false;
-  std::string x, y;  // of a map whose cost is wanted: KEY=FROM:TO:N; empty: of none
+  std::string x, y;  // axes of a map whose cost is estimated: KEY=FROM:TO:N; empty: no map
 };
 
 struct OpenCommand {
@@ -184,10 +184,10 @@ struct BatchCommand {
 
 /// Returns the scene of a command with its assignments. The scene comes from a file or, where no
 /// file has the name, from the shipped scenes. Throws InputError.
-Scene sceneOf(const CommonOptions& options);
+Scene loadScene(const CommonOptions& options);
 
 /// Returns the files that were read for the scene; no output may replace them.
-std::vector<std::filesystem::path> inputsOf(const CommonOptions& options, const Scene& scene);
+std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene);
 
 /// Runs the work of a command. Where an InputError names neither a file nor an option, it gets the
 /// name of the scene's file.

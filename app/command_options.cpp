@@ -39,8 +39,8 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 namespace {
 
 template <class Number>
-void limitNumber(CLI::Option* option, Number least, Number most, const char* what,
-                 const std::string& allowed) {
+void setNumberRange(CLI::Option* option, Number least, Number most, const char* what,
+                    const std::string& allowed) {
   const CLI::Validator check(
       [=](const std::string& text) -> std::string {
         Number number{};
@@ -55,9 +55,9 @@ void limitNumber(CLI::Option* option, Number least, Number most, const char* wha
 }
 
 /// Returns the command or its action that was given, or the program itself.
-const CLI::App& spokenTo(const CLI::App& app) {
+const CLI::App& selectedCommand(const CLI::App& app) {
   const auto commands = app.get_subcommands();
-  return commands.empty() ? app : spokenTo(*commands.front());
+  return commands.empty() ? app : selectedCommand(*commands.front());
 }
 
 /// Returns how a command is called: "asperity study run".
@@ -78,7 +78,7 @@ InputError beforeCommand(const CLI::App& command, const std::string& word) {
 }
 
 InputError unexpected(const CLI::App& app) {
-  const CLI::App& command = spokenTo(app);
+  const CLI::App& command = selectedCommand(app);
   const std::vector<std::string> own = app.remaining(), words = command.remaining();
   if (&command != &app && !own.empty()) return beforeCommand(command, own.front());
   const std::string call = callOf(command);
@@ -104,23 +104,23 @@ InputError unexpected(const CLI::App& app) {
 }
 
 /// Translates CLI11's messages such as "--size: At Most 1 required but received 2".
-InputError mismatch(const std::string& said) {
-  std::string name = said.substr(0, said.find_first_of(": "));
+InputError mismatch(const std::string& text) {
+  std::string name = text.substr(0, text.find_first_of(": "));
   // the name of a flag
   if (std::islower(static_cast<unsigned char>(name.front()))) name = "--" + name;
-  if (said.find("received") != std::string::npos) return {"", name, "is given more than once"};
-  if (said.find("flag") != std::string::npos) return {"", name, "takes no value"};
+  if (text.find("received") != std::string::npos) return {"", name, "is given more than once"};
+  if (text.find("flag") != std::string::npos) return {"", name, "takes no value"};
   return {"", name, "needs a value"};
 }
 
 }  // namespace
 
 void limit(CLI::Option* option, double least, double most, std::string_view unit) {
-  limitNumber(option, least, most, "number", rangeText(least, most, unit).english());
+  setNumberRange(option, least, most, "number", rangeText(least, most, unit).english());
 }
 
-void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most) {
-  limitNumber(option, least, most, "whole number", fmt::format("{} to {}", least, most));
+void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most) {
+  setNumberRange(option, least, most, "whole number", fmt::format("{} to {}", least, most));
 }
 
 void refuseEmptyWords(CLI::App& app) {
@@ -136,25 +136,25 @@ void refuseEmptyWords(CLI::App& app) {
 
 bool shapesOutputs(std::string_view word) {
   // Measured friction and theories are part of the scene by then.
-  static constexpr std::array<std::string_view, 13> kShapeNothing{"output",
-                                                                  "set",
-                                                                  "threads",
-                                                                  "quiet",
-                                                                  "json",
-                                                                  "timing",
-                                                                  "resume",
-                                                                  "remake",
-                                                                  "from",
-                                                                  "data",
-                                                                  "theory",
-                                                                  "help",
-                                                                  "realizations-table"};
-  return std::ranges::find(kShapeNothing, word) == kShapeNothing.end();
+  static constexpr std::array<std::string_view, 13> kNoOutputOptions{"output",
+                                                                     "set",
+                                                                     "threads",
+                                                                     "quiet",
+                                                                     "json",
+                                                                     "timing",
+                                                                     "resume",
+                                                                     "remake",
+                                                                     "from",
+                                                                     "data",
+                                                                     "theory",
+                                                                     "help",
+                                                                     "realizations-table"};
+  return std::ranges::find(kNoOutputOptions, word) == kNoOutputOptions.end();
 }
 
 std::vector<GivenOption> givenOptions(const CLI::App& command) {
   std::vector<GivenOption> given;
-  for (const CLI::Option* option : spokenTo(command).get_options()) {
+  for (const CLI::Option* option : selectedCommand(command).get_options()) {
     const std::string word = option->get_positional() ? "" : nameOf(*option);
     if (option->count() == 0 || !word.starts_with("--") || !shapesOutputs(word.substr(2))) continue;
     const bool isFlag = option->get_expected_max() == 0;
@@ -167,14 +167,14 @@ std::vector<GivenOption> givenOptions(const CLI::App& command) {
 nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given,
                                   const std::string& output) {
   // A bare ".png" would be the name of a hidden file.
-  const std::string extension = extensionOf("x" + output);
+  const std::string extension = fileExtension("x" + output);
   const bool isTable =
       output == "-" || extension.empty() || extension == ".csv" || extension == ".json";
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
   for (const GivenOption& option : given) {
     if (option.group == (isTable ? kPictureGroup : kTableGroup)) continue;
-    // Tables have one language, and English is the default of pictures. The way of drawing changes
-    // rounding alone.
+    // Tables have one language, and English is the default of pictures. The backend of drawing
+    // changes rounding alone.
     const bool isEnglish = option.values == std::vector<std::string>{"en"};
     if (option.word == "backend" || (option.word == "language" && (isTable || isEnglish))) continue;
     std::string key = option.word;
@@ -196,15 +196,15 @@ nlohmann::ordered_json optionsInFolder(const std::vector<GivenOption>& given,
   return options;
 }
 
-InputError errorOf(const CLI::App& app, const CLI::ParseError& error) {
-  const std::string said = error.what();
+InputError parseError(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error)) return unexpected(app);
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return mismatch(said);
-  return {"", "", said.substr(0, said.find('\n'))};
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return mismatch(text);
+  return {"", "", text.substr(0, text.find('\n'))};
 }
 
 void refuseWordsBeforeCommand(const CLI::App& app) {
-  const CLI::App& command = spokenTo(app);
+  const CLI::App& command = selectedCommand(app);
   if (&command == &app) return;
   for (const CLI::Option* option : app.get_options())
     if (option->count() > 0) throw beforeCommand(command, nameOf(*option));

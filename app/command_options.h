@@ -44,7 +44,7 @@ NumberRange rangeFrom(const std::string& option, const std::string& text, const 
 /// Restricts the option to finite numbers, or integers, within limits. The help shows the limits
 /// with their unit.
 void limit(CLI::Option* option, double least, double most, std::string_view unit = {});
-void limitWhole(CLI::Option* option, std::int64_t least, std::int64_t most);
+void setIntegerRange(CLI::Option* option, std::int64_t least, std::int64_t most);
 
 /// Forbids empty text for options and files, and values for flags; CLI11 would accept both
 /// silently. Call it once, after all options have been added.
@@ -61,24 +61,24 @@ struct GivenOption {
 /// Groups of options in the help; each shapes outputs of one kind.
 inline constexpr const char *kPictureGroup = "Pictures", *kTableGroup = "Tables";
 
-/// Whether an option shapes outputs: not the scene and what is set in it, the names of outputs,
-/// threads, or what is printed. word: without dashes.
+/// Returns whether an option shapes outputs; the scene and its values, the names of outputs,
+/// threads and what is printed do not. word: without dashes.
 bool shapesOutputs(std::string_view word);
 
 /// Returns the options that were given to a command (or its action) and shape its outputs.
 std::vector<GivenOption> givenOptions(const CLI::App& command);
 
-/// Returns the options that shape this output, for its provenance: {"columns": "a,b", "with":
-/// ["x", "y"], "regions": true}. An extension says whether it is a table (.csv, .json, "-" and
+/// Returns the options that shape this output, for its provenance: {"columns": "a,b", "with": ["x",
+/// "y"], "regions": true}. The extension determines whether it is a table (.csv, .json, "-" and
 /// none) or a picture.
 nlohmann::ordered_json optionsFor(const std::vector<GivenOption>& given, const std::string& output);
 
-/// The same for a file of a folder of outputs: "file" is its name without extension.
+/// Returns the options of a file in a folder of outputs: "file" is its name without extension.
 nlohmann::ordered_json optionsInFolder(const std::vector<GivenOption>& given,
                                        const std::string& file);
 
 /// Returns the parser's error in the words of this program. app: the app that parsed.
-InputError errorOf(const CLI::App& app, const CLI::ParseError& error);
+InputError parseError(const CLI::App& app, const CLI::ParseError& error);
 
 /// Throws InputError where options of the program are given before a command, which would ignore
 /// them.

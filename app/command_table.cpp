@@ -62,7 +62,7 @@ int CommandTable::run() const {
   return selected_ ? selected_() : runWindowCommand(window_);
 }
 
-void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage) {
+void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* defaultLanguage) {
   common_.push_back(&common);
   app.add_option("--set", common.assignments,
                  "Set a scene key, e.g. --set load.normal_force=0.1; may be repeated, the last "
@@ -70,9 +70,9 @@ void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* u
       ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
-  limitWhole(app.add_option("--threads", common.threads,
-                            "Number of threads; 0: as many as the machine has"),
-             0, 1024);
+  setIntegerRange(app.add_option("--threads", common.threads,
+                                 "Number of threads; 0: as many as the machine has"),
+                  0, 1024);
   if (&app != app_) {  // the command that opens the window prints nothing
     app.add_flag("--quiet", common.quiet, "Show neither progress nor summary");
     app.add_flag("--json", common.json, "Write the answer as JSON to standard output");
@@ -80,7 +80,7 @@ void CommandTable::addShared(CLI::App& app, CommonOptions& common, const char* u
   app.add_flag("--timing", common.timing, "Write the run time to standard error");
   app.add_option("--language", common.language,
                  fmt::format("Language of pictures and summaries: {} (default: {})",
-                             languageCodes(), usualLanguage));
+                             languageCodes(), defaultLanguage));
 }
 
 CLI::App* CommandTable::addCommand(const char* name, const char* sentence, CommonOptions& common,
@@ -178,18 +178,20 @@ void CommandTable::addMotion() {
   addOutputs(command, motion_.outputs,
              "FILE.csv (its first line, # asperity: ..., says how it was made), .json, .png, .svg "
              "or .pdf; may be repeated (default: CSV to standard output)");
-  limitWhole(command
-                 ->add_option("--every", motion_.every,
-                              "Write one row for this number of time steps, and the last step; "
-                              "pictures show all steps")
-                 ->capture_default_str(),
-             1, 1000000000);
-  limitWhole(command
-                 ->add_option("--lines", motion_.lines,
-                              "Number of random lines; the column realization numbers them, and "
-                              "pictures show their mean")
-                 ->capture_default_str(),
-             1, 1000000);
+  setIntegerRange(
+      command
+          ->add_option("--every", motion_.every,
+                       "Write one row for this number of time steps, and the last step; "
+                       "pictures show all steps")
+          ->capture_default_str(),
+      1, 1000000000);
+  setIntegerRange(
+      command
+          ->add_option("--lines", motion_.lines,
+                       "Number of random lines; the column realization numbers them, and "
+                       "pictures show their mean")
+          ->capture_default_str(),
+      1, 1000000);
   addPictureOptions(*command, motion_.picture, "1200x1000", "print", FigurePart::Chart);
   addColumnChoice(command, motion_.columns);
 }
@@ -215,9 +217,10 @@ void CommandTable::addRender() {
   addCurveOptions(*command, render_.curves);
   addPictureOptions(*command, render_.picture, "1280x720", "light", FigurePart::Curve);
   TimeArguments& time = render_.time;
-  limitWhole(command->add_option("--frames", time.frames,
-                                 "Number of frames (default: 60 per period, or 60 for a motion)"),
-             1, 1000000);
+  setIntegerRange(
+      command->add_option("--frames", time.frames,
+                          "Number of frames (default: 60 per period, or 60 for a motion)"),
+      1, 1000000);
   limit(
       command->add_option("--fps", time.framesPerSecond, "Frames per second of film (default: 25)"),
       0.001, 1000);
@@ -319,7 +322,7 @@ void CommandTable::addMaterial() {
   fit.push_back(command->add_option("--terms", material.terms,
                                     "Number of relaxation times (default: as few as reach the "
                                     "smallest residual)"));
-  limitWhole(fit.back(), 1, 64);
+  setIntegerRange(fit.back(), 1, 64);
   fit.push_back(command->add_flag("--vertical-shifts", material.isVertical,
                                   "Shift the moduli as well, which a scene does not use"));
   text("--shift", material.shift,
@@ -391,11 +394,11 @@ void CommandTable::addFigure() {
       ->required();
   command->add_option("-o,--output", figure_.output, "Folder for CSV, PNG, SVG and claims.json")
       ->required();
-  limitWhole(command
-                 ->add_option("--realizations", figure_.realizations,
-                              "Number of random lines to average over")
-                 ->capture_default_str(),
-             1, 1000000);
+  setIntegerRange(command
+                      ->add_option("--realizations", figure_.realizations,
+                                   "Number of random lines to average over")
+                      ->capture_default_str(),
+                  1, 1000000);
   addPictureOptions(*command, figure_.picture, "that of the figure", "print", FigurePart::Curve);
   addColumnChoice(command, figure_.columns);
   addShared(*command, figure_.common);
@@ -465,7 +468,7 @@ void CommandTable::addStudy() {
       "study", "Very many simulations: a space of scene keys, in a store that survives kills");
   study->require_subcommand(1);
   study->footer(kStudyFormat);
-  // An action has what it reads as its first word, and no --set: the study says everything.
+  // The first word of an action is its input, and there is no --set: the study has all values.
   const auto action = [&](const char* name, const char* sentence, StudyCommand& command,
                           int (*work)(const StudyCommand&)) {
     CLI::App* app = study->add_subcommand(name, sentence);

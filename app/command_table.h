@@ -26,7 +26,7 @@ class CommandTable {
   int run() const;
 
  private:
-  void addShared(CLI::App& app, CommonOptions& common, const char* usualLanguage = "en");
+  void addShared(CLI::App& app, CommonOptions& common, const char* defaultLanguage = "en");
   CLI::App* addCommand(const char* name, const char* sentence, CommonOptions& common,
                        std::function<int()> action);
   void addCheck();

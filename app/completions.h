@@ -1,5 +1,5 @@
 // Completions of the command line for shells, made from the same tables as its help: commands,
-// their options with named values, and the keys of a scene after --set. Pure.
+// their options with named values, and the keys of a scene after --set. Pure; any thread.
 #pragma once
 
 #include <string>

@@ -38,8 +38,8 @@ int ContactSheets::heightOf(int sheet) const {
 }
 
 ContactSheets::Cell ContactSheets::cell(int picture) const {
-  const int sheet = picture / perSheet(), place = picture % perSheet();
-  return {sheet, place % columns_ * cellWidth_, place / columns_ * cellHeight_};
+  const int sheet = picture / perSheet(), position = picture % perSheet();
+  return {sheet, position % columns_ * cellWidth_, position / columns_ * cellHeight_};
 }
 
 std::vector<std::string> ContactSheets::names() const {

@@ -39,8 +39,8 @@ constexpr const char *kAxes = "--axes", *kCompare = "--compare", *kWith = "--wit
 constexpr const char *kXRange = "--x-range", *kYRange = "--y-range";
 constexpr const char *kOver = "--over", *kY = "--y", *kXScale = "--x-scale", *kYScale = "--y-scale",
                      *kFamily = "--family";
-constexpr std::int64_t kMostOfFamily = 100;
-constexpr std::int64_t kMostOversampling = 64;
+constexpr std::int64_t kMaxFamily = 100;
+constexpr std::int64_t kMaxOversampling = 64;
 constexpr NamedChoices<CurveAxes, 2> kAxesNames{
     {{"physical", CurveAxes::Physical}, {"dimensionless", CurveAxes::Dimensionless}}};
 
@@ -59,7 +59,7 @@ std::vector<std::string> split(const std::string& text, char at) {
   throw InputError("", kCompare,
                    message("{} is not SCHEME[:OVERSAMPLING[:LINES]] with nodal, linear or cubic, "
                            "1 to {} (nodal: 1) and 1 line or more",
-                           shortened(text), kMostOversampling));
+                           shortened(text), kMaxOversampling));
 }
 
 std::int64_t wholeFrom(const std::string& part, const std::string& all, std::int64_t most) {
@@ -79,7 +79,7 @@ CurveSetting settingFrom(const std::string& text, const Scene& scene) {
   const bool isNodal = setting.scheme == Scheme::Nodal;
   if (isNodal) setting.oversampling = 1;
   if (parts.size() > 1)
-    setting.oversampling = wholeFrom(parts[1], text, isNodal ? 1 : kMostOversampling);
+    setting.oversampling = wholeFrom(parts[1], text, isNodal ? 1 : kMaxOversampling);
   setting.realizations = mayHaveManyLines(scene.surface) ? scene.ensemble.realizations : 1;
   if (parts.size() > 2) setting.realizations = wholeFrom(parts[2], text, lines.maximum);
   return setting;
@@ -89,7 +89,7 @@ CurveAxes axesFrom(const std::string& name) {
   return chosenFrom(kAxesNames, name, kAxes);
 }
 
-/// Reads a range of an axis. Throws InputError where an end has no place on it.
+/// Reads a range of an axis. Throws InputError where the axis cannot show an end.
 NumberRange axisRange(const char* option, const std::string& text, AxisScale scale) {
   const NumberRange range = rangeFrom(option, text, "");
   if (scale == AxisScale::Logarithmic && !(range.from > 0))
@@ -158,9 +158,8 @@ ParameterRange familyRange(const CurveArguments& arguments, const Scene& scene) 
   if (Message reason = whyNotBeside(*range.row, scene, axis); !reason.empty())
     throw InputError("", kFamily, std::move(reason));
   checkRange(range, scene);
-  if (range.points > kMostOfFamily)
-    throw InputError("", kFamily,
-                     message("{} curves are more than {}", range.points, kMostOfFamily));
+  if (range.points > kMaxFamily)
+    throw InputError("", kFamily, message("{} curves are more than {}", range.points, kMaxFamily));
   return range;
 }
 
@@ -317,7 +316,7 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {
   for (const std::string& file : files)
-    if (file != "-" && extensionOf(file) != ".csv" && extensionOf(file) != ".json") return;
+    if (file != "-" && fileExtension(file) != ".csv" && fileExtension(file) != ".json") return;
   for (const auto& [option, given] : {std::pair{kAxes, arguments.axes != "physical"},
                                       {kXScale, !arguments.xScale.empty()},
                                       {kYScale, !arguments.yScale.empty()},
@@ -340,8 +339,8 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common, RealizationT
   return computeCurve(scene, options);
 }
 
-CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared,
-                  std::vector<CurvePoint> own, const CommonOptions& common) {
+CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                      std::vector<CurvePoint> own, const CommonOptions& common) {
   const Scene& scene = compared.scene;
   CurveSet set;
   set.present = {{}, scene, std::move(own), 0};

@@ -53,8 +53,8 @@ struct ComparedScene {
   std::vector<FrictionData> given;  // the tables of the options: the last that the scene names
 };
 
-/// Reads the tables of the options, so that what is wrong with them is said before anything is
-/// computed. Throws InputError naming the file or the option.
+/// Reads the tables of the options, so that errors are reported before anything is computed. Throws
+/// InputError naming the file or the option.
 ComparedScene withCurveOptions(Scene scene, const CurveArguments& arguments);
 
 /// Computes the scene's curve with the options that all commands share
@@ -66,8 +66,8 @@ Curve computeCurve(const Scene& scene, const CommonOptions& common,
 
 /// Returns the given curve of the scene together with the requested further curves. Shows progress.
 /// Throws InputError.
-CurveSet curvesOf(const CurveArguments& arguments, const ComparedScene& compared,
-                  std::vector<CurvePoint> own, const CommonOptions& common);
+CurveSet makeCurveSet(const CurveArguments& arguments, const ComparedScene& compared,
+                      std::vector<CurvePoint> own, const CommonOptions& common);
 
 /// Adds the curves to `answer`, one object for each curve beside the scene's own; adds nothing
 /// where there is none.

@@ -1,5 +1,5 @@
 // The dictionary of the guide: every key of a scene, every column of a table and every option of a
-// command, as Markdown, made from the tables that the program itself works with. Pure.
+// command, as Markdown, made from the tables that the program itself works with. Pure; any thread.
 #pragma once
 
 #include <string>

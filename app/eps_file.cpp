@@ -26,7 +26,7 @@ std::string commentsOf(const std::string& metadata) {
   return text;
 }
 
-/// Whether a part of the picture fades away, as the light of contacts does.
+/// Returns whether a part of the picture fades out, as the light of contacts does.
 bool isSoft(const DrawLayer& layer) {
   for (std::size_t i = 0; i + 2 < layer.triangles.size(); i += 3)
     for (const std::size_t other : {i + 1, i + 2})
@@ -34,8 +34,8 @@ bool isSoft(const DrawLayer& layer) {
   return false;
 }
 
-/// Returns the picture in opaque colours, each as it is seen on the background. PostScript knows no
-/// others: a page that has some would become one image.
+/// Returns the picture in opaque colours, each blended with the background. PostScript has no
+/// translucency: a page with translucent colours would become one image.
 DrawList opaque(DrawList list) {
   const Rgba ground = list.background.a > 0 ? list.background : Rgba{1, 1, 1, 1};
   const auto flatten = [&](Rgba& colour) {
@@ -66,7 +66,7 @@ DrawList opaque(DrawList list) {
 
 }  // namespace
 
-void needEpsTool(const std::string& file) {
+void checkEpsTool(const std::string& file) {
   if (findProgram(kTool).empty())
     throw InputError(file, "",
                      "EPS is made by pdftops, which is not installed (package poppler-utils); .pdf "
@@ -78,7 +78,7 @@ void writeEps(const std::string& file, const DrawList& list, const PdfOptions& o
     throw std::runtime_error(printable(file) + ": cannot be written: " + printable(why));
   };
   const bool isImage = std::ranges::any_of(list.layers, isSoft);
-  const std::string pdf = pdfOf(isImage ? list : opaque(list), options);
+  const std::string pdf = pdfBytes(isImage ? list : opaque(list), options);
   constexpr double kPointsPerInch = 72;
   const auto dotsPerInch = QString::number(std::lround(kPointsPerInch / options.pointsPerPixel));
   const QString rasterize = isImage ? QStringLiteral("always") : QStringLiteral("never");

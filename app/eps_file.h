@@ -1,6 +1,6 @@
-// Pictures as EPS, which some publishers still ask for: the program's own PDF, turned into
+// Pictures as EPS, which some publishers still require: the program's own PDF, turned into
 // PostScript by pdftops (poppler-utils). Letters and lines stay vectors; translucent colours become
-// opaque ones, and a picture with light that fades away becomes an image. Main thread.
+// opaque ones, and a picture with light that fades out becomes an image. Main thread.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 namespace asperity {
 
 /// Throws InputError where pdftops is not installed.
-void needEpsTool(const std::string& file);
+void checkEpsTool(const std::string& file);
 
-/// Writes the file, complete or not at all. The metadata stand in comments "%asperity: ..." after
-/// the header. Throws std::runtime_error in one sentence that names the file.
+/// Writes the file, complete or not at all. The metadata are in comments "%asperity: ..." after the
+/// header. Throws std::runtime_error in one sentence that names the file.
 void writeEps(const std::string& file, const DrawList& list, const PdfOptions& options);
 
 }  // namespace asperity

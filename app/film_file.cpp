@@ -174,7 +174,7 @@ bool isFilm(const std::string& extension) {
 }
 
 void checkFilm(const std::string& file, bool transparent) {
-  if (transparent && extensionOf(file) == ".mp4")
+  if (transparent && fileExtension(file) == ".mp4")
     throw InputError(file, "", "mp4 knows no transparency; webm, gif and webp do");
   if (findProgram("ffmpeg").empty())
     throw std::runtime_error(
@@ -184,11 +184,11 @@ void checkFilm(const std::string& file, bool transparent) {
 
 struct FilmFile::Body {
   Body(const std::string& file, const FilmOptions& given)
-      : name(file), extension(extensionOf(file)), options(given), film(file) {
+      : name(file), extension(fileExtension(file)), options(given), film(file) {
     checkFilm(file, options.transparent);
-    complaints.slot() = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+    errorOutput.slot() = ::memfd_create("ffmpeg", MFD_CLOEXEC);
     int ends[2] = {-1, -1};
-    if (complaints.number() < 0 || ::pipe2(ends, O_CLOEXEC) != 0) fail(std::strerror(errno));
+    if (errorOutput.number() < 0 || ::pipe2(ends, O_CLOEXEC) != 0) fail(std::strerror(errno));
     makeMetadata();
     const Descriptor reading(ends[0]);
     pictures.slot() = ends[1];
@@ -228,8 +228,8 @@ struct FilmFile::Body {
     const Descriptor copy(::fcntl(film.descriptor(), F_DUPFD_CLOEXEC, 10));
     const Descriptor facts(::fcntl(metadata.number(), F_DUPFD_CLOEXEC, 10));
     posix_spawn_file_actions_adddup2(&actions, reading, 0);
-    posix_spawn_file_actions_adddup2(&actions, complaints.number(), 1);
-    posix_spawn_file_actions_adddup2(&actions, complaints.number(), 2);
+    posix_spawn_file_actions_adddup2(&actions, errorOutput.number(), 1);
+    posix_spawn_file_actions_adddup2(&actions, errorOutput.number(), 2);
     posix_spawn_file_actions_adddup2(&actions, copy.number(), kOutput);
     if (facts.number() >= 0) posix_spawn_file_actions_adddup2(&actions, facts.number(), kMetadata);
     const int error = ::posix_spawn(&process, findProgram("ffmpeg").c_str(), &actions, nullptr,
@@ -254,11 +254,11 @@ struct FilmFile::Body {
   }
 
   /// Returns the last line that ffmpeg wrote to stderr.
-  std::string lastComplaint() const {
+  std::string lastError() const {
     std::string text(4096, '\0');
-    const off_t size = ::lseek(complaints.number(), 0, SEEK_END);
+    const off_t size = ::lseek(errorOutput.number(), 0, SEEK_END);
     const off_t from = std::max<off_t>(0, size - static_cast<off_t>(text.size()));
-    const ssize_t count = ::pread(complaints.number(), text.data(), text.size(), from);
+    const ssize_t count = ::pread(errorOutput.number(), text.data(), text.size(), from);
     text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     while (!text.empty() && text.back() == '\n') text.pop_back();
     return text.substr(text.rfind('\n') + 1);
@@ -269,13 +269,12 @@ struct FilmFile::Body {
     pictures.close();
     const int status = wait();
     // With a full disk, ffmpeg reports an error but may still end with success.
-    const std::string complaint = lastComplaint();
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && complaint.empty()) return;
-    fail("ffmpeg failed" + (complaint.empty() ? std::string() : ": " + complaint));
+    const std::string errorText = lastError();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && errorText.empty()) return;
+    fail("ffmpeg failed" + (errorText.empty() ? std::string() : ": " + errorText));
   }
 
-  /// Checks that the file is a film before it replaces the last one, whatever program ran as
-  /// ffmpeg.
+  /// Checks that the file is a film before it replaces an existing one.
   void checkContent() const {
     const FilmBegin begin = filmBegin(extension);
     const std::string bytes = film.content(begin.offset + begin.bytes.size());
@@ -297,7 +296,7 @@ struct FilmFile::Body {
     }
   }
 
-  /// Adds metadata to gif and webp, whose place for it ffmpeg does not fill.
+  /// Adds metadata to gif and webp, for which ffmpeg writes none.
   void addMetadata() {
     if (options.metadata.empty() || (extension != ".gif" && extension != ".webp")) return;
     const std::string packet = xmpPacket(options.title, options.metadata);
@@ -308,7 +307,7 @@ struct FilmFile::Body {
   std::string name, extension;
   FilmOptions options;
   AtomicFile film;
-  Descriptor pictures, complaints, metadata;
+  Descriptor pictures, errorOutput, metadata;
   NoPipeSignal noSignal;
   pid_t process = 0;
 };

@@ -55,7 +55,7 @@ class FilmFile {
   std::unique_ptr<Body> body_;
 };
 
-/// Returns the bytes of a film with an XMP packet at the place that the format reserves for it.
+/// Returns the bytes of a film with an XMP packet where the format defines it.
 std::string gifWithXmp(const std::string& gif, const std::string& packet);
 std::string webpWithXmp(const std::string& webp, const std::string& packet);
 

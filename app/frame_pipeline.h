@@ -20,31 +20,31 @@
 
 namespace asperity {
 
-template <class Thing>
+template <class Item>
 class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t most) : most_(most) {}
 
-  /// Waits until the queue has room. Returns false where the queue was stopped; the value is
+  /// Waits until the queue has a free slot. Returns false where the queue was stopped; the value is
   /// dropped.
-  bool put(Thing thing) {
+  bool put(Item item) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return stopped_ || things_.size() < most_; });
+    changed_.wait(lock, [this] { return stopped_ || items_.size() < most_; });
     if (stopped_) return false;
-    things_.push_back(std::move(thing));
+    items_.push_back(std::move(item));
     changed_.notify_all();
     return true;
   }
 
   /// Waits for a value. Returns nothing where no more will come.
-  std::optional<Thing> take() {
+  std::optional<Item> take() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return stopped_ || ended_ || !things_.empty(); });
-    if (stopped_ || things_.empty()) return std::nullopt;
-    std::optional<Thing> thing(std::move(things_.front()));
-    things_.pop_front();
+    changed_.wait(lock, [this] { return stopped_ || ended_ || !items_.empty(); });
+    if (stopped_ || items_.empty()) return std::nullopt;
+    std::optional<Item> item(std::move(items_.front()));
+    items_.pop_front();
     changed_.notify_all();
-    return thing;
+    return item;
   }
 
   /// Declares that no more values will be put; the waiting ones can still be taken.
@@ -63,7 +63,7 @@ class BoundedQueue {
   const std::size_t most_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Thing> things_;
+  std::deque<Item> items_;
   bool ended_ = false, stopped_ = false;
 };
 

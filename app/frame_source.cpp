@@ -11,21 +11,21 @@
 namespace asperity {
 namespace {
 
-constexpr std::int64_t kUsualFrames = 60;
-constexpr double kUsualFps = 25;
-constexpr double kMostFrames = 1e6;
+constexpr std::int64_t kDefaultFrames = 60;
+constexpr double kDefaultFps = 25;
+constexpr double kMaxFrames = 1e6;
 constexpr std::int64_t kSamples = 200;  // minimum number of samples over a motion
-constexpr double kMostPeriods = 1e9;    // maximum distance of sliding, in periods
+constexpr double kMaxPeriods = 1e9;     // maximum distance of sliding, in periods
 
 double fpsOf(const TimeArguments& arguments) {
-  return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kUsualFps;
+  return arguments.framesPerSecond > 0 ? arguments.framesPerSecond : kDefaultFps;
 }
 
 std::int64_t rounded(double frames, const char* option) {
-  if (!(frames <= kMostFrames))
+  if (!(frames <= kMaxFrames))
     throw InputError(
         "", option,
-        message("{} frames are more than {}", printedNumber(frames), printedNumber(kMostFrames)));
+        message("{} frames are more than {}", printedNumber(frames), printedNumber(kMaxFrames)));
   return std::max<std::int64_t>(1, std::llround(frames));
 }
 
@@ -54,10 +54,10 @@ void checkMoment(const Scene& scene, const TimeArguments& arguments, double leng
                 printedQuantity(scene.sliding.duration, "s", 6)));
   if (!isSteady) return;
   const double slid = arguments.slid ? *arguments.slid : *arguments.at * scene.sliding.velocity;
-  if (!(std::abs(slid) <= kMostPeriods * length))
+  if (!(std::abs(slid) <= kMaxPeriods * length))
     throw InputError("", option,
                      message("{} slid are more than {} periods", printedQuantity(slid, "m"),
-                             printedNumber(kMostPeriods)));
+                             printedNumber(kMaxPeriods)));
 }
 
 FramePlan steadyPlan(double period, const TimeArguments& arguments, bool single) {
@@ -71,7 +71,7 @@ FramePlan steadyPlan(double period, const TimeArguments& arguments, bool single)
     plan.count =
         single ? 1 : rounded(cycles * period * arguments.slowMotion * fps, "--slow-motion");
   else
-    plan.count = single ? 1 : rounded(cycles * kUsualFrames, "--cycles");
+    plan.count = single ? 1 : rounded(cycles * kDefaultFrames, "--cycles");
   plan.periodsPerFrame = arguments.slowMotion > 0 ? 1 / (arguments.slowMotion * fps * period)
                                                   : cycles / static_cast<double>(plan.count);
   return plan;
@@ -89,7 +89,7 @@ FramePlan motionPlan(double duration, const TimeArguments& arguments, bool singl
                : arguments.duration > 0 ? rounded(arguments.duration * fps, "--duration")
                : arguments.slowMotion > 0
                    ? rounded(duration * arguments.slowMotion * fps, "--slow-motion")
-                   : kUsualFrames;
+                   : kDefaultFrames;
   if (plan.count > 1) plan.timeScale = duration * fps / static_cast<double>(plan.count - 1);
   return plan;
 }
@@ -115,11 +115,11 @@ FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arg
 }
 
 FrameSource::FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
-                         const FrameFields& fields, double seen)
+                         const FrameFields& fields, double visibleLength)
     : choice_(arguments), velocity_(scene.sliding.velocity), duration_(scene.sliding.duration) {
   const auto shared = std::make_shared<const Scene>(scene);
   if (scene.sliding.kind == SlidingKind::Steady)
-    steady_.emplace(shared, fields, seen);
+    steady_.emplace(shared, fields, visibleLength);
   else
     motion_
         .emplace(shared, 0,

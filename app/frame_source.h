@@ -39,10 +39,9 @@ FramePlan planFrames(const Scene& scene, double length, const TimeArguments& arg
 
 class FrameSource {
  public:
-  /// fields: optional values of the frames. seen: visible length of the line, m; 0: the whole
-  /// period.
+  /// fields: optional values of the frames. visibleLength: of the line, m; 0: the whole period.
   FrameSource(const Scene& scene, const TimeArguments& arguments, bool single,
-              const FrameFields& fields = {}, double seen = 0);
+              const FrameFields& fields = {}, double visibleLength = 0);
 
   const FramePlan& plan() const { return plan_; }
   double length() const { return length_; }  // m, of the period

@@ -18,14 +18,14 @@ namespace {
 
 /// Qt's warnings about desktops do not concern a program without a window; the program reports
 /// errors itself.
-void sayOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
+void printOnlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtFatalMsg) std::fprintf(stderr, "asperity: %s\n", qPrintable(message));
 }
 
 /// Makes an application that needs no display: text needs only fonts.
 std::unique_ptr<QGuiApplication> offscreenApplication() {
-  qInstallMessageHandler(sayOnlyFatal);
-  // Qt takes the words that it knows out of the list, so every application needs them anew.
+  qInstallMessageHandler(printOnlyFatal);
+  // Qt removes the words that it knows from the list, so every application needs a new list.
   static int count;
   static char name[] = "asperity", option[] = "-platform", platform[] = "offscreen";
   static char* arguments[4];
@@ -47,7 +47,7 @@ HeadlessPictures::~HeadlessPictures() {
 
 void HeadlessPictures::write(const std::string& file, const DrawList& list,
                              const PictureProperties& properties) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = fileExtension(file);
   if (extension == ".png")
     writePng(file, list, properties);
   else if (extension == ".svg")

@@ -24,7 +24,7 @@ constexpr std::array<Ending, 2> kEndings{
 std::atomic<bool> hasBegun{false};
 std::string_view clearsLine;  // characters that clear a progress bar on a terminal
 
-void say(std::string_view text) {
+void writeError(std::string_view text) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
@@ -33,11 +33,11 @@ void end(int signal) {
   if (hasBegun.exchange(true))
     while (true) ::pause();
   removeUnfinishedFiles();
-  ::signal(SIGPIPE, SIG_IGN);  // the reader of stderr may be gone
+  ::signal(SIGPIPE, SIG_IGN);  // the reader of stderr may have closed it
   for (const Ending& ending : kEndings) {
     if (ending.signal != signal) continue;
-    say(clearsLine);
-    say(ending.line);
+    writeError(clearsLine);
+    writeError(ending.line);
     ::_exit(ending.status);
   }
 }

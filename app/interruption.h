@@ -1,5 +1,5 @@
 // How the program ends after Ctrl+C or `kill`: one line on stderr, no unfinished file, and the exit
-// status that shells use.
+// status that shells use. isInterrupted() may be called on any thread.
 #pragma once
 
 namespace asperity {

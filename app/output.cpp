@@ -17,7 +17,7 @@
 
 namespace asperity {
 
-std::string extensionOf(const std::string& file) {
+std::string fileExtension(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
@@ -25,12 +25,12 @@ std::string extensionOf(const std::string& file) {
 }
 
 bool isPictureFile(const std::string& file) {
-  return std::ranges::find(kPictureExtensions, extensionOf(file)) != kPictureExtensions.end();
+  return std::ranges::find(kPictureExtensions, fileExtension(file)) != kPictureExtensions.end();
 }
 
-void needToolFor(const std::string& file) {
-  const std::string extension = extensionOf(file);
-  if (extension == ".eps") needEpsTool(file);
+void checkToolFor(const std::string& file) {
+  const std::string extension = fileExtension(file);
+  if (extension == ".eps") checkEpsTool(file);
   if ((extension == ".tif" || extension == ".tiff") && !canWriteTiff())
     throw InputError(file, "",
                      "this program was built without libtiff, which writes TIFF; .png needs no "
@@ -49,19 +49,19 @@ void writeTable(const std::string& output, const std::string& text) {
 }
 
 void checkOutputs(const std::vector<std::string>& files,
-                  std::initializer_list<std::string_view> extensions, Without without) {
+                  std::initializer_list<std::string_view> extensions, DefaultOutput byDefault) {
   std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
-    if (file == "-" && without == Without::PrintsTable) {
+    if (file == "-" && byDefault == DefaultOutput::PrintsTable) {
       if (!seen.insert(file).second)
         throw InputError("", "--output", file + " is given more than once");
       continue;
     }
     checkWritable(file);
-    const std::string extension = extensionOf(file);
+    const std::string extension = fileExtension(file);
     if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
       throw unknownExtension(file, extension, extensions);
-    needToolFor(file);
+    checkToolFor(file);
     if (!seen.insert(std::filesystem::absolute(file).lexically_normal()).second)
       throw InputError("", "--output", file + " is given more than once");
   }

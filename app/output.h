@@ -1,4 +1,5 @@
 // Output files of the commands: their names are checked before any work, their kinds by extension.
+// Main thread.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +11,7 @@
 namespace asperity {
 
 /// Returns the extension in small letters: ".csv" for "out/Curve.CSV".
-std::string extensionOf(const std::string& file);
+std::string fileExtension(const std::string& file);
 
 /// Extensions of pictures, and of the tables and pictures that most commands write.
 inline const std::initializer_list<std::string_view> kPictureExtensions = {".png", ".svg", ".pdf",
@@ -18,16 +19,16 @@ inline const std::initializer_list<std::string_view> kPictureExtensions = {".png
 inline const std::initializer_list<std::string_view> kOutputExtensions = {
     ".csv", ".json", ".png", ".svg", ".pdf", ".eps", ".tif", ".tiff"};
 
-/// Whether a file is a picture by its extension.
+/// Returns whether a file is a picture by its extension.
 bool isPictureFile(const std::string& file);
 
 /// Throws InputError where this machine cannot write files of this kind: EPS and TIFF need tools.
-void needToolFor(const std::string& file);
+void checkToolFor(const std::string& file);
 
-/// What a command prints where it is given no output file.
-enum class Without { PrintsSummary, PrintsTable };
+/// The output of a command without an output file.
+enum class DefaultOutput { PrintsSummary, PrintsTable };
 
-/// Whether `-`, standard output, is one of the outputs.
+/// Returns whether `-`, standard output, is one of the outputs.
 bool hasStandardOutput(const std::vector<std::string>& files);
 
 /// Writes a table to a file, or to standard output where it is `-`.
@@ -37,13 +38,13 @@ void writeTable(const std::string& output, const std::string& text);
 /// twice. `-` is allowed where a table can be printed.
 void checkOutputs(const std::vector<std::string>& files,
                   std::initializer_list<std::string_view> extensions,
-                  Without without = Without::PrintsSummary);
+                  DefaultOutput byDefault = DefaultOutput::PrintsSummary);
 
 /// Throws InputError where an output would replace a file that was read.
 void checkNoInput(const std::string& output, const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError where the folder's name is "-": pictures and tables cannot go to standard
-/// output together, and hardly anybody means a folder of that name.
+/// output together, and a folder of that name is hardly intended.
 void checkFolderName(const std::string& folder);
 
 /// Makes the folder and its parents where they are missing. Throws InputError.

@@ -21,7 +21,7 @@ OutputFolder::OutputFolder(std::string folder, std::vector<std::filesystem::path
     : folder_(std::move(folder)), inputs_(std::move(inputs)), settings_(settings) {}
 
 void OutputFolder::addText(const std::string& name, std::string bytes) {
-  texts_.push_back({pathOf(name), std::move(bytes)});
+  texts_.push_back({filePath(name), std::move(bytes)});
 }
 
 void OutputFolder::addSheet(const std::string& name, DiagramSheet sheet) {
@@ -33,7 +33,7 @@ void OutputFolder::write(const std::vector<GivenOption>& given,
   makeFolder(folder_);
   for (const Text& text : texts_) checkName(text.file);
   for (const Sheet& sheet : sheets_)
-    for (const char* extension : kExtensions) checkName(pathOf(sheet.name + extension));
+    for (const char* extension : kExtensions) checkName(filePath(sheet.name + extension));
   HeadlessPictures pictures(settings_.backend);
   for (const Sheet& sheet : sheets_) {
     const ProvenanceOptions options(optionsInFolder(given, sheet.name + kExtensions[0]));
@@ -43,7 +43,7 @@ void OutputFolder::write(const std::vector<GivenOption>& given,
         settings_.properties(translated(sheet.sheet.title), provenanceLine(made));
     const DrawList picture = drawSheet(sheet.sheet, settings_);
     for (const char* extension : kExtensions)
-      pictures.write(pathOf(sheet.name + extension), picture, properties);
+      pictures.write(filePath(sheet.name + extension), picture, properties);
   }
   pictures.finish();
   for (auto text = texts_.rbegin(); text != texts_.rend(); ++text)
@@ -54,11 +54,11 @@ std::string OutputFolder::summary() const {
   std::string lines;
   for (const Text& text : texts_) lines += wroteLine(text.file);
   for (const Sheet& sheet : sheets_)
-    lines += wroteLine(pathOf(sheet.name + ".png") + " (.svg, .pdf)");
+    lines += wroteLine(filePath(sheet.name + ".png") + " (.svg, .pdf)");
   return lines;
 }
 
-std::string OutputFolder::pathOf(const std::string& name) const {
+std::string OutputFolder::filePath(const std::string& name) const {
   return (std::filesystem::path(folder_) / name).string();
 }
 

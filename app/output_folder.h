@@ -23,12 +23,12 @@ class OutputFolder {
   /// Adds a chart that is written as NAME.png, NAME.svg and NAME.pdf.
   void addSheet(const std::string& name, DiagramSheet sheet);
 
-  /// Everything is known by now, so that only whole files stand in the folder. The first text,
-  /// which says what the others are, is the last to be written. origin: makes the provenance of a
-  /// picture while the options that were given and the picture's name are those of provenances.
+  /// Writes all files. All contents are known by now, so that the folder has only complete files.
+  /// The first text, which describes the others, is written last. origin: makes the provenance of a
+  /// picture from the given options and the picture's name.
   void write(const std::vector<GivenOption>& given,
              const std::function<nlohmann::ordered_json()>& origin) const;
-  /// One line for each file.
+  /// Returns one line for each file.
   std::string summary() const;
 
  private:
@@ -39,7 +39,7 @@ class OutputFolder {
     std::string name;
     DiagramSheet sheet;
   };
-  std::string pathOf(const std::string& name) const;
+  std::string filePath(const std::string& name) const;
   void checkName(const std::string& name) const;
 
   std::string folder_;

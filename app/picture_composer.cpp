@@ -19,8 +19,8 @@ namespace {
 
 // Sizes of texts in strips, which are low and would make their texts small. Where a strip is lower
 // than several heights of a number, the texts get smaller still, so that they fit.
-constexpr float kStripText = 0.8F, kLeastStripText = 0.5F;
-constexpr float kGoodStrip = 3, kLeastStrip = 2;
+constexpr float kStripText = 0.8F, kMinStripText = 0.5F;
+constexpr float kGoodStrip = 3, kMinStrip = 2;
 
 constexpr NamedChoices<PictureLayout, 4> kLayouts{{{"contact", PictureLayout::Contact},
                                                    {"curve", PictureLayout::Curve},
@@ -44,15 +44,15 @@ ContactOverlay overlayFrom(const std::string& name) {
 
 void checkPanels(const DiagramSheet& sheet, const PictureSettings& settings, int above) {
   if (sheet.diagrams.size() < 2 || settings.isOnPaper) return;  // on paper the height follows
-  const int room = settings.height - above;
+  const int available = settings.height - above;
   DiagramOptions options = settings.diagramOptions();
-  options.height = room;
+  options.height = available;
   const int needed = heightForAll(sheet, options);
-  if (needed == room) return;
+  if (needed == available) return;
   const std::string given = fmt::format("{}x{}", settings.width, settings.height);
   if (needed == 0)
     throw InputError("", "--size", given + " is too narrow for the curve and the difference");
-  const int least = 10 * ((needed * settings.height / room + 19) / 10);
+  const int least = 10 * ((needed * settings.height / available + 19) / 10);
   throw InputError("", "--size",
                    message("{} leaves no room for the difference under the curve; {}x{} does",
                            given, settings.width, least));
@@ -91,7 +91,7 @@ DrawList PictureComposer::composeParts(const Frame& frame) {
     sheet = withoutCrowding(
         styled(transientSheet(*frame.scene, samples, frame.spacing, frame.length), settings_.style),
         optionsFor(below, kStripText));
-    options.leastText = stripText(sheet, below);
+    options.minTextSize = stripText(sheet, below);
   } else if (below_ && !frame.transient) {
     return stacked(contact(frame, above), *below_);
   } else {
@@ -117,23 +117,23 @@ int PictureComposer::contactHeight() const {
 
 float PictureComposer::stripText(const DiagramSheet& strips, int height) const {
   float text = kStripText;
-  while (text > kLeastStripText && lowestFrame(strips, optionsFor(height, text)) < kGoodStrip)
+  while (text > kMinStripText && lowestFrame(strips, optionsFor(height, text)) < kGoodStrip)
     text -= 0.1F;
-  return std::max(text, kLeastStripText);
+  return std::max(text, kMinStripText);
 }
 
 void PictureComposer::checkStrips(const Scene& scene) {
   if (content_.layout != PictureLayout::Transient) return;
   if (settings_.isOnPaper) return growFor(styled(transientSheet(scene, {}, 0, 0), settings_.style));
-  const auto hasRoom = [&](int height) {
+  const auto fits = [&](int height) {
     const DiagramSheet strips =
         withoutCrowding(transientSheet(scene, {}, 0, 0), optionsFor(height, kStripText));
-    return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kLeastStrip;
+    return lowestFrame(strips, optionsFor(height, stripText(strips, height))) >= kMinStrip;
   };
   int height = settings_.height - contactHeight();
-  if (hasRoom(height)) return;
+  if (fits(height)) return;
   constexpr int kHighest = 20000, kStep = 10;
-  while (height < kHighest && !hasRoom(height)) height += kStep;
+  while (height < kHighest && !fits(height)) height += kStep;
   const std::string given = fmt::format("{}x{}", settings_.width, settings_.height);
   if (height >= kHighest)
     throw InputError("", "--size", given + " is too narrow for strips over time");
@@ -143,7 +143,7 @@ void PictureComposer::checkStrips(const Scene& scene) {
                            settings_.width, least));
 }
 
-void PictureComposer::checkRoom(const Scene& scene) {
+void PictureComposer::checkCurveHeight(const Scene& scene) {
   checkStrips(scene);
   const PictureLayout layout = content_.layout;
   if (layout != PictureLayout::Curve && layout != PictureLayout::Both) return;
@@ -152,7 +152,8 @@ void PictureComposer::checkRoom(const Scene& scene) {
   const int above = layout == PictureLayout::Both ? contactHeight() : 0;
   checkPanels(sheet, settings_, above);
   if (!settings_.isOnPaper) return;
-  // The marker comes with the frame; its entry in the legend and its label need their room now.
+  // The marker comes with the frame; its entry in the legend and its label are included in the
+  // layout now.
   if (const auto& points = content_.curves.present.points; !points.empty()) {
     const CurvePoint& middle = points[points.size() / 2];
     DiagramMarker marker{"this motion, now", message("v = {} m/s", middle.velocity)};
@@ -178,8 +179,8 @@ ContactPictureOptions PictureComposer::contactOptions(int height) const {
   options.scale = settings_.scale;
   options.theme = settings_.theme;
   options.overlay = content_.overlay;
-  options.letters = settings_.look.letters;
-  options.curve = settings_.look.curve;
+  options.fontSize = settings_.format.fontSize;
+  options.lineWidth = settings_.format.lineWidth;
   options.title = settings_.style.hasTitle;
   return options;
 }
@@ -192,8 +193,8 @@ DrawList PictureComposer::contact(const Frame& frame, int height) {
   return composeContact(frame, contact_);
 }
 
-DiagramOptions PictureComposer::optionsFor(int height, float leastText) const {
-  DiagramOptions options = settings_.diagramOptions(leastText);
+DiagramOptions PictureComposer::optionsFor(int height, float minTextSize) const {
+  DiagramOptions options = settings_.diagramOptions(minTextSize);
   options.height = height;
   return options;
 }

@@ -40,7 +40,7 @@ class PictureComposer {
 
   /// Throws InputError naming --size where a panel of the curve, or a strip over time of this
   /// scene, would not fit; on paper the picture gets as high as they need.
-  void checkRoom(const Scene& scene);
+  void checkCurveHeight(const Scene& scene);
 
   DrawList compose(const Frame& frame);
 
@@ -49,7 +49,7 @@ class PictureComposer {
   int contactHeight() const;  // pixels, where a diagram is below it
   DrawList contact(const Frame& frame, int height);
   ContactPictureOptions contactOptions(int height) const;
-  DiagramOptions optionsFor(int height, float leastText) const;
+  DiagramOptions optionsFor(int height, float minTextSize) const;
   float stripText(const DiagramSheet& strips, int height) const;
   void checkStrips(const Scene& scene);
   /// Makes a picture on paper as high as the sheet of its chart needs.

@@ -62,7 +62,7 @@ float scaleFrom(const std::string& text) {
 constexpr NamedChoices<const Theme& (*)(), 4> kThemes{
     {{"light", lightTheme}, {"dark", darkTheme}, {"print", printTheme}, {"paper", paperTheme}}};
 
-/// Returns the style that the options ask for: that of a file, then each option.
+/// Returns the style of the options: that of a file, changed by each option.
 FigureStyle styleFrom(const PictureArguments& arguments) {
   FigureStyle style = arguments.style.empty() ? FigureStyle{} : readStyle(arguments.style);
   for (const auto& [word, value] : arguments.figure)
@@ -91,19 +91,19 @@ float scaleOf(const PictureArguments& arguments, const FigureStyle& style, float
 
 /// Returns letters and lines in pixels. A picture with a size on paper has letters of 7 pt, more
 /// where it is wider than two columns of a journal, and none below 6 pt.
-FigureLook lookOf(const FigureStyle& style, const PictureSettings& settings) {
-  constexpr double kPaperLetters = 7, kLeastLetters = 6, kTwoColumns = 178 / 25.4;  // pt, inches
+DiagramFormat formatOf(const FigureStyle& style, const PictureSettings& settings) {
+  constexpr double kPaperLetters = 7, kMinLetters = 6, kTwoColumns = 178 / 25.4;  // pt, inches
   const double inch = kPixelsPerInch * static_cast<double>(settings.scale), point = inch / 72;
-  FigureLook look;
-  look.legend = style.legend;
-  look.ticks = style.ticks;
+  DiagramFormat format;
+  format.legend = style.legend;
+  format.ticks = style.ticks;
   double letters = style.fontSize;
   if (letters == 0 && settings.isOnPaper)
     letters = kPaperLetters * std::max(1.0, settings.width / inch / kTwoColumns);
-  look.letters = static_cast<float>(letters * point);
-  look.curve = static_cast<float>(style.lineWidth * point);
-  if (letters > 0) look.least = static_cast<float>(std::min(letters, kLeastLetters) * point);
-  return look;
+  format.fontSize = static_cast<float>(letters * point);
+  format.lineWidth = static_cast<float>(style.lineWidth * point);
+  if (letters > 0) format.minFontSize = static_cast<float>(std::min(letters, kMinLetters) * point);
+  return format;
 }
 
 constexpr NamedChoices<PixelBackend, 4> kBackends{{{"auto", PixelBackend::Automatic},
@@ -133,7 +133,7 @@ void chooseLanguage(const std::string& code) {
 void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files) {
   bool hasPicture = false, hasPixels = false;
   for (const std::string& file : files) {
-    const std::string extension = extensionOf(file);
+    const std::string extension = fileExtension(file);
     const bool isTable = file == "-" || extension == ".csv" || extension == ".json";
     hasPicture |= !isTable;
     hasPixels |= !isTable && extension != ".svg" && extension != ".pdf" && extension != ".eps";
@@ -230,13 +230,13 @@ PictureSettings pictureSettings(const PictureArguments& arguments,
   settings.transparent = arguments.transparent;
   if (!arguments.backend.empty())
     settings.backend = chosenFrom(kBackends, arguments.backend, "--backend");
-  settings.look = lookOf(style, settings);
+  settings.format = formatOf(style, settings);
   return settings;
 }
 
-DiagramOptions PictureSettings::diagramOptions(float leastText) const {
-  DiagramOptions options{width, height, scale, theme, leastText};
-  options.look = look;
+DiagramOptions PictureSettings::diagramOptions(float minTextSize) const {
+  DiagramOptions options{width, height, scale, theme, minTextSize};
+  options.format = format;
   if (transparent) options.theme.background.a = 0;
   return options;
 }
@@ -246,9 +246,9 @@ PictureProperties PictureSettings::properties(const std::string& title,
   return {title, origin, scale, isOnPaper};
 }
 
-DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText) {
+DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float minTextSize) {
   const DiagramSheet shown = styled(sheet, settings.style);
-  DiagramOptions options = settings.diagramOptions(leastText);
+  DiagramOptions options = settings.diagramOptions(minTextSize);
   if (settings.isOnPaper) options.height = heightInPrint(shown, options);
   DrawList list = composeDiagrams(shown, options);
   if (settings.style.isGrey) removeColours(list);
@@ -259,20 +259,20 @@ namespace {
 
 constexpr double kFarthest = 1e9;  // m, a million periods of the longest line
 
-constexpr double kMostPeriods = 50;       // largest width of a view
-constexpr double kLeastPeriods = 1e-9;    // smallest width of a view
+constexpr double kMaxPeriods = 50;        // largest width of a view
+constexpr double kMinPeriods = 1e-9;      // smallest width of a view
 constexpr double kFarthestPeriods = 1e6;  // largest distance from 0
-/// Heights that would be exaggerated less than this many times are drawn to scale: so rough a
-/// surface, such as a road, is seen as it is.
+/// Heights that would be exaggerated by a smaller factor are drawn to scale: so rough a surface,
+/// such as a road, is shown undistorted.
 constexpr double kNearlyToScale = 5.5;
 constexpr const char *kView = "--view", *kHeights = "--heights", *kColours = "--colours-to",
                      *kExaggeration = "--exaggeration", *kProbe = "--probe",
                      *kMagnify = "--magnify";
 
-void checkPlace(const char* option, const std::optional<double>& place, double length) {
-  if (place && !(std::abs(*place) <= kFarthestPeriods * length))
+void checkPosition(const char* option, const std::optional<double>& position, double length) {
+  if (position && !(std::abs(*position) <= kFarthestPeriods * length))
     throw InputError("", option,
-                     message("{} m is not within {} m of 0", plainNumber(*place),
+                     message("{} m is not within {} m of 0", plainNumber(*position),
                              printedNumber(kFarthestPeriods * length, 6)));
 }
 
@@ -368,21 +368,21 @@ void checkView(const ViewArguments& arguments, ContactOverlay overlay, double le
   if (!arguments.xRange.empty()) {
     const NumberRange range = rangeFrom(kView, arguments.xRange, "m");
     const double width = arguments.width();
-    if (width > kMostPeriods * length || width < kLeastPeriods * length)
+    if (width > kMaxPeriods * length || width < kMinPeriods * length)
       throw InputError(
           "", kView,
           message("{} is not {} wide, of which the most are {} periods of the line",
                   shortened(arguments.xRange),
-                  rangeText(kLeastPeriods * length, kMostPeriods * length, "m"), kMostPeriods));
-    checkPlace(kView, range.from, length);
+                  rangeText(kMinPeriods * length, kMaxPeriods * length, "m"), kMaxPeriods));
+    checkPosition(kView, range.from, length);
   }
   if (!arguments.heights.empty()) rangeFrom(kHeights, arguments.heights, "m");
   if (!arguments.heights.empty() && arguments.exaggeration)
     throw InputError("", kExaggeration, "and --heights both say the heights; one is enough");
   if (arguments.coloursTo && overlay == ContactOverlay::None)
     throw InputError("", kColours, "there are no colours with --overlay none");
-  checkPlace(kProbe, arguments.probe, length);
-  checkPlace(kMagnify, arguments.magnified, length);
+  checkPosition(kProbe, arguments.probe, length);
+  checkPosition(kMagnify, arguments.magnified, length);
 }
 
 void applyView(const ViewArguments& arguments, const Frame& frame, ContactPictureOptions& options) {

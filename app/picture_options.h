@@ -42,11 +42,11 @@ struct PictureSettings {
   bool transparent = false;
   PixelBackend backend = PixelBackend::Automatic;
   FigureStyle style;       // what the picture contains
-  FigureLook look;         // its letters and lines, in pixels
+  DiagramFormat format;    // sizes of its texts and lines, in pixels
   bool isOnPaper = false;  // its size was given as lengths
 
-  /// Returns the size, density and look of charts. leastText: as in DiagramOptions.
-  DiagramOptions diagramOptions(float leastText = 0) const;
+  /// Returns the size, density and format of charts. minTextSize: as in DiagramOptions.
+  DiagramOptions diagramOptions(float minTextSize = 0) const;
   /// Returns what a file of such a picture keeps.
   PictureProperties properties(const std::string& title, const std::string& origin) const;
 
@@ -60,8 +60,8 @@ struct PictureDefaults {
   float scale = 1;  // where neither option nor style gives a density
 };
 
-/// Adds the options of pictures and, by `most`, those of charts and of friction curves, but for
-/// those that the command has already in a form of its own.
+/// Adds the options of pictures and, by `most`, those of charts and of friction curves, except
+/// those that the command already has in another form.
 void addPictureOptions(CLI::App& command, PictureArguments& arguments,
                        const std::string& defaultSize, const std::string& defaultTheme,
                        FigurePart most = FigurePart::Picture);
@@ -74,7 +74,8 @@ PictureDefaults printDefaults(const DiagramSheet& sheet);
 
 /// Draws a sheet in the style of the settings. Throws InputError where the style names what the
 /// sheet does not have.
-DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings, float leastText = 0);
+DrawList drawSheet(const DiagramSheet& sheet, const PictureSettings& settings,
+                   float minTextSize = 0);
 
 /// Throws InputError where an option is given that applies to none of the files.
 void checkUseful(const PictureArguments& arguments, const std::vector<std::string>& files);
@@ -99,7 +100,7 @@ struct ViewArguments {
   /// Returns the length of the line that is shown, m; 0: one period.
   double width() const;
   /// Returns the length that a picture must resolve, m: a smaller one where a crosshair reads one
-  /// place.
+  /// position.
   double finest() const;
   /// Returns the optional values that frames need for a picture with this overlay.
   FrameFields fields(ContactOverlay overlay) const;

@@ -1,6 +1,6 @@
-// Progress on stderr: a bar on a terminal; into a pipe a line every ten seconds, so that a log of
-// long work shows that it goes on; with the environment variable ASPERITY_PROGRESS, for a program
-// that shows its own bar, lines "progress DONE TOTAL WHAT". One thread at a time.
+// Progress on stderr: a bar on a terminal; into a pipe a line every ten seconds, so that the log of
+// a long computation shows its progress; with the environment variable ASPERITY_PROGRESS, for a
+// program that shows its own bar, lines "progress DONE TOTAL WHAT". One thread at a time.
 #pragma once
 
 #include <chrono>
@@ -17,13 +17,13 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// note: what stands behind the numbers, such as the time left.
+  /// Shows the progress. note: the text after the numbers, such as the time left.
   void show(std::int64_t done, std::int64_t total, const std::string& note = "");
 
  private:
   std::string what_;
   bool isQuiet_, isTerminal_;
-  bool isForProgram_;  // the environment variable ASPERITY_PROGRESS asks for numbers
+  bool isForProgram_;  // the environment variable ASPERITY_PROGRESS requests numbers
   std::chrono::steady_clock::time_point drawn_{};
 };
 

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 bool isTable(const std::string& file) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = fileExtension(file);
   return file == "-" || extension == ".csv" || extension == ".json";
 }
 
@@ -55,7 +55,7 @@ void addOption(std::vector<std::string>& words, const std::string& word, const J
   }
 }
 
-/// Words of options that the user gives anew.
+/// Returns the words of options that the user gives again.
 std::set<std::string> wordsOf(const std::vector<std::string>& given) {
   std::set<std::string> words;
   for (const std::string& word : given)
@@ -72,23 +72,24 @@ std::string taken(Json& object, const char* member) {
   return text;
 }
 
-/// Returns the options of material.json, which stand in its origin: other files are made from it,
-/// and must not depend on how its pictures look.
-Json optionsOfMaterial(const Json& said) {
+/// Returns the options of material.json, which are in its origin: other files are made from it, and
+/// must not depend on the style of its pictures.
+Json optionsOfMaterial(const Json& metadata) {
   Json options = Json::object();
-  const Json given = said["origin"].value("options", Json::object());
+  const Json given = metadata["origin"].value("options", Json::object());
   for (const auto& [option, value] : given.items()) {
     const bool isFlag = isOneOf(option, {"--vertical-shifts", "--liquid"});
     options[option.substr(std::min<std::size_t>(2, option.size()))] = isFlag ? Json(true) : value;
   }
   for (const char* label : {"name", "source"})
-    if (said.contains(label) && said[label] != "") options[label] = assignedText(said[label]);
+    if (metadata.contains(label) && metadata[label] != "")
+      options[label] = assignedText(metadata[label]);
   options["file"] = "material";
   return options;
 }
 
-/// Whether a result was made from measured moduli, and has no scene.
-bool isOfMeasurements(const FoundScene& found) {
+/// Returns whether a result was made from measured moduli, and has no scene.
+bool isFromMeasurements(const FoundScene& found) {
   const Json& origin = found.origin;
   return origin.contains("origin") && origin["origin"].is_object() &&
          origin["origin"].contains("file") && !origin.contains("scene");
@@ -102,9 +103,9 @@ Json optionsOf(const FoundScene& found, const std::string& file) {
     throw InputError(
         file, "",
         message("was made by 'asperity {}', whose files cannot be remade", shortened(found.verb)));
-  if (isOfMeasurements(found) && !found.origin.contains("options"))
+  if (isFromMeasurements(found) && !found.origin.contains("options"))
     return optionsOfMaterial(found.origin);
-  // A folder's file of an earlier version does not say which of them it is.
+  // A file that an earlier version wrote into a folder does not name itself.
   const bool isOfFolder = isOneOf(found.verb, {"accuracy", "batch", "fit", "material"});
   if (!found.options.is_object() || (isOfFolder && !found.options.contains("file")) ||
       (found.verb == "figure" && !found.options.contains("name")))
@@ -150,13 +151,13 @@ fs::path storeOf(const FoundScene& found, const OpenCommand& command) {
   for (const fs::path& folder : folders)
     for (const fs::directory_entry& entry :
          fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
-      const fs::path place = folder / entry.path().filename();
+      const fs::path candidate = folder / entry.path().filename();
       try {
-        // The number of a store's kind, SQLite's application_id, stands in its first bytes.
-        if (!entry.is_regular_file(ignored) || !isStudyStore(RegularFile(place).read(0, 72)))
+        // The number of a store's kind, SQLite's application_id, is in its first bytes.
+        if (!entry.is_regular_file(ignored) || !isStudyStore(RegularFile(candidate).read(0, 72)))
           continue;
-        const StudyStore store(place);
-        if (isSame(store)) return place;
+        const StudyStore store(candidate);
+        if (isSame(store)) return candidate;
         if (isOfStudy(store) && !nearest) nearest = changed(store);
       } catch (const std::exception&) {
         continue;  // it cannot be read, or is damaged
@@ -185,7 +186,7 @@ void checkOutput(const Remake& remake, const OpenCommand& command,
   const bool isPicture = isPictureFile(command.common.scene);
   if (remake.output != "-") checkNoInput(remake.output, inputs);
   if (remake.part.empty()) return;  // the command checks it
-  const std::string extension = extensionOf(remake.output);
+  const std::string extension = fileExtension(remake.output);
   const bool isStandardOutput = remake.output == "-" && !isPicture;
   const auto check = [&](std::initializer_list<std::string_view> known) {
     if (std::ranges::find(known, extension) == known.end())
@@ -208,12 +209,12 @@ void checkOutput(const Remake& remake, const OpenCommand& command,
 }
 
 /// Adds what the command reads: the store of a study, measured moduli, the name of a figure, or
-/// else the file itself, whose scene the command gets. Returns the files that are read.
+/// otherwise the file itself, whose scene the command gets. Returns the files that are read.
 std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::string& part,
                                 const OpenCommand& command) {
   const std::string& file = command.common.scene;
-  const bool isMeasured = isOfMeasurements(found);
-  if ((found.verb == "study" || isMeasured || remake.isOfMany) &&
+  const bool isMeasured = isFromMeasurements(found);
+  if ((found.verb == "study" || isMeasured || remake.hasSeveralScenes) &&
       !command.common.assignments.empty())
     throw InputError("", "--set", message("sets keys of a scene, and {} is not of one", file));
   if (found.verb == "study") {
@@ -232,7 +233,7 @@ std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::st
   remake.words.push_back(file);
   if (found.verb == "fit" && found.origin.contains("start"))
     found.scene = readScene(found.origin["start"].dump(), file, found.scene.folder);
-  if (!remake.isOfMany) {
+  if (!remake.hasSeveralScenes) {
     const fs::path folder = found.scene.folder;
     found.scene = readScene(writeScene(found.scene), file, folder, command.common.assignments);
   }
@@ -240,21 +241,21 @@ std::vector<fs::path> addInputs(Remake& remake, FoundScene& found, const std::st
   return inputs;
 }
 
-/// Adds the options of the file, but for those that the user gives anew.
+/// Adds the options of the file, except those that the user gives again.
 void addOwnOptions(Remake& remake, const Json& options, const OpenCommand& command) {
   const std::string& file = command.common.scene;
   const bool isFigure = remake.words.front() == "figure";
-  std::set<std::string> anew = wordsOf(command.others);
-  if (!command.common.language.empty()) anew.insert("language");
+  std::set<std::string> given = wordsOf(command.others);
+  if (!command.common.language.empty()) given.insert("language");
   const bool dropsPictures = isTable(remake.output) && !isTable(file);
-  const bool isVector = isOneOf(extensionOf(remake.output), {".svg", ".pdf", ".eps"});
+  const bool isVector = isOneOf(fileExtension(remake.output), {".svg", ".pdf", ".eps"});
   for (const auto& [key, value] : options.items()) {
     const std::string word = dashed(key);
-    // The settings of a figure are all that its file says of its scene.
+    // The file of a figure describes its scene by settings only.
     if (!shapesOutputs(word) && !(word == "set" && isFigure))
       throw InputError(file, "options." + shortened(key), "is no option that shapes a file");
-    const bool isReplaced = anew.contains(word) || (word == "scale" && anew.contains("dpi")) ||
-                            (word == "dpi" && anew.contains("scale"));
+    const bool isReplaced = given.contains(word) || (word == "scale" && given.contains("dpi")) ||
+                            (word == "dpi" && given.contains("scale"));
     if (isReplaced || (dropsPictures && isOfPictures(word)) || (isVector && word == "backend"))
       continue;
     addOption(remake.words, word, value);
@@ -277,7 +278,7 @@ void addGiven(Remake& remake, const OpenCommand& command) {
 
 }  // namespace
 
-Remake remakeOf(const OpenCommand& command) {
+Remake prepareRemake(const OpenCommand& command) {
   const std::string& file = command.common.scene;
   std::error_code ignored;
   const bool isFolder = fs::is_directory(command.from, ignored);
@@ -286,25 +287,25 @@ Remake remakeOf(const OpenCommand& command) {
     throw InputError("", "--from", message("{} is not a folder", shortened(command.from)));
   Json options = optionsOf(found, file);
   const std::string part = taken(options, found.verb == "figure" ? "name" : "file");
-  // A name out of somebody's file must not lead out of the folder.
+  // A name in a foreign file must not lead out of the folder.
   if (part.find('/') != std::string::npos)
     throw InputError(file, "options.file", message("'{}' is no file's name", shortened(part)));
-  if (found.verb == "batch")  // what the batch says of the scene, or of all, is read by itself
+  if (found.verb == "batch")  // the batch command reads its item, or all items, itself
     for (const char* own : {"entry", "title", "every", "lines"}) options.erase(own);
 
   Remake remake;
   remake.words = {found.verb};
   remake.output = command.output.empty() ? file : command.output;
-  remake.isOfMany = !found.parts.empty();
+  remake.hasSeveralScenes = !found.parts.empty();
   remake.hasTimes = found.verb == "accuracy";
   const std::vector<fs::path> inputs = addInputs(remake, found, part, command);
-  const bool isOfTable = taken(options, "output_option") == "realizations-table";
+  const bool isRealizationsTable = taken(options, "output_option") == "realizations-table";
   if (part.empty()) {
     remake.words.insert(remake.words.end(),
-                        {isOfTable ? "--realizations-table" : "--output", remake.output});
+                        {isRealizationsTable ? "--realizations-table" : "--output", remake.output});
   } else {
     const std::string prefix = remake.words.front() == "figure" ? "figure_" : "";
-    remake.part = prefix + part + extensionOf(remake.output == "-" ? file : remake.output);
+    remake.part = prefix + part + fileExtension(remake.output == "-" ? file : remake.output);
   }
   checkOutput(remake, command, inputs);
   addOwnOptions(remake, options, command);

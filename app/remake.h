@@ -1,6 +1,6 @@
-// A file made again from what it says of itself: its scene, the command that made it and the
-// options that shaped it become a command line. A file out of a folder of outputs is made with the
-// whole folder, in a temporary place. Main thread.
+// Makes a file again from its metadata: its scene, the command that made it and the options that
+// shaped it become a command line. A file of a folder of outputs is made with the whole folder, in
+// a temporary folder. Main thread.
 #pragma once
 
 #include <filesystem>
@@ -18,17 +18,17 @@ struct Remake {
   std::vector<std::string> words;     // of the command line, without the program's name
   std::optional<FoundScene> found{};  // what the command has instead of a scene file
   std::string output;                 // the new file; "-": standard output
-  /// Of a command that writes a folder: the file that is meant, as it is called there. The command
-  /// line lacks the folder. Empty: the command writes one file.
+  /// The name of the file in the folder, for a command that writes a folder; the command line lacks
+  /// the folder. Empty: the command writes one file.
   std::string part{};
-  bool isOfMany = false;  // the file shows many scenes, of which some may fail
-  bool hasTimes = false;  // the file holds run times, which are never the same
+  bool hasSeveralScenes = false;  // the file shows many scenes, of which some may fail
+  bool hasTimes = false;          // the file holds run times, which are never the same
 };
 
-/// Returns the command line that makes the file again, with the options of the user in place of its
-/// own. Throws InputError where the file does not say how it was made, where something that it was
-/// made from is missing or has changed, and where the new file cannot be.
-Remake remakeOf(const OpenCommand& command);
+/// Returns the command line that makes the file again, with the options of the user instead of its
+/// own. Throws InputError where the file has no metadata, where one of its inputs is missing or has
+/// changed, and where the new file is impossible.
+Remake prepareRemake(const OpenCommand& command);
 
 /// A temporary folder, which is removed in the end.
 class RemakeFolder {
@@ -40,7 +40,7 @@ class RemakeFolder {
   RemakeFolder& operator=(const RemakeFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Writes the file that was meant to its place. Throws InputError where the command made none.
+  /// Moves the requested file to its destination. Throws InputError where the command made none.
   void take(const Remake& remake) const;
 
  private:

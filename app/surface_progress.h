@@ -10,12 +10,12 @@
 namespace asperity {
 
 /// Reads the scene's measured surface, if it has one, and finds its lines with a progress bar. Both
-/// are then known to whoever makes lines of the scene (core/surface/measured_lines.h). Errors are
-/// left to them, who know the context.
+/// are then cached for the code that makes lines of the scene (core/surface/measured_lines.h). That
+/// code also reports errors, because it knows their context.
 void findLinesWithProgress(const Scene& scene, bool quiet);
 
-/// What was supposed of the scene's measured surface, if it has one, because its file does not say
-/// it: "they are taken as metres". Sentences in the present language.
+/// Returns the assumptions about the scene's measured surface, if it has one, that its file does
+/// not state: "they are taken as metres". Sentences in the present language.
 std::vector<std::string> surfaceAssumptions(const Scene& scene);
 
 }  // namespace asperity

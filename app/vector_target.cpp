@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kVariable = "ASPERITY_TARGET";
 
-/// Targets under the names of the kernels' library, in small letters; the widest comes first.
+/// The targets with the names of the kernels' library, in small letters; the widest comes first.
 struct Target {
   std::string_view word;
   InstructionSet set;

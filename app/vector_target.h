@@ -1,5 +1,6 @@
 // Choice of the vector instructions of the kernels: the widest that the machine has, or those that
 // the environment names, so that a result of another machine can be reproduced to the last digit.
+// Main thread.
 #pragma once
 
 #include <string>

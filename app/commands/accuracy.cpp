@@ -123,7 +123,7 @@ std::string summaryOf(const WorkPrecision& comparison, const std::string& folder
 }  // namespace
 
 int runAccuracy(const AccuracyCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] {
     requireSteadySliding(scene, "asperity accuracy");
     requireVelocityAxis(scene, "asperity accuracy");
@@ -133,7 +133,7 @@ int runAccuracy(const AccuracyCommand& command) {
   makeFolder(command.output);
   for (const char* name : kFiles) {
     checkWritable(fileIn(command.output, name));
-    checkNoInput(fileIn(command.output, name), inputsOf(command.common, scene));
+    checkNoInput(fileIn(command.output, name), inputFiles(command.common, scene));
   }
   const WorkPrecision comparison = compute(scene, command.common);
   const ProvenanceOptions given(optionsInFolder(command.common.given, "accuracy.csv"));

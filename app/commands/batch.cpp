@@ -46,8 +46,8 @@ using Json = nlohmann::ordered_json;
 /// Number of rows in the table of a motion.
 constexpr std::int64_t kMotionRows = 2000;
 
-/// Number of scenes above which contact sheets are made only if they are asked for.
-constexpr std::size_t kMostOnSheets = 100;
+/// Number of scenes above which contact sheets are made only on request.
+constexpr std::size_t kMaxSheets = 100;
 
 /// Returns the mean over the scene's lines at its own velocity. It is empty for a motion, and for a
 /// line at rest.
@@ -61,7 +61,7 @@ class BatchRun {
  public:
   explicit BatchRun(const BatchCommand& command)
       : command_(command), batch_(withSceneContext(command.common, [&] {
-          return command.common.remade ? batchOf(*command.common.remade)
+          return command.common.remade ? restoreBatch(*command.common.remade)
                                        : readBatch(command.common.scene);
         })) {
     settings_ = readSettings();
@@ -70,7 +70,7 @@ class BatchRun {
         batch_.items, [](const BatchItem& item) { return item.show != "contact"; });
     if (!hasChart)
       refuseChartOptions(command.picture, "is of charts, and no entry of the batch shows one");
-    if (batch_.items.size() <= kMostOnSheets || command.contactSheet) makeSheets();
+    if (batch_.items.size() <= kMaxSheets || command.contactSheet) makeSheets();
     makeFolder(command.output);
     progress_.emplace(command.output);
     checkWritable(fileIn("index.html"));
@@ -95,7 +95,7 @@ class BatchRun {
     writeFileAtomically(fileIn("results.csv"),
                         "# asperity: " + made + "\n" + columns_.select(batchTable(results_)));
     writeFileAtomically(fileIn("index.html"), batchPage(batch_, results_, names));
-    // All scenes stand once in the table, and in the only sheet where there is one.
+    // Each scene is once in the table, and in the contact sheet where there is only one.
     const std::string ofSheets =
         provenanceLine(sheets_.size() == 1 ? origin(names[0]) : headerOf("results.csv"));
     for (std::size_t i = 0; i < sheets_.size(); ++i)
@@ -140,7 +140,7 @@ class BatchRun {
       if (inputs.contains(present)) checkNoInput(fileIn(name), {present});
     };
     for (const BatchItem& item : batch_.items)
-      for (const std::string& name : filesOf(item)) check(name);
+      for (const std::string& name : outputFiles(item)) check(name);
     if (grid_)
       for (const std::string& name : grid_->names()) check(name);
     check("results.csv");
@@ -250,7 +250,7 @@ class BatchRun {
     };
     std::optional<ProvenanceOptions> given(std::in_place, optionsOf(name + ".png"));
     PictureComposer composer(settings_, content);
-    composer.checkRoom(scene);
+    composer.checkCurveHeight(scene);
     pictures.write(fileIn(name + ".png"), composer.compose(frame),
                    settings_.properties(shown.title, pictureOrigin("batch", scene)));
     given.emplace(optionsOf(name + ".csv"));
@@ -275,7 +275,7 @@ class BatchRun {
     result.files.push_back(name + ".json");
   }
 
-  /// Returns the options of a file, with the size of a picture at the end, whoever gave it.
+  /// Returns the options of a file, with the size of a picture at the end, given or default.
   Json optionsFor(const std::string& file) const {
     Json options = optionsInFolder(command_.common.given, file);
     options.erase("size");
@@ -297,7 +297,7 @@ class BatchRun {
     return sha256(all.dump());
   }
 
-  /// The provenance of a file whose scenes stand in another file.
+  /// Returns the provenance of a file whose scenes are in another file.
   static Json headerOf(const std::string& file) {
     Json origin = header();
     origin["see"] = file;

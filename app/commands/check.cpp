@@ -76,7 +76,7 @@ nlohmann::ordered_json derivedJson(const Scene& scene, const LineSource& source,
 /// Checks one scene; adds its answer to `answers`.
 void checkScene(const CommonOptions& command, bool isOneOfMany,
                 std::vector<nlohmann::ordered_json>& answers) {
-  const Scene scene = sceneOf(command);
+  const Scene scene = loadScene(command);
   withSceneContext(command, [&] {
     const LineSource source(scene, pointsPerElement(scene));
     const LawInput in = lawInputOf(scene, source);

@@ -65,20 +65,20 @@ std::string csvTextOf(const Scene& scene, const RenderCommand& command, const Da
 }  // namespace
 
 int runContactTable(const RenderCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   checkUsage(command);
   const ContactTable& kind =
       chosenFrom(kTables, command.table.empty() ? "shape" : command.table, "--table");
   const ColumnChoice columns(command.columns, {kind.name});
   if (command.output != "-") {
     checkOutputs({command.output}, {".csv", ".json"});
-    checkNoInput(command.output, inputsOf(command.common, scene));
+    checkNoInput(command.output, inputFiles(command.common, scene));
   }
   const Frame frame = withSceneContext(command.common, [&] {
     return FrameSource(scene, command.time, true, fieldsForTables(), 0).frame(0);
   });
   const DataTable table = kind.make(frame);
-  const bool isCsv = extensionOf(command.output) != ".json";
+  const bool isCsv = fileExtension(command.output) != ".json";
   const std::string json = isCsv && !command.common.json
                                ? std::string()
                                : answerOf(scene, command, frame, table, columns).dump(2) + "\n";

@@ -32,7 +32,7 @@ void writePictures(const CurveCommand& command, const CurveSet& set,
                    const PictureSettings& settings) {
   const std::vector<std::string>& outputs = command.outputs;
   const auto isPicture = [](const std::string& output) {
-    return output != "-" && extensionOf(output) != ".csv" && extensionOf(output) != ".json";
+    return output != "-" && fileExtension(output) != ".csv" && fileExtension(output) != ".json";
   };
   if (std::none_of(outputs.begin(), outputs.end(), isPicture)) return;
   const DiagramSheet sheet = curveSheet(set);
@@ -114,8 +114,8 @@ std::string commentOf(const CurveSet& set, const CurveArguments& arguments) {
   return "# asperity: " + provenanceLine(origin) + "\n";
 }
 
-/// Returns one table of all curves where there are more than the scene's own, after a comment that
-/// says how it was made.
+/// Returns one table of all curves where there are more than the scene's own, after a comment with
+/// its provenance.
 std::string tableOf(const CurveSet& set, const CurveCommand& command, const ColumnChoice& columns) {
   const ProvenanceOptions options(optionsFor(command.common.given, ".csv"));
   const bool hasMore = command.curves.hasMore(set.present.scene);
@@ -141,7 +141,7 @@ void writeRealizations(const CurveCommand& command, const Scene& scene,
   given.erase("columns");  // they are those of the curve
   given["output_option"] = "realizations-table";
   const ProvenanceOptions options(std::move(given));
-  if (extensionOf(file) == ".csv") {
+  if (fileExtension(file) == ".csv") {
     writeFileAtomically(file, provenanceComment("curve", scene) + tableCsv(lines.table()));
     return;
   }
@@ -161,7 +161,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
                      "needs the same lines at every velocity; with "
                      "accuracy.target_relative_error each has its own");
   checkOutputs({file}, {".csv", ".json"});
-  checkNoInput(file, inputsOf(command.common, scene));
+  checkNoInput(file, inputFiles(command.common, scene));
   if (std::ranges::find(command.outputs, file) != command.outputs.end())
     throw InputError("", kOption, file + " is --output, too");
 }
@@ -169,12 +169,12 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
 }  // namespace
 
 int runCurve(const CurveCommand& command) {
-  const ComparedScene compared = withCurveOptions(sceneOf(command.common), command.curves);
+  const ComparedScene compared = withCurveOptions(loadScene(command.common), command.curves);
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity curve"); });
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
-    checkNoInput(output, inputsOf(command.common, scene));
+    checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);
   checkUseful(command.curves, command.outputs);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 800, "print"});
@@ -188,10 +188,10 @@ int runCurve(const CurveCommand& command) {
     return computeCurve(scene, command.common, keepsLines ? &lines : nullptr);
   });
   const CurveSet set = withSceneContext(command.common, [&] {
-    return curvesOf(command.curves, compared, curve.points, command.common);
+    return makeCurveSet(command.curves, compared, curve.points, command.common);
   });
   for (const std::string& output : command.outputs) {
-    const std::string extension = extensionOf(output);
+    const std::string extension = fileExtension(output);
     if (extension == ".csv") writeFileAtomically(output, tableOf(set, command, columns));
     if (extension == ".json") writeFileAtomically(output, jsonOf(set, command, columns));
   }

@@ -9,7 +9,7 @@
 namespace asperity {
 
 int runCutoff(const SheetCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity cutoff"); });
   const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 1000, "print"});
   const std::vector<CutoffPoint> points = withSceneContext(command.common, [&] {

@@ -71,7 +71,7 @@ std::string stageLines(const std::vector<PlanStage>& stages, bool running) {
   return text;
 }
 
-/// Time, memory and error below each other.
+/// Prints time, memory and error below each other.
 std::string costLines(const std::string& time, const std::string& memory,
                       const ErrorBudget& error) {
   std::string text;
@@ -151,7 +151,7 @@ std::string explanationText(const Explanation& explanation) {
 }  // namespace
 
 int runExplain(const ExplainCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] {
     Explanation explanation = explainRun(scene, command.common.threads);
     if (!command.x.empty()) {

@@ -1,5 +1,5 @@
-// asperity figure: computes the paper's figures anew, each with its data and picture, and compares
-// the paper's sentences about it with the results.
+// asperity figure: computes the paper's figures again, each with its data and picture, and compares
+// the paper's claims about it with the results.
 #include "core/paper/figure.h"
 
 #include <fmt/format.h>
@@ -98,7 +98,7 @@ void writeFigure(const FigureCommand& command, const Figure& figure, HeadlessPic
   DiagramOptions options = settings.diagramOptions();
   if (settings.isOnPaper && !shown.sheet.diagrams.empty())
     options.height = heightInPrint(shown.sheet, options);
-  DrawList picture = composeFigure(shown, contactOf(figure).get(), options);
+  DrawList picture = composeFigure(shown, contactFrame(figure).get(), options);
   if (settings.style.isGrey) removeColours(picture);
   const ProvenanceOptions given(optionsOf(".png"));
   const PictureProperties properties =
@@ -119,13 +119,13 @@ std::string claimLines(const Figure& figure) {
   return text;
 }
 
-struct Made {
+struct ComputedFigures {
   std::vector<Figure> figures;
   std::vector<double> seconds;
 };
 
-Made makeFigures(const FigureCommand& command, const std::vector<FigureName>& names) {
-  Made made;
+ComputedFigures makeFigures(const FigureCommand& command, const std::vector<FigureName>& names) {
+  ComputedFigures made;
   HeadlessPictures pictures;
   for (const FigureName name : names) {
     const auto start = std::chrono::steady_clock::now();
@@ -146,7 +146,7 @@ Made makeFigures(const FigureCommand& command, const std::vector<FigureName>& na
   return made;
 }
 
-std::string summaryOf(const FigureCommand& command, const Made& made) {
+std::string summaryOf(const FigureCommand& command, const ComputedFigures& made) {
   double total = 0;
   for (const double seconds : made.seconds) total += seconds;
   std::string text;
@@ -180,7 +180,7 @@ int runFigure(const FigureCommand& command) {
   pictureSettings(command.picture, {1200, 800, "print"});
   columnsOf(command, names);
   prepareFolder(command, names);
-  const Made made = makeFigures(command, names);
+  const ComputedFigures made = makeFigures(command, names);
   const std::string claims = claimsJson(made.figures);
   writeFileAtomically(claimsFile(command), claims);
   printSummary(command.common.json, command.common.hidesSummary(), summaryOf(command, made));

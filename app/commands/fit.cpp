@@ -39,7 +39,7 @@ int runFit(const FitCommand& command) {
   CurveArguments beside;
   beside.data = command.data;
   const ColumnChoice columns(command.columns, {"fit", "curve"});
-  const ComparedScene compared = withCurveOptions(sceneOf(command.common), beside);
+  const ComparedScene compared = withCurveOptions(loadScene(command.common), beside);
   const Scene& scene = compared.scene;
   if (scene.comparison.data.empty())
     throw InputError("", "--data", "no measured friction is given, nor named by the scene");
@@ -47,15 +47,15 @@ int runFit(const FitCommand& command) {
     requireVelocityAxis(scene, "asperity fit");
     const std::vector<VariedParameter> varied = parseVariedParameters(command.varied, scene);
     const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
-    std::vector<std::filesystem::path> inputs = inputsOf(command.common, scene);
+    std::vector<std::filesystem::path> inputs = inputFiles(command.common, scene);
     for (const DataFile& table : scene.comparison.data) inputs.push_back(scene.folder / table.file);
     FitOptions options;
     options.threads = command.common.threads;
     options.hasProfiles = !command.withoutProfiles;
     ProgressBar bar(Words::tr("evaluations"), command.common.quiet);
     options.progress = [&bar](int evaluations, double) {
-      constexpr int kUsual = 150;
-      bar.show(std::min(evaluations, kUsual - 1), kUsual);
+      constexpr int kDefault = 150;
+      bar.show(std::min(evaluations, kDefault - 1), kDefault);
     };
     FittedCurve fitted = fitWithCurve(scene, data, varied, options);
     fitted.varied = command.varied;

@@ -1,4 +1,5 @@
-// asperity lesson: lists the lessons, says what one asks and answers, and writes its handout.
+// asperity lesson: lists the lessons, prints the questions and answers of one, and writes its
+// handout.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,7 +37,7 @@ Json numberJson(const LessonNumber& number) {
   return json;
 }
 
-/// What is right in each step, as computed now.
+/// Returns the right answer of each step, as computed now.
 Json answersJson(const Lesson& lesson, int threads) {
   Json steps = Json::array();
   CurveOptions options;

@@ -45,7 +45,7 @@ void writePicture(const std::string& output, const ParameterMap& map, const std:
                  settings.properties(translated(sheet.title), provenanceLine(origin)));
 }
 
-/// Returns the table after a comment that says how it was made.
+/// Returns the table after a comment with its provenance.
 std::string tableOf(const ParameterMap& map, const MapCommand& command) {
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
   return "# asperity: " + provenanceLine(mapProvenance(map, command.quantity)) + "\n" +
@@ -79,11 +79,11 @@ std::string summaryOf(const ParameterMap& map, const std::vector<std::string>& o
 }  // namespace
 
 int runMap(const MapCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity map"); });
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
-    checkNoInput(output, inputsOf(command.common, scene));
+    checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);
   if (!isMapQuantity(command.quantity))
     throw InputError("", "--show", notOneOf(command.quantity, mapQuantities()));
@@ -93,7 +93,7 @@ int runMap(const MapCommand& command) {
       withSceneContext(command.common, [&] { return compute(scene, command); });
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : command.outputs) {
-    const std::string extension = extensionOf(output);
+    const std::string extension = fileExtension(output);
     if (extension == ".csv") {
       writeFileAtomically(output, tableOf(map, command));
     } else if (extension == ".json") {

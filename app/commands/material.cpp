@@ -8,6 +8,7 @@
 #include "app/command_line.h"
 #include "app/command_options.h"
 #include "app/headless_pictures.h"
+#include "app/material_values.h"
 #include "app/output.h"
 #include "app/output_folder.h"
 #include "core/base/atomic_file.h"
@@ -45,24 +46,6 @@ constexpr NamedChoices<ModulusKind, 3> kModuli{{{"auto", ModulusKind::Unknown},
                                                 {"shear", ModulusKind::Shear},
                                                 {"tension", ModulusKind::Tension}}};
 
-double kelvins(const std::string& text, const char* option) {
-  const auto temperature = parseTemperature(text);
-  if (!temperature || !(*temperature > 0 && *temperature <= 2000))
-    throw InputError("", option,
-                     message("'{}' is not a temperature such as 20C, 293.15K or 68F", text));
-  return *temperature;
-}
-
-/// A modulus in Pa, or with a unit.
-double pascals(const std::string& text, const char* option) {
-  const auto quantity = parseQuantity(text);
-  const auto unit = quantity ? unitSize(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
-                             : std::optional<double>();
-  if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
-    throw InputError("", option, message("'{}' is not a modulus such as 2.3MPa", text));
-  return quantity->number * *unit;
-}
-
 void checkUnit(bool isKnown, const std::string& unit, const char* option,
                const std::string& allowed) {
   if (!unit.empty() && !isKnown)
@@ -81,9 +64,10 @@ MaterialChoices choicesOf(const MaterialCommand& command) {
   checkUnit(unitSize(command.columns.modulusUnit, "Pa").has_value(), command.columns.modulusUnit,
             "--modulus-unit", unitNames("Pa"));
   if (!command.temperature.empty())
-    choices.columns.temperature = kelvins(command.temperature, "--temperature");
+    choices.columns.temperature = kelvinsFrom(command.temperature, "--temperature");
   if (!command.referenceTemperature.empty())
-    choices.referenceTemperature = kelvins(command.referenceTemperature, "--reference-temperature");
+    choices.referenceTemperature =
+        kelvinsFrom(command.referenceTemperature, "--reference-temperature");
   if (!command.strain.empty()) {
     choices.strainAmplitude = parseStrain(command.strain);
     if (!choices.strainAmplitude)
@@ -91,16 +75,17 @@ MaterialChoices choicesOf(const MaterialCommand& command) {
                        message("'{}' is not a strain such as 1%", shortened(command.strain)));
   }
   for (const std::string& text : command.leftOut)
-    choices.leftOut.push_back(kelvins(text, "--leave-out"));
+    choices.leftOut.push_back(kelvinsFrom(text, "--leave-out"));
   choices.temperatureTolerance = command.temperatureTolerance;
   choices.isVertical = command.isVertical;
   choices.series.terms = command.terms;
   choices.series.isLiquid = command.isLiquid;
   if (!command.equilibriumModulus.empty())
     choices.series.equilibriumModulus =
-        pascals(command.equilibriumModulus, "--equilibrium-modulus");
+        pascalsFrom(command.equilibriumModulus, "--equilibrium-modulus");
   if (!command.instantaneousModulus.empty())
-    choices.instantaneousModulus = pascals(command.instantaneousModulus, "--instantaneous-modulus");
+    choices.instantaneousModulus =
+        pascalsFrom(command.instantaneousModulus, "--instantaneous-modulus");
   choices.shift = chosenFrom(kShifts, command.shift, "--shift");
   choices.name = command.name;
   choices.source = command.source;
@@ -166,10 +151,10 @@ int showInScene(const MaterialCommand& command, const PictureSettings& style) {
                    : !command.written.empty() ? command.written.front().first.c_str()
                                               : nullptr;
   if (of) throw InputError("", of, "is of a table of moduli, and this file is a scene");
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   return withSceneContext(command.common, [&] {
     const Excitation excitation = computeExcitation(scene);
-    OutputFolder output(command.output, inputsOf(command.common, scene), style);
+    OutputFolder output(command.output, inputFiles(command.common, scene), style);
     {
       const ProvenanceOptions given(optionsInFolder(command.common.given, "excitation.csv"));
       output.addText("excitation.csv",

@@ -84,17 +84,17 @@ std::string summaryOf(const MotionTable& table, const std::vector<std::string>& 
 }  // namespace
 
 int runMotion(const MotionCommand& command) {
-  const Scene scene = sceneOf(command.common);
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  const Scene scene = loadScene(command.common);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
-    checkNoInput(output, inputsOf(command.common, scene));
+    checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 1000, "print"});
   const ColumnChoice columns(command.columns, {"motion"});
   const MotionTable table = compute(scene, command);
   HeadlessPictures pictures(settings.backend);
   for (const std::string& output : command.outputs) {
-    const std::string extension = extensionOf(output);
+    const std::string extension = fileExtension(output);
     if (extension == ".csv")
       writeFileAtomically(output, tableOf(scene, table, command, columns));
     else if (extension == ".json")

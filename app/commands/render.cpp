@@ -40,9 +40,9 @@ enum class Kind { Picture, Film, Sequence };
 
 Kind kindOf(const std::string& output) {
   checkFolderName(output);
-  const std::string extension = extensionOf(output);
+  const std::string extension = fileExtension(output);
   if (isPictureFile(output)) {
-    needToolFor(output);
+    checkToolFor(output);
     return Kind::Picture;
   }
   if (isFilm(extension)) return Kind::Film;
@@ -73,7 +73,7 @@ class Rendering {
  public:
   explicit Rendering(const RenderCommand& command)
       : command_(command),
-        compared_(withCurveOptions(sceneOf(command.common), command.curves)),
+        compared_(withCurveOptions(loadScene(command.common), command.curves)),
         scene_(compared_.scene),
         kind_(kindOf(command.output)),
         settings_(pictureSettings(command.picture, {1280, 720, "light"})),
@@ -91,7 +91,7 @@ class Rendering {
       if (showsCurve()) computeCurves();
     });
     composer_.emplace(settings_, content());
-    composer_->checkRoom(scene_);
+    composer_->checkCurveHeight(scene_);
   }
 
   void run() {
@@ -158,7 +158,7 @@ class Rendering {
   void checkUsage() const {
     if (kind_ == Kind::Picture) checkStill();
     checkUseful(command_.picture, {command_.output});
-    checkNoInput(command_.output, inputsOf(command_.common, scene_));
+    checkNoInput(command_.output, inputFiles(command_.common, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, settings_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)
@@ -213,14 +213,14 @@ class Rendering {
       throw InputError("", "--layout", "curve does not move; --layout both shows the contact too");
   }
 
-  /// Computes the curves. They belong to steady sliding, whatever motion the scene has.
+  /// Computes the curves. They are those of steady sliding, for every motion of the scene.
   void computeCurves() {
     Scene steady = scene_;
     steady.sliding.kind = SlidingKind::Steady;
     Curve curve = computeCurve(steady, command_.common);
     requireTarget(curve);
-    curves_ = curvesOf(command_.curves, {steady, compared_.given}, std::move(curve.points),
-                       command_.common);
+    curves_ = makeCurveSet(command_.curves, {steady, compared_.given}, std::move(curve.points),
+                           command_.common);
   }
 
   /// Returns the provenance of the whole run: scene, command, version, seed and the options of the
@@ -264,7 +264,7 @@ class Rendering {
   /// other films.
   std::vector<std::int64_t> sampledIndices() const {
     constexpr std::int64_t kSamples = 8;
-    if (extensionOf(command_.output) != ".gif") return {};
+    if (fileExtension(command_.output) != ".gif") return {};
     if (count() <= kSamples) return allIndices();
     std::vector<std::int64_t> indices;
     for (std::int64_t i = 0; i < kSamples; ++i)
@@ -317,8 +317,8 @@ class Rendering {
       std::string png;
       {
         const StageTimer timer(seconds.encode);
-        png = pngOf(image,
-                    {translated(scene_.title), sequence.metadata(index), 96 * settings_.scale});
+        png = encodePng(image,
+                        {translated(scene_.title), sequence.metadata(index), 96 * settings_.scale});
       }
       const StageTimer timer(seconds.write);
       writeFileAtomically(sequence.file(index), png);
@@ -382,7 +382,7 @@ class Rendering {
 }  // namespace
 
 int runRender(const RenderCommand& command) {
-  const std::string extension = extensionOf(command.output);
+  const std::string extension = fileExtension(command.output);
   if (command.output == "-" || extension == ".csv" || extension == ".json")
     return runContactTable(command);
   for (const auto& [option, given] :

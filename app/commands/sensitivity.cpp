@@ -10,7 +10,7 @@
 namespace asperity {
 
 int runSensitivity(const SheetCommand& command) {
-  const Scene scene = sceneOf(command.common);
+  const Scene scene = loadScene(command.common);
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity sensitivity"); });
   const PictureSettings settings = checkSheetOutputs(command, scene, {1200, 800, "print"});
   const std::vector<Exponent> exponents = withSceneContext(command.common, [&] {

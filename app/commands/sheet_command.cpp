@@ -13,9 +13,9 @@ namespace asperity {
 
 PictureSettings checkSheetOutputs(const SheetCommand& command, const Scene& scene,
                                   const PictureDefaults& defaults) {
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs)
-    checkNoInput(output, inputsOf(command.common, scene));
+    checkNoInput(output, inputFiles(command.common, scene));
   checkUseful(command.picture, command.outputs);
   return pictureSettings(command.picture, defaults);
 }
@@ -25,7 +25,7 @@ void writeAnswer(const SheetCommand& command, const PictureSettings& settings,
   HeadlessPictures pictures(settings.backend);
   std::string text;
   for (const std::string& output : command.outputs) {
-    const std::string extension = extensionOf(output);
+    const std::string extension = fileExtension(output);
     if (extension == ".csv") {
       writeFileAtomically(output,
                           "# asperity: " + provenanceLine(answer.origin) + "\n" + answer.csv);

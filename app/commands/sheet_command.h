@@ -1,4 +1,4 @@
-// What commands have in common whose answer is one table and one sheet of diagrams. Main thread.
+// The common part of commands whose answer is one table and one sheet of diagrams. Main thread.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +9,8 @@
 
 namespace asperity {
 
-/// An answer in all its forms, with the options of tables in `origin` and `json`. `csv` is without
-/// the line that says how it was made.
+/// An answer in all its forms, with the options of tables in `origin` and `json`. `csv` lacks the
+/// line with its provenance.
 struct SheetAnswer {
   nlohmann::ordered_json origin;  // provenance
   std::string csv, json;

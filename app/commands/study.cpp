@@ -160,9 +160,9 @@ struct FailureCount {
   std::int64_t count = 0, first = 0;
 };
 
-/// How often each message occurs, at most some of them.
+/// Returns the number of occurrences of each message, for the first messages.
 std::map<std::string, FailureCount> failuresOf(const StudyStore& store, std::int64_t& all) {
-  constexpr std::size_t kMost = 1000;
+  constexpr std::size_t kMax = 1000;
   std::map<std::string, FailureCount> failures;
   store.eachChunk([&](const StudyChunk& chunk) {
     for (const StudyFailure& failure : chunk.failures) {
@@ -170,7 +170,7 @@ std::map<std::string, FailureCount> failuresOf(const StudyStore& store, std::int
       const auto found = failures.find(failure.message);
       if (found != failures.end())
         ++found->second.count;
-      else if (failures.size() < kMost)
+      else if (failures.size() < kMax)
         failures[failure.message] = {1, failure.simulation};
     }
     return true;
@@ -258,7 +258,7 @@ int runStudyTable(const StudyCommand& command) {
   const StudyStore store(command.study);
   const TableShape shape = chosenFrom(kShapes, command.shape, "--shape");
   const bool isStdout = command.outputs.empty();
-  checkOutputs(command.outputs, {".csv", ".json"}, Without::PrintsTable);
+  checkOutputs(command.outputs, {".csv", ".json"}, DefaultOutput::PrintsTable);
   for (const std::string& output : command.outputs) checkNoInput(output, {command.study});
   std::int64_t rows = 0;
   const ProvenanceOptions given(optionsFor(command.common.given, ".csv"));
@@ -272,7 +272,7 @@ int runStudyTable(const StudyCommand& command) {
     }
     AtomicFile file(output);
     rows = writeStudyTable(store, shape,
-                           extensionOf(output) == ".json" ? TableFormat::Json : TableFormat::Csv,
+                           fileExtension(output) == ".json" ? TableFormat::Json : TableFormat::Csv,
                            [&](std::string_view bytes) { file.write(bytes); });
     file.commit();
   }

@@ -55,12 +55,12 @@ std::string factsText(const std::vector<Message>& facts) {
   return text;
 }
 
-/// What the file was taken for, and the values before and after.
+/// Prints the interpretation of the file, and the values before and after processing.
 std::string measuredText(const MeasuredSummary& summary) {
   std::string text = factsText(factsOf(summary));
   constexpr int kColumn = 14;
   const auto cell = [](std::string word) {
-    // Code points, not bytes, stand beside each other.
+    // Columns are aligned by code points, not bytes.
     const auto letters = std::ranges::count_if(word, [](char c) { return (c & 0xC0) != 0x80; });
     word.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(kColumn - letters, 1)), ' ');
     return word;
@@ -89,8 +89,8 @@ bool isWrittenLine(const std::filesystem::path& file) {
   return record.is_object() && record.contains("verb") && record["verb"] == "surface";
 }
 
-/// The scene of a measured file with everything else as usual. A line that this program wrote is
-/// taken as it stands: it is levelled, filtered and turned over already.
+/// Returns the default scene with a measured file. A line that this program wrote is not processed
+/// again: it is already levelled, filtered and turned over.
 Scene sceneOfFile(const CommonOptions& options) {
   const std::filesystem::path file(options.scene);
   const char* const kind = isWrittenLine(file) ? "profile" : "measured";
@@ -138,7 +138,7 @@ void writeSurface(const std::string& output, const SurfaceCommand& command, cons
   const SurfaceTable table = chosenFrom(kTables, command.table, "--table");
   const std::string columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
   const ProvenanceOptions given(optionsFor(command.common.given, output));
-  const std::string extension = extensionOf(output);
+  const std::string extension = fileExtension(output);
   if (extension == ".csv" || output == "-")
     writeTable(output, provenanceComment("surface", scene) +
                            ColumnChoice(command.columns, {columnsOf})
@@ -153,7 +153,7 @@ void checkTable(const SurfaceCommand& command) {
   const std::string columnsOf = table == SurfaceTable::Line ? "surface" : command.table;
   ColumnChoice(command.columns, {columnsOf});
   const bool hasTable = std::ranges::any_of(command.outputs, [](const std::string& output) {
-    return output == "-" || extensionOf(output) == ".csv";
+    return output == "-" || fileExtension(output) == ".csv";
   });
   for (const auto& [option, given] :
        {std::pair{"--table", table != SurfaceTable::Line}, {"--columns", !command.columns.empty()}})
@@ -177,13 +177,13 @@ void withFileContext(bool isFile, const std::string& file, const Work& work) {
 
 int runSurface(const SurfaceCommand& command) {
   const bool isFile = !command.common.remade && isSurfaceFile(command.common.scene);
-  const Scene scene = isFile ? sceneOfFile(command.common) : sceneOf(command.common);
-  checkOutputs(command.outputs, kOutputExtensions, Without::PrintsTable);
+  const Scene scene = isFile ? sceneOfFile(command.common) : loadScene(command.common);
+  checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
   checkTable(command);
   checkUseful(command.picture, command.outputs);
   settingsOf(command, false);
   for (const std::string& output : command.outputs)
-    checkNoInput(output, inputsOf(command.common, scene));
+    checkNoInput(output, inputFiles(command.common, scene));
   const auto run = [&] {
     // A line from a file is written with its elements alone: read as a profile it is the same line.
     const SurfaceKind kind = scene.surface.kind;

@@ -52,11 +52,11 @@ int showWindow(const std::optional<Scene>& scene, const CommonOptions& command,
 
 int runWindowCommand(const CommonOptions& command) {
   if (command.assignments.empty() && isLessonFile(command.scene)) {
-    readLessonFile(command.scene, readNamedScene);  // what is wrong is said before the window opens
+    readLessonFile(command.scene, readNamedScene);  // errors are reported before the window opens
     return showWindow(std::nullopt, command, nullptr, command.scene);
   }
   const bool isDefault = command.scene.empty() && command.assignments.empty();
-  return showWindow(isDefault ? std::nullopt : std::optional(sceneOf(command)), command);
+  return showWindow(isDefault ? std::nullopt : std::optional(loadScene(command)), command);
 }
 
 }  // namespace asperity

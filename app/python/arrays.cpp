@@ -46,10 +46,10 @@ class ColumnsOfRows {
 
   static py::object objectOf(Column& column) {
     if (!column.texts.empty()) return py::cast(column.texts);
-    if (!column.isWhole) return arrayOf(std::move(column.numbers));
+    if (!column.isWhole) return toArray(std::move(column.numbers));
     std::vector<std::int64_t> whole;
     for (const double number : column.numbers) whole.push_back(std::llround(number));
-    return arrayOf(std::move(whole));
+    return toArray(std::move(whole));
   }
 
   std::vector<Column> columns_;
@@ -57,7 +57,7 @@ class ColumnsOfRows {
 
 }  // namespace
 
-py::array viewOf(const std::vector<double>& numbers, const py::object& owner) {
+py::array arrayView(const std::vector<double>& numbers, const py::object& owner) {
   py::array_t<double> view(static_cast<py::ssize_t>(numbers.size()), numbers.data(), owner);
   py::detail::array_proxy(view.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return view;

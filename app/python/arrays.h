@@ -16,7 +16,7 @@ namespace asperity {
 
 /// Returns an array of the vector's own memory.
 template <class Number>
-pybind11::array arrayOf(std::vector<Number> numbers) {
+pybind11::array toArray(std::vector<Number> numbers) {
   auto* kept = new std::vector<Number>(std::move(numbers));
   const pybind11::capsule owner(kept,
                                 [](void* held) { delete static_cast<std::vector<Number>*>(held); });
@@ -25,7 +25,7 @@ pybind11::array arrayOf(std::vector<Number> numbers) {
 }
 
 /// Returns an array that shows numbers of `owner`, which it keeps alive. It cannot be written to.
-pybind11::array viewOf(const std::vector<double>& numbers, const pybind11::object& owner);
+pybind11::array arrayView(const std::vector<double>& numbers, const pybind11::object& owner);
 
 /// Returns the columns of a list of JSON objects with the same names: real and whole numbers as
 /// arrays, null as NaN, texts as a list.

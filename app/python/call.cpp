@@ -18,11 +18,11 @@ namespace {
 namespace py = pybind11;
 using std::chrono::milliseconds;
 
-/// How often Ctrl+C is looked for and progress is told, and how long an interrupted computation is
-/// waited for.
-constexpr milliseconds kTick{20}, kPatience{50};
+/// The interval of the checks for Ctrl+C and of progress reports, and the time to wait for an
+/// interrupted computation.
+constexpr milliseconds kTick{20}, kStopTimeout{50};
 
-/// What the caller and the thread of the computation share.
+/// The state that the caller shares with the thread of the computation.
 struct Shared {
   std::mutex lock;
   std::condition_variable ended;
@@ -37,17 +37,18 @@ struct Shared {
   }
 };
 
-struct LeftBehind {
+struct DetachedThreads {
   std::mutex lock;
   std::vector<std::thread> threads;
 };
 
-LeftBehind& leftBehind() {
-  static LeftBehind all;
+DetachedThreads& detachedThreads() {
+  static DetachedThreads all;
   return all;
 }
 
-/// Starts a thread that takes no signals, nor do those that it starts: they are the interpreter's.
+/// Starts a thread that blocks all signals, as do threads that it starts: the interpreter handles
+/// them.
 template <class Function>
 std::thread startWithoutSignals(Function function) {
   sigset_t all, before;
@@ -80,10 +81,10 @@ void runAndWait(std::function<void(const Call&)> work, const py::object& progres
     shared->hasEnded = true;
     shared->ended.notify_all();
   });
-  double told = -1;
-  const auto tell = [&](double part) {
-    if (progress.is_none() || !(part > told)) return;  // it never goes back
-    told = part;
+  double reported = -1;
+  const auto report = [&](double part) {
+    if (progress.is_none() || !(part > reported)) return;  // it never goes back
+    reported = part;
     progress(part);
   };
   const auto waitFor = [&](milliseconds time) {
@@ -93,14 +94,14 @@ void runAndWait(std::function<void(const Call&)> work, const py::object& progres
   try {
     while (!waitFor(kTick)) {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      tell(shared->part.load(std::memory_order_relaxed));
+      report(shared->part.load(std::memory_order_relaxed));
     }
   } catch (...) {
     shared->stop.request_stop();
-    if (waitFor(kPatience)) {
+    if (waitFor(kStopTimeout)) {
       worker.join();
     } else {
-      LeftBehind& left = leftBehind();
+      DetachedThreads& left = detachedThreads();
       const std::scoped_lock guard(left.lock);
       left.threads.push_back(std::move(worker));
     }
@@ -108,18 +109,18 @@ void runAndWait(std::function<void(const Call&)> work, const py::object& progres
   }
   worker.join();
   if (shared->error) std::rethrow_exception(shared->error);
-  tell(1);
+  report(1);
 }
 
 void checkThreads(int threads) {
-  constexpr int kMost = 1024;
-  if (threads < 0 || threads > kMost)
-    throw InputError("", "--threads", message("{} is outside 0 to {}", threads, kMost));
+  constexpr int kMax = 1024;
+  if (threads < 0 || threads > kMax)
+    throw InputError("", "--threads", message("{} is outside 0 to {}", threads, kMax));
 }
 
-void joinLeftBehind() {
+void joinDetachedThreads() {
   const py::gil_scoped_release others;
-  LeftBehind& left = leftBehind();
+  DetachedThreads& left = detachedThreads();
   const std::scoped_lock guard(left.lock);
   for (std::thread& thread : left.threads) thread.join();
   left.threads.clear();

@@ -1,8 +1,8 @@
 // A computation that Python waits for: it runs on a thread of its own while the interpreter is free
-// for other Python threads, Ctrl+C ends it, and its progress is told to a Python function.
-// Threading: the Python function and the check for Ctrl+C run on the thread that called; the
-// computation touches no Python object.
-// Failure: what the computation threw; what the Python function raised, or KeyboardInterrupt.
+// for other Python threads, Ctrl+C ends it, and a Python function receives its progress. Threading:
+// the Python function and the check for Ctrl+C run on the calling thread; the computation touches
+// no Python object. Failure: exceptions of the computation and of the Python function are passed
+// on, and KeyboardInterrupt.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,16 +17,16 @@
 
 namespace asperity {
 
-/// What a computation sees of the call that waits for it.
+/// The interface of the waiting call for the computation.
 class Call {
  public:
   Call(std::stop_token stop, std::atomic<double>& part) : stop_(std::move(stop)), part_(part) {}
 
   const std::stop_token& stop() const { return stop_; }
-  /// Tells the part of the work that is done, 0 to 1; from any thread.
-  void tell(double part) const { part_.store(part, std::memory_order_relaxed); }
-  void tell(std::int64_t done, std::int64_t total) const {
-    if (total > 0) tell(static_cast<double>(done) / static_cast<double>(total));
+  /// Reports the finished part of the work, 0 to 1; from any thread.
+  void report(double part) const { part_.store(part, std::memory_order_relaxed); }
+  void report(std::int64_t done, std::int64_t total) const {
+    if (total > 0) report(static_cast<double>(done) / static_cast<double>(total));
   }
 
  private:
@@ -43,7 +43,7 @@ void runAndWait(std::function<void(const Call&)> work, const pybind11::object& p
 void checkThreads(int threads);
 
 /// Joins what was left behind. Called once, when the interpreter ends.
-void joinLeftBehind();
+void joinDetachedThreads();
 
 /// Does the same and returns the result of the work.
 template <class Work>

@@ -63,7 +63,7 @@ std::shared_ptr<Contact> contactOf(const Scene& scene, std::int64_t realization)
 template <class Member>
 auto viewed(Member member) {
   return [member](const py::object& self) {
-    return viewOf(std::invoke(member, self.cast<const Contact&>()), self);
+    return arrayView(std::invoke(member, self.cast<const Contact&>()), self);
   };
 }
 
@@ -120,7 +120,7 @@ std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, 
     options.lines = lines;
     options.threads = threads;
     options.stop = call.stop();
-    options.progress = [&call](std::int64_t done, std::int64_t total) { call.tell(done, total); };
+    options.progress = [&call](std::int64_t done, std::int64_t total) { call.report(done, total); };
     return std::make_shared<MotionOfScene>(MotionOfScene{scene, marchMotion(scene, options)});
   });
 }
@@ -128,12 +128,12 @@ std::shared_ptr<MotionOfScene> motionOf(const Scene& scene, std::int64_t every, 
 py::dict motionColumnsOf(const MotionOfScene& found) {
   py::dict columns;
   for (MotionValues& column : motionColumns(found.table))
-    columns[py::str(column.name)] = arrayOf(std::move(column.values));
+    columns[py::str(column.name)] = toArray(std::move(column.values));
   std::vector<std::int64_t> realization;
   for (std::size_t line = 0; line < found.table.lines.size(); ++line)
     realization.insert(realization.end(), found.table.lines[line].size(),
                        static_cast<std::int64_t>(line));
-  columns["realization"] = arrayOf(std::move(realization));
+  columns["realization"] = toArray(std::move(realization));
   return columns;
 }
 
@@ -210,15 +210,15 @@ void addContact(py::module_& module) {
   py::class_<SurfaceOfScene, std::shared_ptr<SurfaceOfScene>>(module, "Surface")
       .def("position",
            [](const py::object& self) {
-             return viewOf(self.cast<const SurfaceOfScene&>().position, self);
+             return arrayView(self.cast<const SurfaceOfScene&>().position, self);
            })
       .def("height",
            [](const py::object& self) {
-             return viewOf(self.cast<const SurfaceOfScene&>().line.height, self);
+             return arrayView(self.cast<const SurfaceOfScene&>().line.height, self);
            })
       .def("slope",
            [](const py::object& self) {
-             return viewOf(self.cast<const SurfaceOfScene&>().line.slopeAfter, self);
+             return arrayView(self.cast<const SurfaceOfScene&>().line.slopeAfter, self);
            })
       .def("scene", [](const SurfaceOfScene& found) { return found.scene; })
       .def("facts", [](const SurfaceOfScene& found) { return found.facts; })

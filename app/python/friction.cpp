@@ -48,7 +48,7 @@ std::shared_ptr<CurveOfScene> curveOf(const Scene& scene, int threads, const py:
     options.threads = threads;
     options.stop = call.stop();
     options.progress = [&call](const CurveProgress& done) {
-      call.tell(done.realizationsDone, done.realizationsTotal);
+      call.report(done.realizationsDone, done.realizationsTotal);
     };
     return std::make_shared<CurveOfScene>(CurveOfScene{scene, computeCurve(scene, options)});
   });
@@ -68,7 +68,7 @@ struct Override {
 };
 
 /// States of one call: each is a scene of about a kilobyte.
-constexpr std::size_t kMostStates = 200000;
+constexpr std::size_t kMaxStates = 200000;
 
 std::vector<Scene> statesOf(const Scene& scene, const std::vector<Override>& overrides,
                             std::size_t count, const std::stop_token& stop) {
@@ -117,16 +117,16 @@ py::tuple friction(const Scene& scene, const Texts& keys, const std::vector<Numb
     const double* first = values[k].data();
     overrides.push_back({&row, {first, first + values[k].size()}});
     count = overrides.back().values.size();
-    if (count > kMostStates)
+    if (count > kMaxStates)
       throw InputError("", keys[k],
-                       message("{} states are more than {} in one call", count, kMostStates));
+                       message("{} states are more than {} in one call", count, kMaxStates));
   }
   FoundStates found = compute(progress, [scene, overrides, count, threads](const Call& call) {
     const std::vector<Scene> states = statesOf(scene, overrides, count, call.stop());
     StateOptions options;
     options.threads = threads;
     options.stop = call.stop();
-    options.progress = [&call](double part) { call.tell(part); };
+    options.progress = [&call](double part) { call.report(part); };
     const double before = processSeconds();
     SteadyStates slid = slideStates(states, options);
     return FoundStates{std::move(slid.points), slid.computed, processSeconds() - before};
@@ -147,12 +147,12 @@ std::shared_ptr<ParameterMap> mapOf(const Scene& scene, const Texts& x, const Te
     MapOptions options;
     options.threads = threads;
     options.stop = call.stop();
-    options.progress = [&call](double part) { call.tell(part); };
+    options.progress = [&call](double part) { call.report(part); };
     return std::make_shared<ParameterMap>(parameterMap(scene, alongX, alongY, options));
   });
 }
 
-constexpr const char* kShown = "mu";  // as the program where it is not asked for another quantity
+constexpr const char* kShown = "mu";  // the default of the program
 
 std::string mapText(const ParameterMap& map) {
   const ProvenanceOptions none(Json::object());
@@ -179,7 +179,7 @@ std::shared_ptr<SensitivityOfScene> sensitivityOf(const Scene& scene, int thread
     StateOptions options;
     options.threads = threads;
     options.stop = call.stop();
-    options.progress = [&call](double part) { call.tell(part); };
+    options.progress = [&call](double part) { call.report(part); };
     std::vector<Sensitivity> all = sensitivities(scene, options);
     std::vector<Exponent> exponents = sensitivityExponents(scene, all);
     return std::make_shared<SensitivityOfScene>(
@@ -245,8 +245,8 @@ std::shared_ptr<FitOfScene> fitOf(const Scene& given, const Texts& files,
     options.hasProfiles = hasProfiles;
     options.progress = [&call](int evaluations, double) {
       // The number of steps is not known beforehand: the rest shrinks by a part with each.
-      constexpr double kUsual = 50;
-      call.tell(1 - std::exp(-evaluations / kUsual));
+      constexpr double kDefault = 50;
+      call.report(1 - std::exp(-evaluations / kDefault));
     };
     return std::make_shared<FitOfScene>(FitOfScene{
         scene, fitFriction(scene, data, parameters, options), data, varied, hasProfiles, hasFiles});
@@ -290,8 +290,8 @@ void addFriction(py::module_& module) {
       });
   py::class_<ParameterMap, std::shared_ptr<ParameterMap>>(module, "Map")
       .def("columns", [](const ParameterMap& map) { return columnsOf(map.points); })
-      .def("x", [](const ParameterMap& map) { return arrayOf(map.x.values); })
-      .def("y", [](const ParameterMap& map) { return arrayOf(map.y.values); })
+      .def("x", [](const ParameterMap& map) { return toArray(map.x.values); })
+      .def("y", [](const ParameterMap& map) { return toArray(map.y.values); })
       .def("computed", [](const ParameterMap& map) { return map.computed; })
       .def("scene", [](const ParameterMap& map) { return map.scene; })
       .def("csv", &mapText)

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "app/material_values.h"
 #include "app/python/call.h"
 #include "app/python/module.h"
 #include "core/base/input_error.h"
@@ -44,22 +45,11 @@ Choice chosenFrom(const std::array<std::pair<std::string_view, Choice>, N>& choi
 }
 
 double kelvins(const Option& option) {
-  const auto temperature = parseTemperature(option.value);
-  if (!temperature || !(*temperature > 0 && *temperature <= 2000))
-    throw InputError(
-        "", option.name,
-        message("'{}' is not a temperature such as 20C, 293.15K or 68F", option.value));
-  return *temperature;
+  return kelvinsFrom(option.value, option.name);
 }
 
 double pascals(const Option& option) {
-  const auto quantity = parseQuantity(option.value);
-  const auto unit = quantity ? unitSize(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
-                             : std::optional<double>();
-  if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
-    throw InputError("", option.name,
-                     message("'{}' is not a modulus such as 2.3MPa", option.value));
-  return quantity->number * *unit;
+  return pascalsFrom(option.value, option.name);
 }
 
 double numberWithin(const Option& option, double least, double most) {
@@ -86,7 +76,7 @@ bool isTrue(const Option& option) {
   return option.value == "true";
 }
 
-/// What an option does to the choices.
+/// The effect of an option on the choices.
 struct Row {
   std::string_view name;
   void (*set)(const Option& option, MaterialChoices& choices);
@@ -172,12 +162,12 @@ constexpr std::array<Row, 26> kRows{{
     {"--source", [](const Option& o, MaterialChoices& c) { c.source = o.value; }},
 }};
 
-/// Options that say how the material is labelled, not how it is made; the origin leaves them out.
+/// Options that label the material but do not change it; the origin leaves them out.
 bool isLabel(std::string_view name) {
   return name == "--name" || name == "--source";
 }
 
-/// The options stand in the order of the program, whatever that of the arguments was.
+/// The options are in the order of the program, not of the arguments.
 MaterialChoices choicesOf(std::vector<std::pair<std::string, std::string>> options) {
   std::ranges::stable_sort(options, {}, [](const auto& option) {
     return std::ranges::find(kRows, std::string_view(option.first), &Row::name) - kRows.begin();

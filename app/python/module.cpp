@@ -96,5 +96,5 @@ PYBIND11_MODULE(_core, module) {
   addMaterial(module);
   module.attr("version") = ASPERITY_VERSION;
   module.def("columns", &columnDictionary);
-  py::module_::import("atexit").attr("register")(py::cpp_function(&joinLeftBehind));
+  py::module_::import("atexit").attr("register")(py::cpp_function(&joinDetachedThreads));
 }

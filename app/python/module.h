@@ -1,5 +1,5 @@
 // The parts of the Python module `asperity._core`. The package asperity/__init__.py wraps them in
-// the functions that people call; nothing else uses them.
+// its public functions; nothing else uses them.
 #pragma once
 
 #include <pybind11/pybind11.h>

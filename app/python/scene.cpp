@@ -18,7 +18,7 @@ namespace {
 namespace py = pybind11;
 using Assignments = std::vector<std::string>;
 
-/// "real", "whole", "choice", "text" or "list".
+/// Returns "real", "whole", "choice", "text" or "list".
 const char* kindOf(const Parameter& row) {
   if (std::holds_alternative<RealField>(row.field)) return "real";
   if (std::holds_alternative<IntegerField>(row.field)) return "whole";
@@ -51,7 +51,7 @@ py::object numberFromWord(const std::string& key, const std::string& text) {
   return py::float_(number);
 }
 
-/// Whether two scenes mean the same: their folders count only where they name files.
+/// Returns whether two scenes are equivalent: their folders matter only where they name files.
 bool areEqual(const Scene& a, Scene b) {
   const bool hasFiles =
       hasSurfaceFile(a.surface) || !a.elastomer.material.empty() || !a.comparison.data.empty();

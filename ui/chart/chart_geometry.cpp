@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kNarrowest = 0.1, kWidest = 60;  // decades, of a zoomed axis
 
-double fraction(double place, const AxisRange& range) {
-  return (place - range.from) / (range.isEmpty() ? 1 : range.size());
+double fraction(double position, const AxisRange& range) {
+  return (position - range.from) / (range.isEmpty() ? 1 : range.size());
 }
 
 AxisRange scaled(const AxisRange& range, double about, double factor) {
@@ -39,8 +39,8 @@ bool isFinite(QPointF at) {
 }
 
 /// Finds the nearest drawn point of a diagram's curves; the upper one where two coincide.
-void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isSlim, QPointF place,
-               ChartTarget& target) {
+void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isStrip,
+               QPointF position, ChartTarget& target) {
   double nearest = kPointReach * geometry.scale;
   for (std::size_t s = 0; s < diagram.series.size(); ++s) {
     const DiagramSeries& series = diagram.series[s];
@@ -48,7 +48,7 @@ void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isSli
     for (std::size_t i = 0; i < series.points.size(); ++i) {
       const QPointF at = geometry.at(series.points[i].x, series.points[i].y);
       if (!isFinite(at) || !geometry.area.adjusted(-1, -1, 1, 1).contains(at)) continue;
-      const double away = isSlim ? std::abs(at.x() - place.x()) : distance(at, place);
+      const double away = isStrip ? std::abs(at.x() - position.x()) : distance(at, position);
       if (away > nearest) continue;
       nearest = away;
       target.series = static_cast<int>(s);
@@ -57,11 +57,11 @@ void findPoint(const ChartGeometry& geometry, const Diagram& diagram, bool isSli
   }
 }
 
-void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF place,
+void findSpan(const ChartGeometry& geometry, const Diagram& diagram, QPointF position,
               ChartTarget& target) {
   for (std::size_t i = 0; i < diagram.spans.size(); ++i)
-    if (place.x() >= geometry.xOf(diagram.spans[i].from) &&
-        place.x() < geometry.xOf(diagram.spans[i].to))
+    if (position.x() >= geometry.mapX(diagram.spans[i].from) &&
+        position.x() < geometry.mapX(diagram.spans[i].to))
       target.span = static_cast<int>(i);
 }
 
@@ -70,12 +70,12 @@ bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
   const double ax = a.x(), ay = a.y();
   const double dx = b.x() - ax, dy = b.y() - ay;
   double from = 0, to = 1;  // the part of the line within both axes
-  const auto cut = [&](double start, double way, const AxisRange& range) {
-    if (way == 0) {
+  const auto cut = [&](double start, double step, const AxisRange& range) {
+    if (step == 0) {
       if (start < range.from || start > range.to) to = -1;
       return;
     }
-    const double one = (range.from - start) / way, other = (range.to - start) / way;
+    const double one = (range.from - start) / step, other = (range.to - start) / step;
     from = std::max(from, std::min(one, other));
     to = std::min(to, std::max(one, other));
   };
@@ -87,58 +87,58 @@ bool crosses(const VisibleRange& window, QPointF a, QPointF b) {
 }  // namespace
 
 QPointF ChartGeometry::at(double xValue, double yValue) const {
-  return {xOf(xValue), yOf(yValue)};
+  return {mapX(xValue), mapY(yValue)};
 }
 
-double ChartGeometry::xOf(double value) const {
+double ChartGeometry::mapX(double value) const {
   return area.left() + area.width() * fraction(axisPlace(xScale, value), x);
 }
 
-double ChartGeometry::yOf(double value) const {
+double ChartGeometry::mapY(double value) const {
   return area.bottom() - area.height() * fraction(axisPlace(yScale, value), y);
 }
 
 double ChartGeometry::valueAt(double pixel) const {
   const double part = area.width() > 0 ? (pixel - area.left()) / area.width() : 0;
-  const double place = x.from + part * x.size();
-  return axisValue(xScale, place);
+  const double position = x.from + part * x.size();
+  return axisValue(xScale, position);
 }
 
-bool hasPlace(const Diagram& diagram, const DiagramPoint& point) {
+bool hasPosition(const Diagram& diagram, const DiagramPoint& point) {
   return std::isfinite(axisPlace(diagram.x.scale, point.x)) &&
          std::isfinite(axisPlace(diagram.y.scale, point.y));
 }
 
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
-                     QPointF place) {
+                     QPointF position) {
   ChartTarget target;
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const ChartGeometry& geometry = geometries[i];
     const Diagram& diagram = sheet.diagrams[i];
     const QRectF& area = geometry.area;
     const double reach = i == 0 ? kMarkerReach * geometry.scale : 0;
-    if (area.adjusted(-reach, -reach, reach, reach).contains(place)) {
+    if (area.adjusted(-reach, -reach, reach, reach).contains(position)) {
       target.diagram = static_cast<int>(i);
-      findPoint(geometry, diagram, i > 0, place, target);
+      findPoint(geometry, diagram, i > 0, position, target);
       const auto& marker = diagram.marker;
       target.isMarker =
-          marker && !marker->isFixed && std::abs(geometry.xOf(marker->x) - place.x()) <= reach;
+          marker && !marker->isFixed && std::abs(geometry.mapX(marker->x) - position.x()) <= reach;
       return target;
     }
     if (i == 0 && QRectF(area.left(), area.top() - geometry.names, area.width(), geometry.names)
-                      .contains(place)) {
-      findSpan(geometry, diagram, place, target);
+                      .contains(position)) {
+      findSpan(geometry, diagram, position, target);
       return target;
     }
   }
   return target;
 }
 
-ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place) {
+ZoomAxes axesAt(const ChartGeometry& geometry, QPointF position) {
   const QRectF& area = geometry.area;
-  const bool isWithinX = place.x() >= area.left() && place.x() <= area.right();
-  const bool isWithinY = place.y() >= area.top() && place.y() <= area.bottom();
-  return {isWithinX && place.y() >= area.top(), isWithinY && place.x() <= area.right()};
+  const bool isWithinX = position.x() >= area.left() && position.x() <= area.right();
+  const bool isWithinY = position.y() >= area.top() && position.y() <= area.bottom();
+  return {isWithinX && position.y() >= area.top(), isWithinY && position.x() <= area.right()};
 }
 
 VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes) {
@@ -170,13 +170,14 @@ VisibleRange heldWithin(const VisibleRange& window, const VisibleRange& whole) {
 
 bool showsCurves(const VisibleRange& window, const Diagram& diagram) {
   for (const DiagramSeries& series : diagram.series) {
-    std::vector<QPointF> places;
+    std::vector<QPointF> positions;
     for (const DiagramPoint& point : series.points)
-      if (hasPlace(diagram, point))
-        places.emplace_back(axisPlace(diagram.x.scale, point.x),
-                            axisPlace(diagram.y.scale, point.y));
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (crosses(window, places[i], places[std::min(i + 1, places.size() - 1)])) return true;
+      if (hasPosition(diagram, point))
+        positions.emplace_back(axisPlace(diagram.x.scale, point.x),
+                               axisPlace(diagram.y.scale, point.y));
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (crosses(window, positions[i], positions[std::min(i + 1, positions.size() - 1)]))
+        return true;
   }
   return false;
 }

@@ -27,16 +27,17 @@ struct ChartGeometry {
   double names = 18;  // pixels, height of the names of regions above the frame
   double scale = 1;   // factor of marks and pens, which grow with the font
 
-  /// Returns the position of a pair of values; NaN for values that have no place on the axes.
+  /// Returns the position of a pair of values; NaN for values that the axes cannot show.
   QPointF at(double xValue, double yValue) const;
-  double xOf(double value) const;
-  double yOf(double value) const;
+  double mapX(double value) const;
+  double mapY(double value) const;
   /// Returns the value at a horizontal position.
   double valueAt(double pixel) const;
 };
 
-/// Returns whether a point has a place on the axes of its diagram.
-bool hasPlace(const Diagram& diagram, const DiagramPoint& point);
+/// Returns whether the axes of the diagram can show the point; a logarithmic axis shows no negative
+/// value.
+bool hasPosition(const Diagram& diagram, const DiagramPoint& point);
 
 /// The nearest objects of each kind under the pointer, as indices in the diagram.
 struct ChartTarget {
@@ -51,21 +52,21 @@ struct ChartTarget {
 /// Distance in pixels at which a marker and a point can be gripped, times the scale of a geometry.
 inline constexpr double kMarkerReach = 6, kPointReach = 9;
 
-/// Returns the objects at a place. There is one geometry for each diagram of the sheet. Only points
-/// of a series with an id can be pointed at; in diagrams below the first, which are too low for
-/// aiming, the point with the nearest x is chosen.
+/// Returns the objects at a position. There is one geometry for each diagram of the sheet. Only
+/// points of a series with an id can be pointed at; in diagrams below the first, which are too low
+/// for aiming, the point with the nearest x is chosen.
 ChartTarget targetAt(const std::vector<ChartGeometry>& geometries, const DiagramSheet& sheet,
-                     QPointF place);
+                     QPointF position);
 
-/// Returns the axes that the wheel zooms at this place: both inside the frame, one at its labels,
-/// none elsewhere.
+/// Returns the axes that the wheel zooms at this position: both inside the frame, one over its
+/// labels, none elsewhere.
 struct ZoomAxes {
   bool x = false, y = false;
 };
-ZoomAxes axesAt(const ChartGeometry& geometry, QPointF place);
+ZoomAxes axesAt(const ChartGeometry& geometry, QPointF position);
 
-/// Zooms about a place, which stays fixed: the range becomes `factor` times as wide, within 0.1 to
-/// 60 decades.
+/// Zooms about a position, which stays fixed: the range becomes `factor` times as wide, within 0.1
+/// to 60 decades.
 VisibleRange zoomed(const ChartGeometry& geometry, QPointF about, double factor, ZoomAxes axes);
 
 /// Moves the range by this many pixels.

@@ -21,23 +21,23 @@ constexpr double kSample = 22;    // width of a sample of a mark, pixels
 constexpr double kSampleGap = 6;  // between a sample and its name
 constexpr double kCross = 16;     // of the button that unpins a curve
 constexpr double kGap = 18;       // between entries
-constexpr int kMostRows = 3;
-constexpr int kMostLines = 2;  // of one entry
+constexpr int kMaxRows = 3;
+constexpr int kMaxLines = 2;  // of one entry
 
 /// Breaks a text that is too long for its space into lines, after commas.
-QStringList brokenInto(const QString& text, double room, const QFontMetricsF& metrics) {
+QStringList brokenInto(const QString& text, double available, const QFontMetricsF& metrics) {
   QStringList lines(1);
   const QStringList parts = text.split(QStringLiteral(", "));
   for (qsizetype i = 0; i < parts.size(); ++i) {
     const QString part = i + 1 < parts.size() ? parts[i] + ',' : parts[i];
     const QString longer = lines.last().isEmpty() ? part : lines.last() + ' ' + part;
-    const bool fits = metrics.horizontalAdvance(longer) <= room || lines.last().isEmpty();
-    if (fits || lines.size() == kMostLines)
+    const bool fits = metrics.horizontalAdvance(longer) <= available || lines.last().isEmpty();
+    if (fits || lines.size() == kMaxLines)
       lines.last() = longer;
     else
       lines += part;
   }
-  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, room);
+  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, available);
   return lines;
 }
 
@@ -52,10 +52,10 @@ ChartLegend::ChartLegend(QWidget* parent) : QWidget(parent) {
 }
 
 void ChartLegend::show(const DiagramSheet& sheet, const DiagramSheet& english,
-                       const ChartLook& look) {
+                       const ChartStyle& style) {
   sheet_ = sheet;
   english_ = english;
-  look_ = look;
+  style_ = style;
   arrange();
   update();
 }
@@ -96,7 +96,7 @@ std::vector<ChartLegend::Entry> ChartLegend::wanted() const {
   return first;
 }
 
-QRectF ChartLegend::placeOf(int id) const {
+QRectF ChartLegend::entryRect(int id) const {
   for (const Entry& entry : entries_)
     if (entry.series.id == id) return entry.box;
   return {};
@@ -112,8 +112,8 @@ double ChartLegend::samples() const {
   return (kSample + kSampleGap) * markScale(font());
 }
 
-/// Returns the width of the status at its end: "37 of 200" has the room of "200 of 200", so that
-/// the entries beside it stay where they are while it counts.
+/// Returns the width of the status at its end: "37 of 200" is as wide as "200 of 200", so that the
+/// entries beside it do not move while it counts.
 double ChartLegend::statusWidth() const {
   static const QRegularExpression number(QStringLiteral("\\d+"));
   QString text = QString::fromStdString(sheet_.status.text), longest;
@@ -122,8 +122,7 @@ double ChartLegend::statusWidth() const {
   return QFontMetricsF(font()).horizontalAdvance(text.replace(number, longest));
 }
 
-/// Whether the status says that a curve is not complete: "37 of 200 lines", "33 % of the
-/// curve".
+/// Returns whether the status reports an incomplete curve: "37 of 200 lines", "33 % of the curve".
 bool ChartLegend::isUnfinished() const {
   static const QRegularExpression counts(QStringLiteral("(\\d+)\\D+(\\d+)"));
   const QString text = QString::fromStdString(sheet_.status.text);
@@ -131,9 +130,9 @@ bool ChartLegend::isUnfinished() const {
   return text.contains('%') || (found.hasMatch() && found.captured(1) != found.captured(2));
 }
 
-/// Arranges the entries in rows; the first row ends at the status. The last place shows how many
-/// entries did not fit. While a curve is computed the legend gets no lower: its first picture, of
-/// one line, has a shorter name, and the chart would move for a moment.
+/// Arranges the entries in rows; the first row ends at the status. The last entry shows how many
+/// did not fit. The legend keeps its height while a curve is computed: the first result, of one
+/// line, has a shorter name, and the chart would move for a moment.
 void ChartLegend::arrange() {
   const QFontMetricsF metrics(font());
   const double height = metrics.height() + 6;
@@ -142,14 +141,14 @@ void ChartLegend::arrange() {
   int row = 0, missing = 0;
   const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
-    const double room = std::max(40.0, width() - 2 * kSide - samples() - extra);
-    entry.lines = brokenInto(entry.text, room, metrics);
+    const double available = std::max(40.0, width() - 2 * kSide - samples() - extra);
+    entry.lines = brokenInto(entry.text, available, metrics);
     double widest = 0;
     for (const QString& part : entry.lines)
       widest = std::max(widest, metrics.horizontalAdvance(part));
     const double wide = samples() + widest + extra;
     if (x + wide > end() && (x > kSide || row == 0)) {
-      if (row + 1 >= kMostRows || missing > 0) {
+      if (row + 1 >= kMaxRows || missing > 0) {
         ++missing;
         return;
       }
@@ -183,17 +182,17 @@ void ChartLegend::arrange() {
 }
 
 /// Returns the full name, which may be shortened, with what it means or the effect of a click.
-QString ChartLegend::tipAt(QPointF place) const {
-  const Entry* entry = entryAt(place);
+QString ChartLegend::tipAt(QPointF position) const {
+  const Entry* entry = entryAt(position);
   if (!entry) return {};
   if (entry->isPinned()) return entry->text + '\n' + tr("Click to unpin this curve");
   if (entry->explanation) return explanationHtml(*entry->explanation, entry->text);
   return entry->lines.join(' ') != entry->text ? entry->text : QString();
 }
 
-const ChartLegend::Entry* ChartLegend::entryAt(QPointF place) const {
+const ChartLegend::Entry* ChartLegend::entryAt(QPointF position) const {
   const auto found = std::ranges::find_if(
-      entries_, [place](const Entry& entry) { return entry.box.contains(place); });
+      entries_, [position](const Entry& entry) { return entry.box.contains(position); });
   return found == entries_.end() ? nullptr : &*found;
 }
 
@@ -207,8 +206,8 @@ void ChartLegend::changeEvent(QEvent* event) {
   if (event->type() == QEvent::FontChange) arrange();
 }
 
-const ChartLegend::Entry* ChartLegend::pinAt(QPointF place) const {
-  const Entry* entry = entryAt(place);
+const ChartLegend::Entry* ChartLegend::pinAt(QPointF position) const {
+  const Entry* entry = entryAt(position);
   return entry && entry->isPinned() ? entry : nullptr;
 }
 
@@ -237,13 +236,13 @@ void ChartLegend::leaveEvent(QEvent* event) {
 
 void ChartLegend::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mouseReleaseEvent(event);
-  if (const Entry* pin = pinAt(event->position())) emit unpinWanted(pin->series.id);
+  if (const Entry* pin = pinAt(event->position())) emit unpinRequested(pin->series.id);
 }
 
 void ChartLegend::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), look_.background());
+  painter.fillRect(rect(), style_.background());
   paintStatus(painter);
   for (const Entry& entry : entries_) paintEntry(painter, entry);
 }
@@ -251,7 +250,7 @@ void ChartLegend::paintEvent(QPaintEvent*) {
 /// Paints the status at the right end of the first row.
 void ChartLegend::paintStatus(QPainter& painter) const {
   const QFontMetricsF metrics(font());
-  painter.setPen(look_.faintText());
+  painter.setPen(style_.faintText());
   painter.drawText(QRectF(0, 4, width() - kSide, metrics.height() + 6),
                    Qt::AlignRight | Qt::AlignVCenter, QString::fromStdString(sheet_.status.text));
 }
@@ -264,17 +263,17 @@ void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
   const bool isUnder = entry.isPinned() && entry.series.id == under_;
   if (isUnder) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(look_.span());
+    painter.setBrush(style_.span());
     painter.drawRoundedRect(box.adjusted(-4, 0, 4, 0), 4, 4);
   }
   if (entry.hasSample) paintSample(painter, entry, centre);
-  painter.setPen(entry.hasSample ? look_.text() : look_.faintText());
+  painter.setPen(entry.hasSample ? style_.text() : style_.faintText());
   for (qsizetype i = 0; i < entry.lines.size(); ++i)
     painter.drawText(QRectF(box.left() + samples(), box.top() + static_cast<double>(i) * height,
                             box.width(), height),
                      Qt::AlignLeft | Qt::AlignVCenter, entry.lines[i]);
   if (!entry.isPinned()) return;
-  painter.setPen(isUnder ? look_.text() : look_.faintText());
+  painter.setPen(isUnder ? style_.text() : style_.faintText());
   painter.drawText(QRectF(box.left(), box.top(), box.width(), height),
                    Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("✕"));
 }
@@ -282,13 +281,13 @@ void ChartLegend::paintEntry(QPainter& painter, const Entry& entry) const {
 void ChartLegend::paintSample(QPainter& painter, const Entry& entry, QPointF centre) const {
   const double scale = markScale(font());
   const DiagramSeries& series = entry.series;
-  const QColor colour = entry.isMarker ? look_.marker() : look_.of(series);
+  const QColor colour = entry.isMarker ? style_.marker() : style_.of(series);
   painter.setOpacity(series.isFaded ? kFadedOpacity : 1);
   if (entry.isMarker) {
     painter.setPen(QPen(colour, 1.4 * scale));
     painter.drawLine(centre - QPointF(0, 8 * scale), centre + QPointF(0, 8 * scale));
   } else {
-    painter.setPen(strokeOf(series, look_));
+    painter.setPen(curvePen(series, style_));
     painter.drawLine(centre - QPointF(kSample * scale / 2, 0),
                      centre + QPointF(kSample * scale / 2, 0));
     painter.setPen(QPen(colour, 1.3 * scale));

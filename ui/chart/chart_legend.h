@@ -20,17 +20,18 @@ class ChartLegend : public QWidget {
  public:
   explicit ChartLegend(QWidget* parent = nullptr);
 
-  /// `english`: the same sheet with the texts that explanations are found by.
-  void show(const DiagramSheet& sheet, const DiagramSheet& english, const ChartLook& look);
+  /// Shows the entries of the sheet. `english`: the same sheet with English texts, by which
+  /// explanations are found.
+  void show(const DiagramSheet& sheet, const DiagramSheet& english, const ChartStyle& style);
 
   /// Returns the rectangle of a pinned curve's entry; empty where it is not shown.
-  QRectF placeOf(int id) const;
+  QRectF entryRect(int id) const;
   /// Returns the lines of a pinned curve's entry.
   QStringList linesOf(int id) const;
 
  signals:
-  void unpinWanted(int id);
-  /// The pointer is over an entry, which the guide explains here; empty: over none.
+  void unpinRequested(int id);
+  /// Emitted with the anchor of the guide for the entry under the pointer; empty: there is none.
   void pointedAt(const QString& guideAnchor);
   void entered();  // emitted when the pointer comes from the plot, which gets no leave event
 
@@ -60,15 +61,15 @@ class ChartLegend : public QWidget {
   double samples() const;  // width of a sample with its gap, pixels
   double statusWidth() const;
   bool isUnfinished() const;
-  QString tipAt(QPointF place) const;
-  const Entry* pinAt(QPointF place) const;
-  const Entry* entryAt(QPointF place) const;
+  QString tipAt(QPointF position) const;
+  const Entry* pinAt(QPointF position) const;
+  const Entry* entryAt(QPointF position) const;
   void paintStatus(QPainter& painter) const;
   void paintEntry(QPainter& painter, const Entry& entry) const;
   void paintSample(QPainter& painter, const Entry& entry, QPointF centre) const;
 
   DiagramSheet sheet_, english_;
-  ChartLook look_;
+  ChartStyle style_;
   std::vector<Entry> entries_;
   int under_ = 0;  // pinned curve under the pointer; 0: none
 };

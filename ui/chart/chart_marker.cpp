@@ -9,51 +9,51 @@ namespace asperity {
 
 namespace {
 
-constexpr double kDot = 6;       // radius of the marker's dot
-constexpr double kTipPad = 7;    // around a reading's text
-constexpr double kTipAway = 14;  // from the point to its reading
-constexpr double kRing = 7.5;    // radius, around the point that is read
+constexpr double kDot = 6;           // radius of the marker's dot
+constexpr double kTipPad = 7;        // around a reading's text
+constexpr double kTipDistance = 14;  // from the point to its reading
+constexpr double kRing = 7.5;        // radius, around the point that is read
 
 }  // namespace
 
 void MarkerItem::update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-                        double lineX, const ChartLook& look, const QList<QRectF>& taken) {
+                        double lineX, const ChartStyle& style, const QList<QRectF>& taken) {
   prepareGeometryChange();
   geometry_ = geometry;
   marker_ = marker;
-  look_ = look;
+  style_ = style;
   bounds_ = label_ = QRectF();
   if (!marker_) return;
   layTrace();
-  if (!std::isfinite(geometry.xOf(marker_->x))) return;
-  lineX_ = geometry.xOf(std::isfinite(lineX) ? lineX : marker_->x);
+  if (!std::isfinite(geometry.mapX(marker_->x))) return;
+  lineX_ = geometry.mapX(std::isfinite(lineX) ? lineX : marker_->x);
   const QRectF& area = geometry.area;
-  label_ = placeOfLabel(taken);
-  const double dot = geometry.xOf(marker_->x), around = kDot * geometry.scale + 2;
+  label_ = labelRect(taken);
+  const double dot = geometry.mapX(marker_->x), around = kDot * geometry.scale + 2;
   bounds_ |= QRectF(std::min(lineX_, dot), area.top(), std::abs(lineX_ - dot), area.height())
                  .adjusted(-around, -around, around, around) |
              label_;
 }
 
-/// At the foot of the line: on its right or on its left, else above the text that is in the way; at
-/// its head where that would be on the curve.
-QRectF MarkerItem::placeOfLabel(const QList<QRectF>& taken) const {
+/// Returns the position at the foot of the line: on its right or on its left, otherwise above the
+/// text there; at the head of the line where the text would cover the curve.
+QRectF MarkerItem::labelRect(const QList<QRectF>& taken) const {
   const QRectF& area = geometry_.area;
-  const QFontMetricsF metrics(look_.font);
+  const QFontMetricsF metrics(style_.font);
   const double width = metrics.horizontalAdvance(QString::fromStdString(marker_->label.text)) + 6;
   const double away = 8 * geometry_.scale;
   const double foot = area.bottom() - away + metrics.descent();
   const QRectF right(lineX_ + away - 3, foot - metrics.height(), width, metrics.height());
   const QRectF left = right.translated(-width - 2 * away + 6, 0);
   const bool fitsRight = right.right() - 3 <= area.right(), fitsLeft = left.left() >= area.left();
-  const auto isFree = [&](const QRectF& place) {
+  const auto isFree = [&](const QRectF& position) {
     return std::ranges::none_of(taken, [&](const QRectF& text) {
-      return text.adjusted(-away / 2, 0, away / 2, 0).intersects(place);
+      return text.adjusted(-away / 2, 0, away / 2, 0).intersects(position);
     });
   };
   const double dot = geometry_.at(marker_->x, marker_->y).y(), around = kDot * geometry_.scale;
-  const auto isOnCurve = [&](const QRectF& place) {
-    return place.top() < dot + around && place.bottom() > dot - around;
+  const auto isOnCurve = [&](const QRectF& position) {
+    return position.top() < dot + around && position.bottom() > dot - around;
   };
   if (fitsRight && isFree(right) && !isOnCurve(right)) return right;
   if (fitsLeft && isFree(left) && !isOnCurve(left)) return left;
@@ -66,17 +66,17 @@ QRectF MarkerItem::placeOfLabel(const QList<QRectF>& taken) const {
   return lifted.top() >= area.top() ? lifted : fitsRight ? right : left;
 }
 
-/// Makes the trace of the marker from the points that have a place on the axes.
+/// Makes the trace of the marker from the points that the axes can show.
 void MarkerItem::layTrace() {
   trace_.clear();
   bool draws = false;
   for (const DiagramPoint& point : marker_->trace) {
     const QPointF at = geometry_.at(point.x, point.y);
-    const bool hasPlace = std::isfinite(at.x()) && std::isfinite(at.y());
-    if (hasPlace) {
+    const bool isFinite = std::isfinite(at.x()) && std::isfinite(at.y());
+    if (isFinite) {
       draws ? trace_.lineTo(at) : trace_.moveTo(at);
     }
-    draws = hasPlace;
+    draws = isFinite;
   }
   if (!trace_.isEmpty()) bounds_ = geometry_.area;
 }
@@ -88,20 +88,20 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setOpacity(marker_->isFaded ? kFadedOpacity : 1);
   paintTrace(*painter);
   if (label_.isEmpty() || lineX_ < area.left() - 1 || lineX_ > area.right() + 1) return;
-  painter->setFont(look_.font);
+  painter->setFont(style_.font);
   const double sharp = std::floor(lineX_) + 0.5;  // the line covers whole pixels
-  painter->setPen(QPen(look_.marker(), 1.5 * geometry_.scale));
+  painter->setPen(QPen(style_.marker(), 1.5 * geometry_.scale));
   painter->drawLine(QPointF(sharp, area.top()), QPointF(sharp, area.bottom()));
-  QColor halo = look_.background();
+  QColor halo = style_.background();
   halo.setAlphaF(0.85F);
   painter->fillRect(label_, halo);
   painter->drawText(label_, Qt::AlignCenter, QString::fromStdString(marker_->label.text));
 
-  painter->setPen(QPen(look_.background(), 2));
-  painter->setBrush(look_.marker());
+  painter->setPen(QPen(style_.background(), 2));
+  painter->setBrush(style_.marker());
   const QPointF dot = geometry_.at(marker_->x, marker_->y);
-  const bool hasPlace = std::isfinite(dot.x()) && std::isfinite(dot.y());
-  if (hasPlace && area.adjusted(-1, -1, 1, 1).contains(dot)) {
+  const bool isFinite = std::isfinite(dot.x()) && std::isfinite(dot.y());
+  if (isFinite && area.adjusted(-1, -1, 1, 1).contains(dot)) {
     const double radius = kDot * geometry_.scale;
     painter->drawEllipse(dot, radius, radius);
   }
@@ -109,7 +109,7 @@ void MarkerItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
 
 void MarkerItem::paintTrace(QPainter& painter) const {
   if (trace_.isEmpty()) return;
-  QColor colour = look_.marker();
+  QColor colour = style_.marker();
   colour.setAlphaF(0.75F);
   painter.save();
   painter.setClipRect(geometry_.area);
@@ -120,28 +120,28 @@ void MarkerItem::paintTrace(QPainter& painter) const {
 }
 
 /// Shows the text beside its point, on the side where it fits.
-void TipItem::show(const QString& text, QPointF place, bool ringed, const QRectF& room,
-                   const ChartLook& look) {
+void TipItem::show(const QString& text, QPointF position, bool ringed, const QRectF& bounds,
+                   const ChartStyle& style) {
   prepareGeometryChange();
   text_ = text;
-  place_ = place;
+  place_ = position;
   isRinged_ = ringed;
-  look_ = look;
-  const QFontMetricsF metrics(look_.font);
-  const double most = std::min(360.0 * look_.scale(), room.width() - 4 * kTipPad);
+  style_ = style;
+  const QFontMetricsF metrics(style_.font);
+  const double most = std::min(360.0 * style_.scale(), bounds.width() - 4 * kTipPad);
   const QSizeF size =
       metrics.boundingRect(QRectF(0, 0, most, 1000), Qt::TextWordWrap, text).size() +
       QSizeF(2 * kTipPad, 2 * kTipPad);
-  const double away = kTipAway * look_.scale(), ring = kRing * look_.scale() + 2;
-  const bool left = place.x() + away + size.width() > room.right();
-  const double x = left ? place.x() - away - size.width() : place.x() + away;
-  const double y = place.y() - size.height() / 2;
+  const double away = kTipDistance * style_.scale(), ring = kRing * style_.scale() + 2;
+  const bool left = position.x() + away + size.width() > bounds.right();
+  const double x = left ? position.x() - away - size.width() : position.x() + away;
+  const double y = position.y() - size.height() / 2;
   box_ = QRectF(
-      QPointF(std::clamp(x, room.left(), std::max(room.left(), room.right() - size.width())),
-              std::clamp(y, room.top(), std::max(room.top(), room.bottom() - size.height()))),
+      QPointF(std::clamp(x, bounds.left(), std::max(bounds.left(), bounds.right() - size.width())),
+              std::clamp(y, bounds.top(), std::max(bounds.top(), bounds.bottom() - size.height()))),
       size);
-  bounds_ =
-      box_.adjusted(-2, -2, 2, 2) | QRectF(place.x() - ring, place.y() - ring, 2 * ring, 2 * ring);
+  bounds_ = box_.adjusted(-2, -2, 2, 2) |
+            QRectF(position.x() - ring, position.y() - ring, 2 * ring, 2 * ring);
   QGraphicsItem::update();
 }
 
@@ -154,17 +154,17 @@ void TipItem::clear() {
 
 void TipItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   if (text_.isEmpty()) return;
-  painter->setFont(look_.font);
+  painter->setFont(style_.font);
   painter->setRenderHint(QPainter::Antialiasing);
   if (isRinged_) {
-    painter->setPen(QPen(look_.text(), 1.6 * look_.scale()));
+    painter->setPen(QPen(style_.text(), 1.6 * style_.scale()));
     painter->setBrush(Qt::NoBrush);
-    painter->drawEllipse(place_, kRing * look_.scale(), kRing * look_.scale());
+    painter->drawEllipse(place_, kRing * style_.scale(), kRing * style_.scale());
   }
-  painter->setPen(QPen(look_.axis(), 1));
-  painter->setBrush(look_.background());
+  painter->setPen(QPen(style_.axis(), 1));
+  painter->setBrush(style_.background());
   painter->drawRoundedRect(box_, 5, 5);
-  painter->setPen(look_.text());
+  painter->setPen(style_.text());
   painter->drawText(box_.adjusted(kTipPad, kTipPad, -kTipPad, -kTipPad),
                     Qt::AlignLeft | Qt::TextWordWrap, text_);
 }

@@ -15,15 +15,16 @@ class MarkerItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
-  /// lineX: position of the line while it is dragged and the dot has not followed yet; NaN: at the
-  /// marker. taken: places of other texts, which the marker's own avoids.
+  /// Updates marker, trace and text. lineX: position of the line while it is dragged and the dot
+  /// has not followed yet; NaN: at the marker. taken: rectangles of other texts, which the marker's
+  /// own text avoids.
   void update(const ChartGeometry& geometry, const std::optional<DiagramMarker>& marker,
-              double lineX, const ChartLook& look, const QList<QRectF>& taken);
+              double lineX, const ChartStyle& style, const QList<QRectF>& taken);
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
  private:
-  QRectF placeOfLabel(const QList<QRectF>& taken) const;
+  QRectF labelRect(const QList<QRectF>& taken) const;
   void layTrace();
   void paintTrace(QPainter& painter) const;
 
@@ -31,17 +32,17 @@ class MarkerItem : public QGraphicsItem {
   std::optional<DiagramMarker> marker_;
   QPainterPath trace_;
   double lineX_ = 0;
-  ChartLook look_;
+  ChartStyle style_;
   QRectF bounds_, label_;
 };
 
-/// A few lines of text beside a place; a point also gets a ring.
+/// Shows a few lines of text beside a position; a point also gets a ring.
 class TipItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
-  void show(const QString& text, QPointF place, bool ringed, const QRectF& room,
-            const ChartLook& look);
+  void show(const QString& text, QPointF position, bool ringed, const QRectF& bounds,
+            const ChartStyle& style);
   void clear();
   QString text() const { return text_; }
   QRectF boundingRect() const override { return bounds_; }
@@ -51,7 +52,7 @@ class TipItem : public QGraphicsItem {
   QString text_;
   QPointF place_;
   bool isRinged_ = false;
-  ChartLook look_;
+  ChartStyle style_;
   QRectF bounds_, box_;
 };
 

@@ -38,23 +38,23 @@ constexpr double kBeside = 8;  // from the frame to a title on its right
 constexpr double kBandOpacity = 0.2;
 
 /// Returns the font sizes of the ticks, in the form that the layout of pictures uses.
-DiagramSizes sizesOf(const ChartLook& look) {
+DiagramSizes sizesOf(const ChartStyle& style) {
   DiagramSizes sizes;
-  sizes.unit = static_cast<float>(look.scale());
-  sizes.tick = sizes.axis = static_cast<float>(QFontInfo(look.font).pixelSize());
+  sizes.unit = static_cast<float>(style.scale());
+  sizes.tick = sizes.axis = static_cast<float>(QFontInfo(style.font).pixelSize());
   return sizes;
 }
 
 /// Returns the size of a curve's marks at which they do not touch each other.
-double markSizeOf(const DiagramSeries& series, double room, const ChartLook& look) {
+double markSizeOf(const DiagramSeries& series, double width, const ChartStyle& style) {
   const double apart =
-      room / static_cast<double>(std::max<std::size_t>(series.points.size(), 2) - 1);
-  return look.scale() * std::clamp(0.84 * apart / look.scale(), kSmallestMark, kMarkSize);
+      width / static_cast<double>(std::max<std::size_t>(series.points.size(), 2) - 1);
+  return style.scale() * std::clamp(0.84 * apart / style.scale(), kSmallestMark, kMarkSize);
 }
 
 /// Returns a mark with its rim as an image for a QScatterSeries.
-QImage imageOf(SeriesMark mark, double size, const QColor& colour, const QColor& rim,
-               double* side) {
+QImage markImage(SeriesMark mark, double size, const QColor& colour, const QColor& rim,
+                 double* side) {
   constexpr int kFiner = 4;  // image pixels per screen pixel
   const int across = static_cast<int>(std::ceil(1.5 * size)) + 4;
   *side = across;
@@ -69,12 +69,12 @@ QImage imageOf(SeriesMark mark, double size, const QColor& colour, const QColor&
   return image;
 }
 
-Box boxOf(const QRectF& place) {
-  return {static_cast<float>(place.x()), static_cast<float>(place.y()),
-          static_cast<float>(place.width()), static_cast<float>(place.height())};
+Box toBox(const QRectF& rect) {
+  return {static_cast<float>(rect.x()), static_cast<float>(rect.y()),
+          static_cast<float>(rect.width()), static_cast<float>(rect.height())};
 }
 
-QPointF placeOf(const Diagram& diagram, double x, double y) {
+QPointF chartPosition(const Diagram& diagram, double x, double y) {
   return {axisPlace(diagram.x.scale, x), axisPlace(diagram.y.scale, y)};
 }
 
@@ -85,15 +85,15 @@ class ChartPanel::UnderItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
-  void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
+  void show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style,
             const TickedAxis& xAxis, const TickedAxis& yAxis, bool hasXLabels, double titleBeside,
             bool titleAbove) {
     prepareGeometryChange();
     spans_ = diagram.spans;
     shades_ = diagram.shades;
     map_ = map;
-    look_ = look;
-    covered_ = coveredBy(diagram, {boxOf(map.area), xAxis, yAxis});
+    style_ = style;
+    covered_ = coveredBy(diagram, {toBox(map.area), xAxis, yAxis});
     xAxis_ = xAxis;
     yAxis_ = yAxis;
     hasXLabels_ = hasXLabels;
@@ -106,15 +106,15 @@ class ChartPanel::UnderItem : public QGraphicsItem {
 
   QRectF boundingRect() const override {
     return frame_.adjusted(-frame_.left(), -map_.names - 2, titleBeside_ + kBeside + 2,
-                           3 * look_.line() + kBelow);
+                           3 * style_.line() + kBelow);
   }
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    painter->setFont(look_.font);
+    painter->setFont(style_.font);
     paintSpans(*painter);
     for (const DiagramSpan& shade : shades_) {
       painter->setOpacity(shade.isFaded ? kFadedOpacity : 1);
-      painter->fillRect(columnOf(shade), look_.shade());
+      painter->fillRect(columnOf(shade), style_.shade());
     }
     painter->setOpacity(1);
     paintGrid(*painter);
@@ -131,13 +131,13 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   QList<QRectF> namesInside() const {
-    QList<QRectF> places;
+    QList<QRectF> boxes;
     for (const DiagramSpan& shade : shades_)
-      if (const QRectF place = nameOf(shade).place; !place.isEmpty()) places += place;
-    return places;
+      if (const QRectF box = shadeName(shade).box; !box.isEmpty()) boxes += box;
+    return boxes;
   }
 
-  QString cutTitle() const {
+  QString elidedTitle() const {
     const QString title = QString::fromStdString(xAxis_.title);
     return hasXLabels_ && xTitle() != title ? title : QString();
   }
@@ -146,29 +146,29 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   static constexpr int kFoot = Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap;
   static constexpr int kHead = Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap;
 
-  /// Where the name of a shade stands.
+  /// The position of the name of a shade.
   struct Name {
-    QRectF room;
+    QRectF area;
     int alignment = kFoot;
-    QRectF place{};     // empty where it does not fit
-    float covered = 0;  // the part of the place that curves cover
+    QRectF box{};       // empty where it does not fit
+    float covered = 0;  // the part of the box that curves cover
   };
 
   QRectF columnOf(const DiagramSpan& span) const {
     const auto held = [this](double x) { return std::clamp(x, frame_.left(), frame_.right()); };
-    const double left = held(map_.xOf(span.from)), right = held(map_.xOf(span.to));
+    const double left = held(map_.mapX(span.from)), right = held(map_.mapX(span.to));
     return {left, frame_.top(), right - left, frame_.height()};
   }
 
   void paintSpans(QPainter& painter) const {
-    const QFontMetricsF metrics(look_.font);
+    const QFontMetricsF metrics(style_.font);
     bool isShaded = true;
     for (const DiagramSpan& span : spans_) {
       const QRectF box = columnOf(span).adjusted(0, -map_.names, 0, 0);
       painter.setOpacity(span.isFaded ? kFadedOpacity : 1);
-      if (isShaded) painter.fillRect(box, look_.span());
+      if (isShaded) painter.fillRect(box, style_.span());
       isShaded = !isShaded;
-      painter.setPen(look_.faintText());
+      painter.setPen(style_.faintText());
       for (const std::string& form : {span.label.text, span.shortLabel}) {
         const QString label = QString::fromStdString(form);
         if (metrics.horizontalAdvance(label) + 4 > box.width()) continue;
@@ -182,23 +182,23 @@ class ChartPanel::UnderItem : public QGraphicsItem {
 
   void paintShadeNames(QPainter& painter) const {
     for (const DiagramSpan& shade : shades_) {
-      const Name name = nameOf(shade);
-      if (name.place.isEmpty()) continue;
+      const Name name = shadeName(shade);
+      if (name.box.isEmpty()) continue;
       painter.setOpacity(shade.isFaded ? kFadedOpacity : 1);
-      painter.setPen(look_.faintText());
-      painter.drawText(name.room, name.alignment, QString::fromStdString(shade.label.text));
+      painter.setPen(style_.faintText());
+      painter.drawText(name.area, name.alignment, QString::fromStdString(shade.label.text));
     }
     painter.setOpacity(1);
   }
 
-  /// Places a name at the foot of its shade, or at the highest place where least of the curves goes
-  /// through it; in the whole width, or on the wider side where the line of the marker would go
-  /// through it.
-  Name nameOf(const DiagramSpan& shade) const {
+  /// Places a name at the foot of its shade, or at the highest position where the fewest curves
+  /// pass through it; in the whole width, or on the wider side where the line of the marker would
+  /// go through it.
+  Name shadeName(const DiagramSpan& shade) const {
     const QRectF whole = columnOf(shade).adjusted(kAside, kAside, -kAside, -kAside);
     const Name name = nameIn(whole, shade);
-    const bool isCrossed = !name.place.isEmpty() && line_ > name.place.left() - kAside &&
-                           line_ < name.place.right() + kAside;
+    const bool isCrossed = !name.box.isEmpty() && line_ > name.box.left() - kAside &&
+                           line_ < name.box.right() + kAside;
     if (!isCrossed) return name;
     QRectF side = whole;
     if (line_ < whole.center().x())
@@ -206,86 +206,85 @@ class ChartPanel::UnderItem : public QGraphicsItem {
     else
       side.setRight(line_ - 2 * kAside);
     const Name beside = nameIn(side, shade);
-    return beside.place.isEmpty() ? name : beside;
+    return beside.box.isEmpty() ? name : beside;
   }
 
-  /// Places a name in a room, as nameOf() says.
-  Name nameIn(const QRectF& room, const DiagramSpan& shade) const {
+  /// Places a name in a rectangle, as shadeName() describes.
+  Name nameIn(const QRectF& area, const DiagramSpan& shade) const {
     const auto placed = [&](const QRectF& part, int alignment) {
-      const QRectF place = placeIn(part, alignment, shade);
-      return Name{part, alignment, place, coveredIn(place)};
+      const QRectF box = labelBox(part, alignment, shade);
+      return Name{part, alignment, box, coveredIn(box)};
     };
-    Name best = placed(room, kFoot);
-    const double step = QFontMetricsF(look_.font).height() / 2;
-    for (QRectF part = room; best.covered > 0; part.setTop(part.top() + step)) {
+    Name best = placed(area, kFoot);
+    const double step = QFontMetricsF(style_.font).height() / 2;
+    for (QRectF part = area; best.covered > 0; part.setTop(part.top() + step)) {
       const Name other = placed(part, kHead);
-      if (other.place.isEmpty()) break;
+      if (other.box.isEmpty()) break;
       if (other.covered < best.covered) best = other;
     }
     // In a low frame a name over the curves hides them.
-    if (3 * best.place.height() > room.height() && best.covered > 0) best.place = {};
+    if (3 * best.box.height() > area.height() && best.covered > 0) best.box = {};
     return best;
   }
 
-  /// The place of a name in a room; empty where it does not fit.
-  QRectF placeIn(const QRectF& room, int alignment, const DiagramSpan& shade) const {
-    const QRectF place =
-        QFontMetricsF(look_.font)
-            .boundingRect(room, alignment, QString::fromStdString(shade.label.text));
-    return room.contains(place) ? place : QRectF();
+  /// Returns the box of a name inside a rectangle; empty where it does not fit.
+  QRectF labelBox(const QRectF& area, int alignment, const DiagramSpan& shade) const {
+    const QRectF box = QFontMetricsF(style_.font)
+                           .boundingRect(area, alignment, QString::fromStdString(shade.label.text));
+    return area.contains(box) ? box : QRectF();
   }
 
-  /// Returns the part of a place that curves and marks cover.
-  float coveredIn(const QRectF& place) const { return covered_.under(boxOf(place)); }
+  /// Returns the part of a box that curves and marks cover.
+  float coveredIn(const QRectF& box) const { return covered_.under(toBox(box)); }
 
   /// Returns where the series are, if there are names to keep away from them.
   OccupancyGrid coveredBy(const Diagram& diagram, const DiagramAxes& axes) const {
     OccupancyGrid covered(axes.box, kCell);
     if (!shades_.empty())
-      coverSeries(covered, diagram, stylesOf(diagram, sizesOf(look_), look_.theme, axes.box.width),
-                  axes);
+      coverSeries(covered, diagram,
+                  seriesStyles(diagram, sizesOf(style_), style_.theme, axes.box.width), axes);
     return covered;
   }
 
   /// Paints lines on whole pixels: smoothed lines between pixels would be faint, and take most of
   /// the time that painting a diagram takes.
   void paintGrid(QPainter& painter) const {
-    const auto upright = [this](double place) {
-      const double part = (place - map_.x.from) / map_.x.size();
+    const auto upright = [this](double position) {
+      const double part = (position - map_.x.from) / map_.x.size();
       const double x = std::floor(map_.area.left() + part * map_.area.width()) + 0.5;
       return QLineF(x, frame_.top(), x, frame_.bottom());
     };
-    const auto level = [this](double place) {
-      const double part = (place - map_.y.from) / map_.y.size();
+    const auto level = [this](double position) {
+      const double part = (position - map_.y.from) / map_.y.size();
       const double y = std::floor(map_.area.bottom() - part * map_.area.height()) + 0.5;
       return QLineF(frame_.left(), y, frame_.right(), y);
     };
     QList<QLineF> fine, whole;
-    for (const double place : xAxis_.minor) fine += upright(place);
+    for (const double position : xAxis_.minor) fine += upright(position);
     if (yAxis_.scale == AxisScale::Logarithmic)
-      for (const double place : yAxis_.minor) fine += level(place);
+      for (const double position : yAxis_.minor) fine += level(position);
     for (const AxisTick& tick : xAxis_.ticks) whole += upright(tick.value);
     for (const AxisTick& tick : yAxis_.ticks) whole += level(tick.value);
     const bool wasSmooth = painter.testRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(QPen(look_.fineGrid(), 1));
+    painter.setPen(QPen(style_.fineGrid(), 1));
     painter.drawLines(fine);
-    painter.setPen(QPen(look_.grid(), 1));
+    painter.setPen(QPen(style_.grid(), 1));
     painter.drawLines(whole);
-    painter.setPen(QPen(look_.axis(), 1));
+    painter.setPen(QPen(style_.axis(), 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(frame_.toRect());
     painter.setRenderHint(QPainter::Antialiasing, wasSmooth);
   }
 
   QString xTitle() const {
-    return QFontMetricsF(look_.font)
+    return QFontMetricsF(style_.font)
         .elidedText(QString::fromStdString(xAxis_.title), Qt::ElideRight, frame_.width());
   }
 
   void paintTitles(QPainter& painter) const {
-    const double line = look_.line();
-    painter.setPen(look_.text());
+    const double line = style_.line();
+    painter.setPen(style_.text());
     if (hasXLabels_)
       painter.drawText(QRectF(frame_.left(), frame_.bottom() + kBelow + line, frame_.width(), line),
                        Qt::AlignCenter | Qt::TextDontClip, xTitle());
@@ -299,9 +298,9 @@ class ChartPanel::UnderItem : public QGraphicsItem {
                               Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
                               QString::fromStdString(yAxis_.title));
     const FittedTitle title =
-        fittedTitle(yAxis_.title, sizesOf(look_).axis, static_cast<float>(frame_.height()));
+        fittedTitle(yAxis_.title, sizesOf(style_).axis, static_cast<float>(frame_.height()));
     painter.save();
-    QFont font = look_.font;
+    QFont font = style_.font;
     font.setPixelSize(static_cast<int>(title.size));
     painter.setFont(font);
     painter.translate(kLeft, frame_.center().y());
@@ -314,7 +313,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   std::vector<DiagramSpan> spans_, shades_;
   OccupancyGrid covered_{{}, 1};  // by the series
   ChartGeometry map_;
-  ChartLook look_;
+  ChartStyle style_;
   TickedAxis xAxis_, yAxis_;
   bool hasXLabels_ = true;
   double titleBeside_ = 0;
@@ -328,19 +327,20 @@ class ChartPanel::OverItem : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
 
-  void show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look) {
+  void show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style) {
     prepareGeometryChange();
     map_ = map;
-    look_ = look;
+    style_ = style;
     blank_ = QString::fromStdString(diagram.blank.text);
     bars_.clear();
     for (const DiagramSeries& series : diagram.series) {
       if (series.isBand) continue;
-      Bars bars{look.of(series), series.isFaded ? kFadedOpacity : 1, {}};
+      Bars bars{style.of(series), series.isFaded ? kFadedOpacity : 1, {}};
       for (const DiagramPoint& point : series.points) {
-        if (!hasPlace(diagram, point) || !(point.high > point.low)) continue;
-        const double low = map.yOf(point.low);  // may have no place; the bar then reaches the axis
-        bars.lines += QLineF(map.xOf(point.x), map.yOf(point.high), map.xOf(point.x),
+        if (!hasPosition(diagram, point) || !(point.high > point.low)) continue;
+        const double low =
+            map.mapY(point.low);  // may be outside the axis; the bar then reaches its end
+        bars.lines += QLineF(map.mapX(point.x), map.mapY(point.high), map.mapX(point.x),
                              std::isfinite(low) ? low : map.area.bottom() + kCap * map.scale + 1);
       }
       if (!bars.lines.isEmpty()) bars_.push_back(std::move(bars));
@@ -369,12 +369,12 @@ class ChartPanel::OverItem : public QGraphicsItem {
  private:
   void paintBlank(QPainter& painter) const {
     constexpr int kFlags = Qt::AlignCenter | Qt::TextWordWrap;
-    const QRectF room = map_.area.adjusted(12, 8, -12, -8);
-    painter.setFont(look_.font);
-    const QRectF text = painter.boundingRect(room, kFlags, blank_);
-    painter.fillRect(text.adjusted(-10, -6, 10, 6), look_.background());
-    painter.setPen(look_.text());
-    painter.drawText(room, kFlags, blank_);
+    const QRectF area = map_.area.adjusted(12, 8, -12, -8);
+    painter.setFont(style_.font);
+    const QRectF text = painter.boundingRect(area, kFlags, blank_);
+    painter.fillRect(text.adjusted(-10, -6, 10, 6), style_.background());
+    painter.setPen(style_.text());
+    painter.drawText(area, kFlags, blank_);
   }
 
   struct Bars {
@@ -384,7 +384,7 @@ class ChartPanel::OverItem : public QGraphicsItem {
   };
   std::vector<Bars> bars_;
   ChartGeometry map_;
-  ChartLook look_;
+  ChartStyle style_;
   QString blank_;
 };
 
@@ -421,11 +421,11 @@ void ChartPanel::avoidLine(double x) {
   under_->avoid(x);
 }
 
-QString ChartPanel::cutTitle() const {
-  return under_->cutTitle();
+QString ChartPanel::elidedTitle() const {
+  return under_->elidedTitle();
 }
 
-void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartLook& look,
+void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const ChartStyle& style,
                       bool hasXLabels, double titleBeside, bool titleAbove, Titled isTitled) {
   const double edge = kFrameEdge * map.scale;
   const QRectF frame = map.area.adjusted(-edge, 0, edge, 0);
@@ -433,11 +433,11 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
   if (chart_->geometry() != whole || chart_->plotArea() != frame) {
     chart_->setGeometry(whole);
     chart_->setPlotArea(frame);
-    // The library does not move its axes until something else makes it do the layout.
+    // Qt Charts moves its axes only with the next layout.
     chart_->layout()->invalidate();
     chart_->layout()->activate();
   }
-  const DiagramSizes sizes = sizesOf(look);
+  const DiagramSizes sizes = sizesOf(style);
   TickedAxis xAxis = tickedXAxis(diagram.x, map.x, static_cast<float>(map.area.width()), sizes);
   TickedAxis yAxis = tickedYAxis(diagram.y, map.y, static_cast<float>(map.area.height()), sizes);
   xTitle_ = QString::fromStdString(xAxis.title);
@@ -445,20 +445,20 @@ void ChartPanel::show(const Diagram& diagram, const ChartGeometry& map, const Ch
   if (!isTitled.x) xAxis.title.clear();
   if (!isTitled.y) yAxis.title.clear();
   x_->setLabelsVisible(hasXLabels);
-  for (QCategoryAxis* axis : {x_, y_}) lookAt(*axis, look);
+  for (QCategoryAxis* axis : {x_, y_}) applyStyle(*axis, style);
   const double beyond = map.x.size() * edge / std::max(1.0, map.area.width());
   showAxis(*x_, xAxis, {map.x.from - beyond, map.x.to + beyond});
   showAxis(*y_, yAxis, map.y);
-  showSeries(diagram, map, look);
-  under_->show(diagram, map, look, xAxis, yAxis, hasXLabels, titleBeside, titleAbove);
-  over_->show(diagram, map, look);
+  showSeries(diagram, map, style);
+  under_->show(diagram, map, style, xAxis, yAxis, hasXLabels, titleBeside, titleAbove);
+  over_->show(diagram, map, style);
 }
 
-void ChartPanel::lookAt(QCategoryAxis& axis, const ChartLook& look) {
-  if (axis.labelsFont() != look.font) axis.setLabelsFont(look.font);
-  if (axis.labelsColor() != look.text()) axis.setLabelsColor(look.text());
-  const QColor focus = colourOf(seriesColour(0, look.theme));
-  const QPen pen = look.showsFocus ? QPen(focus, 2) : QPen(look.axis(), 1);
+void ChartPanel::applyStyle(QCategoryAxis& axis, const ChartStyle& style) {
+  if (axis.labelsFont() != style.font) axis.setLabelsFont(style.font);
+  if (axis.labelsColor() != style.text()) axis.setLabelsColor(style.text());
+  const QColor focus = toQColor(seriesColour(0, style.theme));
+  const QPen pen = style.showsFocus ? QPen(focus, 2) : QPen(style.axis(), 1);
   if (axis.linePen() != pen) axis.setLinePen(pen);
 }
 
@@ -479,25 +479,25 @@ void ChartPanel::showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const A
 
 /// Shows bands first, then theory, then the data, as in pictures.
 void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
-                            const ChartLook& look) {
+                            const ChartStyle& style) {
   linesUsed_ = marksUsed_ = bandsUsed_ = 0;
   for (const DiagramSeries& series : diagram.series)
-    if (series.isBand) showBand(series, diagram, look);
+    if (series.isBand) showBand(series, diagram, style);
   for (const bool theory : {true, false})
     for (const DiagramSeries& series : diagram.series) {
       if (series.isTheory != theory) continue;
       QList<QPointF> run, all;
       for (const DiagramPoint& point : series.points) {
-        if (hasPlace(diagram, point)) {
-          run += placeOf(diagram, point.x, point.y);
+        if (hasPosition(diagram, point)) {
+          run += chartPosition(diagram, point.x, point.y);
           all += run.back();
           continue;
         }
-        showRun(series, run, look);
+        showRun(series, run, style);
         run.clear();
       }
-      showRun(series, run, look);
-      showMarks(series, all, map.area.width(), look);
+      showRun(series, run, style);
+      showMarks(series, all, map.area.width(), style);
     }
   for (std::size_t i = linesUsed_; i < lines_.size(); ++i) lines_[i]->hide();
   for (std::size_t i = marksUsed_; i < marks_.size(); ++i) marks_[i]->hide();
@@ -506,50 +506,50 @@ void ChartPanel::showSeries(const Diagram& diagram, const ChartGeometry& map,
 
 /// Shows one part of a curve without gaps.
 void ChartPanel::showRun(const DiagramSeries& series, const QList<QPointF>& run,
-                         const ChartLook& look) {
+                         const ChartStyle& style) {
   if (series.stroke == SeriesStroke::None || run.size() < 2) return;
   QLineSeries& line = nextLine();
-  const QPen pen = strokeOf(series, look);
+  const QPen pen = curvePen(series, style);
   if (line.pen() != pen) line.setPen(pen);
   if (line.points() != run) line.replace(run);
   line.setOpacity(series.isFaded ? kFadedOpacity : 1);
   line.show();
 }
 
-void ChartPanel::showMarks(const DiagramSeries& series, const QList<QPointF>& places, double room,
-                           const ChartLook& look) {
-  if (series.mark == SeriesMark::None || places.isEmpty()) return;
+void ChartPanel::showMarks(const DiagramSeries& series, const QList<QPointF>& positions,
+                           double width, const ChartStyle& style) {
+  if (series.mark == SeriesMark::None || positions.isEmpty()) return;
   QScatterSeries& marks = nextMarks();
-  const double size = markSizeOf(series, room, look);
+  const double size = markSizeOf(series, width, style);
   const QString name = QStringLiteral("%1 %2 %3 %4")
                            .arg(static_cast<int>(series.mark))
                            .arg(size)
-                           .arg(look.of(series).name(), look.background().name());
+                           .arg(style.of(series).name(), style.background().name());
   if (marks.name() != name) {
     double side = 0;
-    const QImage image = imageOf(series.mark, size, look.of(series), look.background(), &side);
+    const QImage image = markImage(series.mark, size, style.of(series), style.background(), &side);
     marks.setName(name);
     marks.setLightMarker(image);
     marks.setMarkerSize(side);
   }
-  if (marks.points() != places) marks.replace(places);
+  if (marks.points() != positions) marks.replace(positions);
   marks.setOpacity(series.isFaded ? kFadedOpacity : 1);
   marks.show();
 }
 
 void ChartPanel::showBand(const DiagramSeries& series, const Diagram& diagram,
-                          const ChartLook& look) {
+                          const ChartStyle& style) {
   QList<QPointF> low, high;
   for (const DiagramPoint& point : series.points) {
-    const QPointF below = placeOf(diagram, point.x, point.low);
-    const QPointF above = placeOf(diagram, point.x, point.high);
+    const QPointF below = chartPosition(diagram, point.x, point.low);
+    const QPointF above = chartPosition(diagram, point.x, point.high);
     if (!std::isfinite(below.x() + below.y() + above.y())) continue;
     low += below;
     high += above;
   }
   if (low.size() < 2) return;
   QAreaSeries& band = nextBand();
-  QColor fill = look.of(series);
+  QColor fill = style.of(series);
   fill.setAlphaF(static_cast<float>(kBandOpacity));
   if (band.brush().color() != fill) band.setBrush(fill);
   band.lowerSeries()->replace(low);

@@ -16,7 +16,7 @@
 
 #include "core/chart/diagram.h"
 #include "ui/chart/chart_geometry.h"
-#include "ui/chart/chart_look.h"
+#include "ui/chart/chart_style.h"
 
 class QAreaSeries;
 class QCategoryAxis;
@@ -45,7 +45,7 @@ class ChartPanel {
   struct Titled {
     bool x = true, y = true;
   };
-  void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look,
+  void show(const Diagram& diagram, const ChartGeometry& geometry, const ChartStyle& style,
             bool hasXLabels, double titleBeside, bool titleAbove, Titled isTitled);
 
   /// Returns the titles with their units as they fit the visible range.
@@ -55,23 +55,23 @@ class ChartPanel {
   /// Keeps the names of shades away from an upright line at x, which is the marker's; NaN: none.
   void avoidLine(double x);
 
-  /// Returns the places of the names of shades, which are inside the frame.
+  /// Returns the rectangles of the names of shades, which are inside the frame.
   QList<QRectF> namesInside() const;
 
   /// Returns the whole title of the x-axis if it is shown shortened, otherwise an empty text.
-  QString cutTitle() const;
+  QString elidedTitle() const;
 
  private:
   class UnderItem;
   class OverItem;
 
   void showAxis(QCategoryAxis& axis, const TickedAxis& ticked, const AxisRange& range);
-  void lookAt(QCategoryAxis& axis, const ChartLook& look);
-  void showSeries(const Diagram& diagram, const ChartGeometry& geometry, const ChartLook& look);
-  void showBand(const DiagramSeries& series, const Diagram& diagram, const ChartLook& look);
-  void showRun(const DiagramSeries& series, const QList<QPointF>& run, const ChartLook& look);
-  void showMarks(const DiagramSeries& series, const QList<QPointF>& places, double room,
-                 const ChartLook& look);
+  void applyStyle(QCategoryAxis& axis, const ChartStyle& style);
+  void showSeries(const Diagram& diagram, const ChartGeometry& geometry, const ChartStyle& style);
+  void showBand(const DiagramSeries& series, const Diagram& diagram, const ChartStyle& style);
+  void showRun(const DiagramSeries& series, const QList<QPointF>& run, const ChartStyle& style);
+  void showMarks(const DiagramSeries& series, const QList<QPointF>& positions, double width,
+                 const ChartStyle& style);
   QScatterSeries& nextMarks();
   QLineSeries& nextLine();
   QAreaSeries& nextBand();

@@ -33,12 +33,12 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kOverlayDepth = 100;  // above everything in the charts
 constexpr double kSmall = 20;          // pixels, of a frame that does not fit
-constexpr double kLeastLines = 1.8;    // minimum height of a second diagram, in lines of text
-constexpr double kLeastStrip = 2.0;    // the same of a strip; fewer of them are shown in a low view
-constexpr double kLeastTitle = 0.8;    // of its usual size, for the title of a strip
+constexpr double kMinLines = 1.8;      // minimum height of a second diagram, in lines of text
+constexpr double kMinStrip = 2.0;      // the same of a strip; fewer of them are shown in a low view
+constexpr double kMinTitle = 0.8;      // of its usual size, for the title of a strip
 constexpr std::size_t kStrips = 3;     // from this number of diagrams on, titles are beside them
 constexpr double kBesideGap = 8;       // on either side of those titles
-constexpr double kMostBeside = 0.2;    // part of the width for titles in one line, at most
+constexpr double kMaxBeside = 0.2;     // part of the width for titles in one line, at most
 constexpr double kWheel = 1.25;        // factor of one notch of the wheel
 constexpr double kKeyZoom = 1.5;
 constexpr double kKeyStep = 0.05;  // decades per key press
@@ -49,9 +49,9 @@ double notches(const QWheelEvent& event) {
 }
 
 /// Calls back after a widget has got another size, once its layout is done.
-class RoomWatch : public QObject {
+class ResizeWatcher : public QObject {
  public:
-  RoomWatch(QObject& parent, std::function<void()> changed)
+  ResizeWatcher(QObject& parent, std::function<void()> changed)
       : QObject(&parent), changed_(std::move(changed)) {}
 
  protected:
@@ -75,7 +75,7 @@ ChartView::ChartView(QWidget* parent)
       view_(new QGraphicsView),
       marker_(new MarkerItem),
       tip_(new TipItem),
-      wantedX_(kNaN) {
+      targetX_(kNaN) {
   auto* scene = new QGraphicsScene(this);
   scene->addItem(marker_);
   scene->addItem(tip_);
@@ -90,13 +90,13 @@ ChartView::ChartView(QWidget* parent)
   view_->setFocusPolicy(Qt::NoFocus);
   view_->viewport()->setFocusPolicy(Qt::NoFocus);
   view_->setAttribute(Qt::WA_TransparentForMouseEvents);  // this widget handles gestures
-  // The choosers and the legend change the room of the charts, too: with other texts, or more
+  // The choosers and the legend also change the size of the charts: with other texts, or more
   // lines.
-  view_->installEventFilter(new RoomWatch(*this, [this] {
+  view_->installEventFilter(new ResizeWatcher(*this, [this] {
     if (view_->scene()->sceneRect().size() != QSizeF(view_->size())) showAll();
   }));
   setMouseTracking(true);
-  connect(legend_, &ChartLegend::unpinWanted, this, &ChartView::unpinWanted);
+  connect(legend_, &ChartLegend::unpinRequested, this, &ChartView::unpinRequested);
   connect(legend_, &ChartLegend::pointedAt, this,
           [this](const QString& anchor) { anchor_ = anchor; });
   connect(legend_, &ChartLegend::entered, this, [this] {
@@ -137,7 +137,7 @@ void ChartView::setSheet(const DiagramSheet& english) {
   const double before = markerAt(sheet_);
   english_ = english;
   sheet_ = translated(english);
-  if (markerAt(sheet_) != before && gesture_ != Gesture::Marker) wantedX_ = kNaN;
+  if (markerAt(sheet_) != before && gesture_ != Gesture::Marker) targetX_ = kNaN;
   if (zoom_) zoom_ = heldWithin(*zoom_, whole());
   showAll();
 }
@@ -151,14 +151,14 @@ void ChartView::setMarker(const std::optional<DiagramMarker>& english) {
   english_.diagrams[0].marker = english;
   if (marker)
     for (Message* text : {&marker->name, &marker->label}) *text = Message::name(translated(*text));
-  if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) wantedX_ = kNaN;
+  if ((!marker || marker->x != before) && gesture_ != Gesture::Marker) targetX_ = kNaN;
   updateMarker();
-  if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, english_, look_);
+  if (name != (marker ? marker->name.text : "")) legend_->show(sheet_, english_, style_);
 }
 
 void ChartView::setTheme(const Theme& theme) {
-  look_.theme = theme;
-  view_->setBackgroundBrush(look_.background());
+  style_.theme = theme;
+  view_->setBackgroundBrush(style_.background());
   showAll();
 }
 
@@ -174,7 +174,7 @@ QPointF ChartView::corner() const {
   return view_->mapTo(this, view_->mapFromScene(QPointF()));
 }
 
-QPointF ChartView::positionOf(double x, double y, std::size_t diagram) const {
+QPointF ChartView::mapToPosition(double x, double y, std::size_t diagram) const {
   return diagram < frames_.size() ? frames_[diagram].at(x, y) + corner() : QPointF();
 }
 
@@ -196,9 +196,9 @@ VisibleRange ChartView::visibleRange() const {
   return all;
 }
 
-/// Fills the room beside the choosers like the charts.
+/// Fills the space beside the choosers with the background of the charts.
 void ChartView::paintEvent(QPaintEvent* event) {
-  QPainter(this).fillRect(event->rect(), look_.background());
+  QPainter(this).fillRect(event->rect(), style_.background());
 }
 
 void ChartView::showEvent(QShowEvent* event) {
@@ -228,25 +228,25 @@ void ChartView::focusOutEvent(QFocusEvent* event) {
 }
 
 void ChartView::showFocus(bool shows) {
-  if (std::exchange(look_.showsFocus, shows) != shows) showAll();
+  if (std::exchange(style_.showsFocus, shows) != shows) showAll();
 }
 
 /// Updates everything. A hidden view waits until it is visible again.
 void ChartView::showAll() {
   isDue_ = !isVisible();
   if (isDue_) return;
-  look_.font = font();
-  legend_->show(sheet_, english_, look_);
+  style_.font = font();
+  legend_->show(sheet_, english_, style_);
   layout()->activate();  // the charts must not cover the legend
   view_->scene()->setSceneRect(0, 0, view_->width(), view_->height());
-  placeFrames();
+  layOutFrames();
   while (panels_.size() > frames_.size()) panels_.pop_back();
   while (panels_.size() < frames_.size())
     panels_.push_back(std::make_unique<ChartPanel>(*view_->scene()));
-  const double beside = besideWidth();
+  const double beside = besideTitleWidth();
   update();
   for (std::size_t i = 0; i < frames_.size(); ++i)
-    panels_[i]->show(sheet_.diagrams[i], frames_[i], look_, i + 1 == frames_.size(), beside,
+    panels_[i]->show(sheet_.diagrams[i], frames_[i], style_, i + 1 == frames_.size(), beside,
                      i > 0 && hasTitlesAbove_, {!xChooser_, i > 0 || !yChooser_});
   if (!frames_.empty() &&
       (xTitle_ != panels_.back()->xTitle() || yTitle_ != panels_.front()->yTitle())) {
@@ -262,8 +262,9 @@ void ChartView::showAll() {
 }
 
 /// Returns the width of titles beside strips, which are too low for upright titles. A title has one
-/// line where that leaves most of the width to the strips, else two; else one for each word.
-double ChartView::besideWidth() const {
+/// line where that leaves most of the width to the strips, otherwise two, otherwise one for each
+/// word.
+double ChartView::besideTitleWidth() const {
   if (sheet_.diagrams.size() < kStrips) return 0;
   const QFontMetricsF metrics(font());
   double whole = 0, halves = 0, words = 0;
@@ -279,20 +280,20 @@ double ChartView::besideWidth() const {
     halves = std::max(halves, half);
     for (const QString& word : title.split(' ')) words = std::max(words, widthOf(word));
   }
-  const double most = kMostBeside * width();
+  const double most = kMaxBeside * width();
   return std::ceil(whole < most ? whole : halves < most ? halves : words) + 2;
 }
 
-/// Places the frames. The margins depend only on the largest possible texts, so that the frames do
-/// not move while they are zoomed.
-void ChartView::placeFrames() {
+/// Lays out the frames. The margins depend only on the longest possible texts, so that the frames
+/// do not move during a zoom.
+void ChartView::layOutFrames() {
   frames_.clear();
   const std::vector<Diagram>& diagrams = sheet_.diagrams;
   if (diagrams.empty()) return;
   const QFontMetricsF metrics(font());
-  const double line = metrics.height(), scale = look_.scale(), edge = kFrameEdge * scale;
+  const double line = metrics.height(), scale = style_.scale(), edge = kFrameEdge * scale;
   const double names = std::max(18.0, std::ceil(line));
-  const double beside = besideWidth();
+  const double beside = besideTitleWidth();
   const bool hasUprightTitle = beside == 0 && !(yChooser_ && diagrams.size() == 1);
   const double left =
       12 + (hasUprightTitle ? line : 0) + metrics.horizontalAdvance(QStringLiteral("5×10⁻⁵")) + 12;
@@ -302,23 +303,24 @@ void ChartView::placeFrames() {
   const double above = diagrams[0].spans.empty() ? 9 : names + 2;
   const double below = (xChooser_ ? line : 2 * line) + (xChooser_ ? 12 : 20);
   double gap = beside > 0 ? 8 : 12;
-  const double room = view_->height() - above - below;
+  const double available = view_->height() - above - below;
   std::size_t count = diagrams.size();
   double share = 0;
   for (const Diagram& diagram : diagrams) share += diagram.height;
   const auto heightOf = [&](std::size_t i) {
-    return std::floor((room - static_cast<double>(count - 1) * gap) * diagrams[i].height / share);
+    return std::floor((available - static_cast<double>(count - 1) * gap) * diagrams[i].height /
+                      share);
   };
-  // The title of a strip stands above it where it is too low for an upright one.
+  // The title of a strip is above it where the strip is too low for an upright one.
   const auto isTooLowFor = [&](std::size_t i) {
     const double length =
         metrics.horizontalAdvance(QString::fromStdString(diagrams[i].y.title.text));
-    return kLeastTitle * length > heightOf(i);
+    return kMinTitle * length > heightOf(i);
   };
   hasTitlesAbove_ = false;
   for (std::size_t i = 1; i < count && beside == 0; ++i) hasTitlesAbove_ |= isTooLowFor(i);
   if (hasTitlesAbove_) gap = line + 5;
-  const double least = (count < kStrips ? kLeastLines : kLeastStrip) * line;
+  const double least = (count < kStrips ? kMinLines : kMinStrip) * line;
   while (count > 1 && heightOf(count - 1) < least) share -= diagrams[--count].height;
   const VisibleRange shown = visibleRange();
   const double width = view_->width() - left - right;
@@ -340,41 +342,41 @@ void ChartView::placeFrames() {
 }
 
 void ChartView::updateMarker() {
-  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, look_, {});
+  if (frames_.empty()) return marker_->update({}, std::nullopt, kNaN, style_, {});
   const std::optional<DiagramMarker>& marker = sheet_.diagrams[0].marker;
-  const double x = marker ? (std::isfinite(wantedX_) ? wantedX_ : marker->x) : kNaN;
-  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].xOf(x));
+  const double x = marker ? (std::isfinite(targetX_) ? targetX_ : marker->x) : kNaN;
+  if (!panels_.empty()) panels_[0]->avoidLine(frames_[0].mapX(x));
   const QList<QRectF> taken = panels_.empty() ? QList<QRectF>() : panels_[0]->namesInside();
-  marker_->update(frames_[0], sheet_.diagrams[0].marker, wantedX_, look_, taken);
+  marker_->update(frames_[0], sheet_.diagrams[0].marker, targetX_, style_, taken);
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
-  const QPointF place = event->position() - corner();
-  pressed_ = targetAt(frames_, sheet_, place);
-  pressedAt_ = panAt_ = place;
+  const QPointF position = event->position() - corner();
+  pressed_ = targetAt(frames_, sheet_, position);
+  pressedAt_ = panAt_ = position;
   gesture_ = Gesture::Press;
   if (!pressed_.isMarker) return;
-  grippedX_ = frames_[0].xOf(sheet_.diagrams[0].marker->x);
-  gripMarker(place, event->modifiers() & Qt::ShiftModifier);
+  grippedX_ = frames_[0].mapX(sheet_.diagrams[0].marker->x);
+  gripMarker(position, event->modifiers() & Qt::ShiftModifier);
 }
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF place = event->position() - corner();
-  hover_ = place;
-  if (gesture_ == Gesture::None) return read(place);
+  const QPointF position = event->position() - corner();
+  hover_ = position;
+  if (gesture_ == Gesture::None) return read(position);
   const bool isFar =
-      (place - pressedAt_).manhattanLength() >= QApplication::startDragDistance() / 2.0;
+      (position - pressedAt_).manhattanLength() >= QApplication::startDragDistance() / 2.0;
   if (gesture_ == Gesture::Press && isFar) {
     gesture_ = pressed_.isMarker ? Gesture::Marker : Gesture::Pan;
     if (pressed_.isMarker && !zoom_) held_ = whole().x;
     tip_->clear();
     setCursor(pressed_.isMarker ? Qt::SizeHorCursor : Qt::ClosedHandCursor);
   }
-  if (gesture_ == Gesture::Marker) dragMarker(place, event->modifiers() & Qt::ShiftModifier);
+  if (gesture_ == Gesture::Marker) dragMarker(position, event->modifiers() & Qt::ShiftModifier);
   if (gesture_ == Gesture::Pan) {
-    pan(place - panAt_);
-    panAt_ = place;
+    pan(position - panAt_);
+    panAt_ = position;
   }
 }
 
@@ -384,8 +386,8 @@ void ChartView::pan(QPointF by) {
   const ChartGeometry map = frames_[0];
   const Diagram& diagram = sheet_.diagrams[0];
   const bool isEmpty = !showsCurves(visibleRange(), diagram);
-  for (const QPointF way : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
-    const VisibleRange next = heldWithin(panned(map, way), whole());
+  for (const QPointF displacement : {by, QPointF(by.x(), 0), QPointF(0, by.y())}) {
+    const VisibleRange next = heldWithin(panned(map, displacement), whole());
     if (isEmpty || showsCurves(next, diagram)) return setZoom(next);
   }
 }
@@ -409,15 +411,15 @@ void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
   const ChartTarget target = targetAt(frames_, sheet_, event->position() - corner());
   if (target.isPoint() || target.isMarker) return;
   fit();
-  emit fitWanted();
+  emit fitRequested();
 }
 
 void ChartView::wheelEvent(QWheelEvent* event) {
-  const QPointF place = event->position() - corner();
+  const QPointF position = event->position() - corner();
   if (frames_.empty()) return event->ignore();
-  const ZoomAxes axes = axesAt(frames_[0], place);
+  const ZoomAxes axes = axesAt(frames_[0], position);
   if ((!axes.x && !axes.y) || event->angleDelta().y() == 0) return event->ignore();
-  setZoom(zoomed(frames_[0], place, std::pow(kWheel, -notches(*event)), axes));
+  setZoom(zoomed(frames_[0], position, std::pow(kWheel, -notches(*event)), axes));
   event->accept();
 }
 
@@ -437,17 +439,18 @@ void ChartView::keyPressEvent(QKeyEvent* event) {
     if (marker.isFixed || (!isLinear && !(marker.x > 0))) return;
     const bool finely = event->modifiers() & Qt::ShiftModifier;
     const double step = finely ? kFinely * kKeyStep : kKeyStep;
-    const double from = std::isfinite(wantedX_) ? wantedX_ : marker.x;
-    const double way = isRight ? step : -step;
-    // On a linear axis, the part of a decade is a part of what is seen.
-    return moveMarker(isLinear ? from + way * visibleRange().x.size() : from * std::pow(10, way),
+    const double from = std::isfinite(targetX_) ? targetX_ : marker.x;
+    const double displacement = isRight ? step : -step;
+    // On a linear axis, the step is a part of the visible range.
+    return moveMarker(isLinear ? from + displacement * visibleRange().x.size()
+                               : from * std::pow(10, displacement),
                       finely);
   }
   if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoom(1 / kKeyZoom);
   if (event->key() == Qt::Key_Minus) return zoom(kKeyZoom);
   if (event->key() == Qt::Key_Home) {
     fit();
-    return emit fitWanted();
+    return emit fitRequested();
   }
   QWidget::keyPressEvent(event);
 }
@@ -471,17 +474,17 @@ void ChartView::setZoom(const std::optional<VisibleRange>& wanted) {
 }
 
 /// Shows a reading of the object under the pointer, and the matching shape of the pointer.
-void ChartView::read(QPointF place) {
-  const ChartTarget target = targetAt(frames_, sheet_, place);
-  const auto explanation = explanationAt(target, place);
+void ChartView::read(QPointF position) {
+  const ChartTarget target = targetAt(frames_, sheet_, position);
+  const auto explanation = explanationAt(target, position);
   anchor_ = explanation ? anchorText(*explanation) : QString();
   if (target.isMarker)
     setCursor(Qt::SizeHorCursor);
   else
     setCursor(target.isPoint() && target.diagram == 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  const QString text = textOf(target, place);
+  const QString text = tipText(target, position);
   if (text.isEmpty()) return tip_->clear();
-  QPointF at = place;
+  QPointF at = position;
   if (target.isPoint()) {
     const auto i = static_cast<std::size_t>(target.diagram);
     const DiagramPoint& point = sheet_.diagrams[i]
@@ -489,12 +492,12 @@ void ChartView::read(QPointF place) {
                                     .points[static_cast<std::size_t>(target.point)];
     at = frames_[i].at(point.x, point.y);
   }
-  tip_->show(text, at, target.isPoint(), view_->sceneRect(), look_);
+  tip_->show(text, at, target.isPoint(), view_->sceneRect(), style_);
 }
 
-/// Returns what explains the region, the shade or the curve at a place.
+/// Returns the explanation of the region, the shade or the curve at a position.
 std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& target,
-                                                         QPointF place) const {
+                                                         QPointF position) const {
   if (frames_.empty()) return std::nullopt;
   if (target.isPoint())
     return findExplanation(english_.diagrams[static_cast<std::size_t>(target.diagram)]
@@ -506,12 +509,12 @@ std::optional<HoverExplanation> ChartView::explanationAt(const ChartTarget& targ
         "region " + diagram.spans[static_cast<std::size_t>(target.span)].shortLabel));
   if (target.isMarker || panels_.empty()) return std::nullopt;
   for (const QRectF& name : panels_[0]->namesInside())
-    if (name.contains(place) && !diagram.shades.empty())
+    if (name.contains(position) && !diagram.shades.empty())
       return findExplanation(diagram.shades.front().label);
   return std::nullopt;
 }
 
-QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
+QString ChartView::tipText(const ChartTarget& target, QPointF position) const {
   if (frames_.empty()) return {};
   if (target.isPoint()) {
     const DiagramSeries& series = sheet_.diagrams[static_cast<std::size_t>(target.diagram)]
@@ -522,36 +525,37 @@ QString ChartView::textOf(const ChartTarget& target, QPointF place) const {
   if (target.span >= 0) {
     const DiagramSpan& span = sheet_.diagrams[0].spans[static_cast<std::size_t>(target.span)];
     QStringList lines{QString::fromStdString(span.label.text)};
-    const auto explanation = explanationAt(target, place);
+    const auto explanation = explanationAt(target, position);
     if (explanation && !explanation->formula.empty()) lines += formulaText(explanation->formula);
     for (const Message& note : span.notes) lines += QString::fromStdString(note.text);
     return lines.join('\n');
   }
-  if (const auto explanation = explanationAt(target, place))
+  if (const auto explanation = explanationAt(target, position))
     return formulaText(explanation->formula) + '\n' +
            translatedText(Message(explanation->sentence));
-  return place.y() > frames_.back().area.bottom() ? panels_.back()->cutTitle() : QString();
+  return position.y() > frames_.back().area.bottom() ? panels_.back()->elidedTitle() : QString();
 }
 
-void ChartView::gripMarker(QPointF place, bool finely) {
-  gripAt_ = place;
+void ChartView::gripMarker(QPointF position, bool finely) {
+  gripAt_ = position;
   gripsFinely_ = finely;
 }
 
 /// Moves the marker. With `finely` it moves by a part of the pointer's distance, from its present
-/// place.
-void ChartView::dragMarker(QPointF place, bool finely) {
+/// position.
+void ChartView::dragMarker(QPointF position, bool finely) {
   const ChartGeometry map = frames_[0];
   if (finely != gripsFinely_) {
-    if (std::isfinite(wantedX_)) grippedX_ = map.xOf(wantedX_);
-    gripMarker(place, finely);
+    if (std::isfinite(targetX_)) grippedX_ = map.mapX(targetX_);
+    gripMarker(position, finely);
   }
-  const double way = (place.x() - gripAt_.x()) * (finely ? kFinely : 1);
-  moveMarker(map.valueAt(std::clamp(grippedX_ + way, map.area.left(), map.area.right())), finely);
+  const double displacement = (position.x() - gripAt_.x()) * (finely ? kFinely : 1);
+  moveMarker(map.valueAt(std::clamp(grippedX_ + displacement, map.area.left(), map.area.right())),
+             finely);
 }
 
 void ChartView::moveMarker(double x, bool finely) {
-  wantedX_ = x;
+  targetX_ = x;
   updateMarker();
   emit markerMoved(x, finely);
 }
@@ -559,18 +563,18 @@ void ChartView::moveMarker(double x, bool finely) {
 /// Moves the marker to the next point of the present curve; does nothing without a curve.
 void ChartView::chooseNextPoint(bool forward) {
   if (!hasMarker()) return;
-  const double from = std::isfinite(wantedX_) ? wantedX_ : sheet_.diagrams[0].marker->x;
+  const double from = std::isfinite(targetX_) ? targetX_ : sheet_.diagrams[0].marker->x;
   const DiagramPoint* best = nullptr;
   for (const DiagramSeries& series : sheet_.diagrams[0].series) {
     if (series.id != kPresentCurve) continue;
     for (const DiagramPoint& point : series.points) {
-      if (!hasPlace(sheet_.diagrams[0], point)) continue;
+      if (!hasPosition(sheet_.diagrams[0], point)) continue;
       const bool isBeyond = forward ? point.x > from * (1 + 1e-9) : point.x < from * (1 - 1e-9);
       if (isBeyond && (!best || (point.x < best->x) == forward)) best = &point;
     }
   }
   if (!best) return;
-  wantedX_ = best->x;
+  targetX_ = best->x;
   const int row = best->row;
   updateMarker();
   emit pointChosen(kPresentCurve, row);

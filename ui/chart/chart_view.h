@@ -1,11 +1,11 @@
 // An interactive sheet of diagrams: the friction curve, or a motion over time. It shows the
-// diagrams below each other over their common x-axis, with Qt Charts (chart_panel.h); as many, from
-// the first on, as fit.
-// Pointer: the marker can be dragged (with Shift at a tenth of the speed); a click chooses a point;
-// the wheel zooms (over an axis' labels only that axis), dragging pans, a double click fits. Keys:
-// left and right move the marker by a part of a decade (with Shift a tenth of it, with Control to
-// the next point), + and - zoom, Home fits. Only a logarithmic x-axis is zoomed. GUI thread; owned
-// by its parent like any widget. Cannot fail: values without a place on the axes are not drawn.
+// diagrams below each other over their common x-axis, with Qt Charts (chart_panel.h); diagrams that
+// do not fit are left out, the last ones first. Pointer: the marker can be dragged (with Shift at a
+// tenth of the speed); a click chooses a point; the wheel zooms (over an axis' labels only that
+// axis), dragging pans, a double click fits. Keys: left and right move the marker by a part of a
+// decade (with Shift a tenth of it, with Control to the next point), + and - zoom, Home fits. Only
+// a logarithmic x-axis is zoomed. GUI thread; owned by its parent like any widget. Cannot fail:
+// values that the axes cannot show are not drawn.
 #pragma once
 
 #include <QPointF>
@@ -44,8 +44,8 @@ class ChartView : public QWidget {
   void setMarker(const std::optional<DiagramMarker>& marker);
   void setTheme(const Theme& theme);
 
-  /// Returns the position of a value in the widget's pixels; it must have a place on the axes.
-  QPointF positionOf(double x, double y, std::size_t diagram = 0) const;
+  /// Returns the position of a value in the widget's pixels; the axes must be able to show it.
+  QPointF mapToPosition(double x, double y, std::size_t diagram = 0) const;
 
   /// Returns the visible range: the axes of the sheet unless zoomed.
   VisibleRange visibleRange() const;
@@ -59,8 +59,9 @@ class ChartView : public QWidget {
   using Describe = std::function<QString(int id, int row)>;
   void setDescribe(Describe describe) { describe_ = std::move(describe); }
 
-  /// Puts widgets in place of the titles of the axes, which the user chooses there: one below the
-  /// horizontal axis, one above the vertical axis of the first diagram. The view owns them.
+  /// Replaces the titles of the axes by widgets in which the user chooses what the axes show: one
+  /// below the horizontal axis, one above the vertical axis of the first diagram. The view owns
+  /// them.
   void setChoosers(QWidget* x, QWidget* y);
 
   /// Returns where the guide explains what the pointer is or was at last: a legend entry, a region,
@@ -71,14 +72,14 @@ class ChartView : public QWidget {
   QString reading() const;
 
  signals:
-  /// Emitted at each step of a drag and each key, with the wanted place of the marker. finely: all
-  /// digits of x are intended.
+  /// Emitted at each step of a drag and each key, with the requested position of the marker.
+  /// finely: all digits of x are intended.
   void markerMoved(double x, bool finely);
   void pointChosen(int id, int row);
-  void unpinWanted(int id);
+  void unpinRequested(int id);
   /// Emitted by a double click and the Home key, after everything is shown.
-  void fitWanted();
-  /// The titles of the axes with their units, for the choosers.
+  void fitRequested();
+  /// Emitted with the titles of the axes and their units, which the choosers show.
   void titlesChanged(const QString& x, const QString& y);
 
  protected:
@@ -98,25 +99,25 @@ class ChartView : public QWidget {
 
  private:
   bool hasMarker() const;
-  std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF place) const;
+  std::optional<HoverExplanation> explanationAt(const ChartTarget& target, QPointF position) const;
   VisibleRange whole() const;
   void showAll();
-  void placeFrames();
-  double besideWidth() const;
+  void layOutFrames();
+  double besideTitleWidth() const;
   void showFocus(bool shows);
   void updateMarker();
   QPointF corner() const;
 
   void pan(QPointF by);
-  void read(QPointF place);
-  QString textOf(const ChartTarget& target, QPointF place) const;
-  void gripMarker(QPointF place, bool finely);
-  void dragMarker(QPointF place, bool finely);
+  void read(QPointF position);
+  QString tipText(const ChartTarget& target, QPointF position) const;
+  void gripMarker(QPointF position, bool finely);
+  void dragMarker(QPointF position, bool finely);
   void moveMarker(double x, bool finely);
   void chooseNextPoint(bool forward);
 
   DiagramSheet english_, sheet_;  // sheet_ has texts in the current language
-  ChartLook look_;
+  ChartStyle style_;
   Describe describe_;
   bool isDue_ = false;  // the screen shows an earlier sheet
   std::optional<VisibleRange> zoom_;
@@ -136,12 +137,12 @@ class ChartView : public QWidget {
   Gesture gesture_ = Gesture::None;
   ChartTarget pressed_;  // target under the pointer when the button was pressed
   QPointF pressedAt_, panAt_;
-  std::optional<QPointF> hover_;  // the pointer's place over the chart
-  QPointF gripAt_;                // place at which the pointer gripped the marker
-  double grippedX_ = 0;           // pixels, place of the marker at that time
+  std::optional<QPointF> hover_;  // position of the pointer over the chart
+  QPointF gripAt_;                // position at which the pointer gripped the marker
+  double grippedX_ = 0;           // pixels, position of the marker at that time
   bool gripsFinely_ = false;
   std::optional<AxisRange> held_;  // x-axis, fixed while the marker is dragged
-  double wantedX_;                 // target of the marker until it arrives; NaN: not moving
+  double targetX_;                 // target of the marker until it arrives; NaN: not moving
 };
 
 }  // namespace asperity

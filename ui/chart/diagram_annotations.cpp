@@ -20,14 +20,15 @@ struct SpanBox {
   std::string label, shortLabel;
 };
 
-/// Returns a span's part of the frame; an end without a place on the axis is the frame's end.
+/// Returns a span's part of the frame; an end outside the axis is the end of the frame.
 std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const DiagramAxes& axes) {
   const Box& box = axes.box;
   std::vector<SpanBox> boxes;
   for (const DiagramSpan& span : spans) {
     const auto column = [&](double value, float otherwise) {
-      const double place = axisPlace(axes.xAxis.scale, value);
-      return std::isfinite(place) ? std::clamp(axes.px(place), box.x, box.right()) : otherwise;
+      const double position = axisPlace(axes.xAxis.scale, value);
+      return std::isfinite(position) ? std::clamp(axes.px(position), box.x, box.right())
+                                     : otherwise;
     };
     const float left = column(span.from, box.x), right = column(span.to, box.right());
     boxes.push_back({{left, box.y, right - left, box.height}, span.label.text, span.shortLabel});
@@ -36,21 +37,21 @@ std::vector<SpanBox> spanBoxes(const std::vector<DiagramSpan>& spans, const Diag
 }
 
 /// Returns the full or the short name that fits. A span without a short name may be cut.
-std::string labelWithin(const SpanBox& span, float size, float room) {
-  if (span.shortLabel.empty()) return elided(span.label, size, false, room);
+std::string labelWithin(const SpanBox& span, float size, float available) {
+  if (span.shortLabel.empty()) return elided(span.label, size, false, available);
   for (const std::string& label : {span.label, span.shortLabel})
-    if (textWidth(label, size) <= room) return label;
+    if (textWidth(label, size) <= available) return label;
   return {};
 }
 
-/// Returns the point where the line from the middle of a box to a place outside leaves the box.
-std::optional<Place> exitOf(const Box& box, const Place& to) {
-  const Place middle{box.x + box.width / 2, box.y + box.height / 2};
+/// Returns the point where the line from the middle of a box to a point outside leaves the box.
+std::optional<DrawPoint> exitOf(const Box& box, const DrawPoint& to) {
+  const DrawPoint middle{box.x + box.width / 2, box.y + box.height / 2};
   const float dx = to.x - middle.x, dy = to.y - middle.y;
   const float across = std::abs(dx) / (box.width / 2), upwards = std::abs(dy) / (box.height / 2);
   const float reach = std::max(across, upwards);
   if (!(reach > 1)) return std::nullopt;
-  return Place{middle.x + dx / reach, middle.y + dy / reach};
+  return DrawPoint{middle.x + dx / reach, middle.y + dy / reach};
 }
 
 Box grown(const Box& box, float by) {
@@ -62,8 +63,8 @@ bool isInside(const Box& area, const Box& box) {
          box.bottom() <= area.bottom();
 }
 
-/// Whether a straight line has a part inside a box (the slabs of Liang and Barsky).
-bool crosses(const Place& from, const Place& to, const Box& box) {
+/// Returns whether a straight line has a part inside a box (Liang and Barsky's clipping).
+bool crosses(const DrawPoint& from, const DrawPoint& to, const Box& box) {
   float begin = 0, end = 1;
   const auto clip = [&](float start, float along, float low, float high) {
     if (along == 0) return start >= low && start <= high;
@@ -76,35 +77,35 @@ bool crosses(const Place& from, const Place& to, const Box& box) {
          clip(from.y, to.y - from.y, box.y, box.bottom());
 }
 
-/// Whether a label and its arrow stay clear of the labels that have their places, of their arrows,
-/// and of what the arrows of others point at.
+/// Tests whether a label and its arrow keep clear of the placed labels, of their arrows, and of the
+/// targets of other arrows.
 class Clearance {
  public:
-  Clearance(const std::vector<PlacedLabel>& placed, std::vector<Place> targets, float air)
-      : placed_(placed), targets_(std::move(targets)), air_(air) {}
+  Clearance(const std::vector<PlacedLabel>& placed, std::vector<DrawPoint> targets, float margin)
+      : placed_(placed), targets_(std::move(targets)), margin_(margin) {}
 
-  bool isClear(const Box& box, const std::optional<Place>& target) const {
-    const Box wide = grown(box, air_);
+  bool isClear(const Box& box, const std::optional<DrawPoint>& target) const {
+    const Box wide = grown(box, margin_);
     const auto from = target ? exitOf(box, *target) : std::nullopt;
     if (target && !from) return false;  // there would be no arrow
-    for (const Place& other : targets_)
+    for (const DrawPoint& other : targets_)
       if (crosses(other, other, wide)) return false;
     return std::ranges::none_of(placed_, [&](const PlacedLabel& other) {
-      return (from && crosses(*from, *target, grown(other.box, air_))) ||
+      return (from && crosses(*from, *target, grown(other.box, margin_))) ||
              (other.arrow.size() == 2 && crosses(other.arrow[0], other.arrow[1], wide));
     });
   }
 
  private:
   const std::vector<PlacedLabel>& placed_;
-  std::vector<Place> targets_;
-  float air_;
+  std::vector<DrawPoint> targets_;
+  float margin_;
 };
 
-/// Finds the best box of this size near a place inside the area: one that covers little and is
-/// moved little. allowed: which boxes come into question.
+/// Finds the best box of this size near a point inside the area: one that covers little and is
+/// moved little. allowed: tells which boxes may be used.
 std::optional<Box> boxNear(
-    const Place& at, float width, float height, const Box& area, const OccupancyGrid& map,
+    const DrawPoint& at, float width, float height, const Box& area, const OccupancyGrid& map,
     float step, int rings,
     const std::function<bool(const Box&)>& allowed = [](const Box&) { return true; }) {
   constexpr int kAngles = 16;
@@ -127,8 +128,8 @@ std::optional<Box> boxNear(
   return best;
 }
 
-/// Returns the place inside the frame that is nearest to the wanted place of the label.
-Place heldInside(const Box& area, Place at, float width, float height) {
+/// Returns the position inside the frame that is nearest to the requested position of the label.
+DrawPoint heldInside(const Box& area, DrawPoint at, float width, float height) {
   const auto held = [](float value, float from, float to) {
     return from < to ? std::clamp(value, from, to) : (from + to) / 2;
   };
@@ -151,9 +152,9 @@ std::vector<std::string> linesOf(const std::string& text, float size, float widt
 /// narrow or the name would cover something.
 std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
                                       const DiagramSizes& sizes) {
-  const float size = sizes.legend, air = 0.25F * size;
+  const float size = sizes.legend, margin = 0.25F * size;
   PlacedLabel out;
-  out.lines = wrapped(shade.label, size, false, shade.box.width - 4 * air);
+  out.lines = wrapped(shade.label, size, false, shade.box.width - 4 * margin);
   std::string whole;
   float width = 0;
   for (const std::string& line : out.lines) {
@@ -161,13 +162,14 @@ std::optional<PlacedLabel> placeShade(const SpanBox& shade, OccupancyGrid& map,
     width = std::max(width, textWidth(line, size));
   }
   if (out.lines.empty() || whole != shade.label) return std::nullopt;
-  width += 2 * air;
+  width += 2 * margin;
   const float height = kLine * size * static_cast<float>(out.lines.size());
-  const Place foot{shade.box.x + shade.box.width / 2, shade.box.bottom() - height / 2 - 2 * air};
+  const DrawPoint foot{shade.box.x + shade.box.width / 2,
+                       shade.box.bottom() - height / 2 - 2 * margin};
   const auto box = boxNear(foot, width, height, shade.box, map, 0.6F * size, 24);
   if (!box || map.greatestUnder(*box) > 0) return std::nullopt;
   out.box = *box;
-  map.addBox(grown(*box, air), kTaken);
+  map.addBox(grown(*box, margin), kTaken);
   return out;
 }
 
@@ -191,8 +193,8 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
     const Box whole{span.box.x, span.box.y - strip, span.box.width, span.box.height + strip};
     if (shaded) addRectangle(layer, whole, withAlpha(theme.text, 0.055F));
     shaded = !shaded;
-    const float left = std::max(whole.x, taken) + gap, room = whole.right() - gap - left;
-    const std::string label = labelWithin(span, size, room);
+    const float left = std::max(whole.x, taken) + gap, available = whole.right() - gap - left;
+    const std::string label = labelWithin(span, size, available);
     if (label.empty()) continue;
     const float width = textWidth(label, size);
     const float centre = std::clamp(whole.x + whole.width / 2, left + width / 2,
@@ -208,12 +210,12 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
 
 std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& axes,
                                      OccupancyGrid& map, const DiagramSizes& sizes) {
-  const float size = sizes.legend, air = 0.25F * size;
+  const float size = sizes.legend, margin = 0.25F * size;
   const Box inside = grown(map.area(), -7 * sizes.unit);  // away from the ticks
   std::vector<PlacedLabel> placed;
   for (const DiagramLabel& label : diagram.labels) {
-    const Place at = axes.place(label.x, label.y);
-    const Place target = axes.place(label.arrowX, label.arrowY);
+    const DrawPoint at = axes.mapToPosition(label.x, label.y);
+    const DrawPoint target = axes.mapToPosition(label.arrowX, label.arrowY);
     const bool hasArrow = isFinite(target);
     if (!isFinite(at)) continue;
     PlacedLabel out;
@@ -221,15 +223,15 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
     float width = 0;
     for (const std::string& line : out.lines) width = std::max(width, textWidth(line, size));
     if (out.lines.empty()) continue;
-    width += 2 * air;
+    width += 2 * margin;
     const float height = kLine * size * static_cast<float>(out.lines.size());
-    std::vector<Place> targets;  // of the others
+    std::vector<DrawPoint> targets;  // of the others
     for (const DiagramLabel& other : diagram.labels)
-      if (const Place its = axes.place(other.arrowX, other.arrowY);
+      if (const DrawPoint its = axes.mapToPosition(other.arrowX, other.arrowY);
           &other != &label && isFinite(its))
         targets.push_back(its);
     const Clearance clearance(placed, std::move(targets), 0.4F * size);
-    const Place wanted = heldInside(inside, at, width, height);
+    const DrawPoint wanted = heldInside(inside, at, width, height);
     const int rings = hasArrow ? 24 : 14;
     auto box = boxNear(wanted, width, height, inside, map, 0.6F * size, rings, [&](const Box& one) {
       return clearance.isClear(one, hasArrow ? std::optional(target) : std::nullopt);
@@ -243,7 +245,7 @@ std::vector<PlacedLabel> placeLabels(const Diagram& diagram, const DiagramAxes& 
         out.arrow = {*start, target};
         map.addLine(out.arrow, 3);
       }
-    map.addBox(grown(*box, air), kTaken);
+    map.addBox(grown(*box, margin), kTaken);
     placed.push_back(std::move(out));
   }
   for (const SpanBox& shade : spanBoxes(diagram.shades, axes))

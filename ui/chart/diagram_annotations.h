@@ -19,9 +19,9 @@ void addSpans(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
 
 struct PlacedLabel {
   std::vector<std::string> lines;
-  Box box;                   // of the text
-  std::vector<Place> arrow;  // from the text to its target; empty: none
-  bool covers = false;       // whether something lies under the text
+  Box box;                       // of the text
+  std::vector<DrawPoint> arrow;  // from the text to its target; empty: none
+  bool covers = false;           // whether something lies under the text
 };
 
 inline constexpr float kTaken = 100;  // weight of parts that must not be covered

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr float kLeastText = 7;    // pixels, of a font
+constexpr float kMinText = 7;      // pixels, of a font
 constexpr double kFarthest = 1e6;  // pixels; keeps coordinates small enough for floats
 
 /// The range of the values added to it; empty at first.
@@ -43,11 +43,11 @@ bool isKnown(const AxisRange& range) {
 /// Rounds down (-1) or up (1) to 1, 2 or 5 times a power of ten, as decimal logarithms.
 double roundedDecade(double decade, int direction) {
   const double floor = std::floor(decade);
-  const double places[] = {0, std::log10(2.0), std::log10(5.0), 1};
+  const double positions[] = {0, std::log10(2.0), std::log10(5.0), 1};
   double best = direction < 0 ? floor : floor + 1;
-  for (const double place : places) {
-    if (direction < 0 && floor + place <= decade + 1e-9) best = floor + place;
-    if (direction > 0 && floor + place >= decade - 1e-9) return floor + place;
+  for (const double position : positions) {
+    if (direction < 0 && floor + position <= decade + 1e-9) best = floor + position;
+    if (direction > 0 && floor + position >= decade - 1e-9) return floor + position;
   }
   return best;
 }
@@ -83,8 +83,8 @@ AxisRange padded(const DiagramAxis& axis, const Extent& data, const Extent& theo
 
 /// Returns the end of an error bar. On a logarithmic axis it may reach to zero, which is not shown.
 double barEnd(AxisScale scale, double end, double value) {
-  const double place = axisPlace(scale, end);
-  return scale == AxisScale::Logarithmic ? std::max(place, value - 1) : place;
+  const double position = axisPlace(scale, end);
+  return scale == AxisScale::Logarithmic ? std::max(position, value - 1) : position;
 }
 
 /// Returns "position (mm)"; the name alone without a unit.
@@ -123,13 +123,13 @@ TickedAxis logarithmicAxis(const DiagramAxis& axis, const AxisRange& range, int 
   return ticked;
 }
 
-/// Returns the symbol that ends a name, "v" of "velocity v"; empty where there is none.
-/// Fits "velocity v (m/s)" in the largest size down to `least`; then "v (m/s)" likewise; none where
-/// neither fits.
-std::optional<FittedTitle> saidInFull(const std::string& title, float size, float least,
+/// Returns the symbol that ends a name, "v" of "velocity v"; empty where there is none. Fits
+/// "velocity v (m/s)" in the largest size down to `least`; then "v (m/s)" in the same way; none
+/// where neither fits.
+std::optional<FittedTitle> wholeTitle(const std::string& title, float size, float least,
                                       float pixels) {
   const std::size_t unit = title.rfind(" (");
-  const std::string symbol = symbolOf(title.substr(0, unit));
+  const std::string symbol = trailingSymbol(title.substr(0, unit));
   std::vector<std::string> forms{title};
   if (!symbol.empty()) forms.push_back(symbol + (unit == title.npos ? "" : title.substr(unit)));
   for (const std::string& form : forms) {
@@ -139,11 +139,11 @@ std::optional<FittedTitle> saidInFull(const std::string& title, float size, floa
   return std::nullopt;
 }
 
-float leastTitle(float size) {
-  return std::max(kLeastText, std::round(0.8F * size));
+float minTitleSize(float size) {
+  return std::max(kMinText, std::round(0.8F * size));
 }
 
-void addTitle(DrawList& list, const std::string& title, Place at, float size, float pixels,
+void addTitle(DrawList& list, const std::string& title, DrawPoint at, float size, float pixels,
               TextAnchor anchor, const Rgba& colour, float angle) {
   const FittedTitle form = fittedTitle(title, size, pixels);
   addLabel(list, form.text, at, form.size, anchor, colour, angle);
@@ -192,7 +192,7 @@ void addTickLabels(DrawList& list, const DiagramAxes& axes, const Rgba& colour, 
 
 }  // namespace
 
-std::string symbolOf(const std::string& name) {
+std::string trailingSymbol(const std::string& name) {
   constexpr std::size_t kLongest = 3;  // bytes, a Greek letter with a mark
   const std::size_t space = name.rfind(' ');
   // "relative error of mu" is not mu, in neither language.
@@ -205,8 +205,8 @@ std::string symbolOf(const std::string& name) {
 }
 
 FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
-  const float least = leastTitle(size);
-  if (const auto whole = saidInFull(title, size, least, pixels)) return *whole;
+  const float least = minTitleSize(size);
+  if (const auto whole = wholeTitle(title, size, least, pixels)) return *whole;
   const std::size_t at = title.rfind(" (");
   if (at == title.npos) return {elided(title, least, false, pixels), least};
   const std::string unit = title.substr(at);
@@ -215,7 +215,7 @@ FittedTitle fittedTitle(const std::string& title, float size, float pixels) {
       elided(title.substr(0, at), least, false, pixels - textWidth(unit, least));
   if (cut.size() > kWorthReading) return {cut + unit, least};
   const std::string alone = unit.substr(1);
-  return {alone, fittingSize(alone, size, kLeastText, false, pixels)};
+  return {alone, fittingSize(alone, size, kMinText, false, pixels)};
 }
 
 AxisRange xRange(const Diagram& diagram) {
@@ -250,7 +250,7 @@ TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pi
                        const DiagramSizes& sizes) {
   const float size = sizes.tick;
   if (axis.scale == AxisScale::Linear)
-    return linearAxis(axis, range, roomyTicks(range.from, range.to, pixels, size, axis.unit));
+    return linearAxis(axis, range, sparseTicks(range.from, range.to, pixels, size, axis.unit));
   for (int most = std::clamp(static_cast<int>(pixels / (3.5F * size)), 2, 20);; --most) {
     TickedAxis ticked = logarithmicAxis(axis, range, most, pixels, sizes.unit);
     if (most <= 1 || ticked.ticks.size() < 2) return ticked;
@@ -291,7 +291,7 @@ float DiagramAxes::py(double y) const {
          static_cast<float>((y - yAxis.range.from) / yAxis.range.size()) * box.height;
 }
 
-Place DiagramAxes::place(double x, double y) const {
+DrawPoint DiagramAxes::mapToPosition(double x, double y) const {
   const double right = axisPlace(xAxis.scale, x), above = axisPlace(yAxis.scale, y);
   if (!std::isfinite(right) || !std::isfinite(above))
     return {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN()};
@@ -311,7 +311,7 @@ float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes) {
 }
 
 bool fitsUpright(const std::string& title, float height, const DiagramSizes& sizes) {
-  return saidInFull(title, sizes.axis, leastTitle(sizes.axis), height).has_value();
+  return wholeTitle(title, sizes.axis, minTitleSize(sizes.axis), height).has_value();
 }
 
 float belowAxes(const DiagramSizes& sizes) {

@@ -37,7 +37,7 @@ struct TickedAxis {
   AxisScale scale = AxisScale::Linear;
   AxisRange range{0, 1};
   std::vector<AxisTick> ticks;
-  std::vector<double> minor;  // places between the ticks
+  std::vector<double> minor;  // positions of the minor ticks
   std::string title;          // "velocity v (mm/s)"; the ticks have the same prefix
 };
 TickedAxis tickedXAxis(const DiagramAxis& axis, const AxisRange& range, float pixels,
@@ -47,7 +47,7 @@ TickedAxis tickedYAxis(const DiagramAxis& axis, const AxisRange& range, float pi
 
 /// Returns the symbol at the end of a name: "G'" of "storage modulus G'"; empty where there is
 /// none.
-std::string symbolOf(const std::string& name);
+std::string trailingSymbol(const std::string& name);
 
 /// A title in the largest of several sizes that fits.
 struct FittedTitle {
@@ -65,15 +65,16 @@ struct DiagramAxes {
   bool hasXLabels = true;   // false: another frame below shows labels and title
   bool titleAbove = false;  // the title of the y-axis is above the frame, not upright beside it
 
-  /// Map a value, or its decimal logarithm, to pixels.
+  /// These functions map a value, or its decimal logarithm, to pixels.
   float px(double x) const;
   float py(double y) const;
-  /// Returns a position in pixels, at most 1e6 from the origin; NaN where a value has no place.
-  Place place(double x, double y) const;
+  /// Returns a position in pixels, at most 1e6 from the origin; NaN where an axis cannot show a
+  /// value.
+  DrawPoint mapToPosition(double x, double y) const;
 };
 
-/// Return the pixels left of the frame for title and labels, below it where it shows the x-axis'
-/// labels, and above it where it shows the title of the y-axis there.
+/// These functions return the pixels left of the frame for title and labels, below it where it
+/// shows the x-axis' labels, and above it where it shows the title of the y-axis there.
 float leftOfAxes(const DiagramAxes& axes, const DiagramSizes& sizes);
 float belowAxes(const DiagramSizes& sizes);
 float aboveAxes(const DiagramAxes& axes, const DiagramSizes& sizes);

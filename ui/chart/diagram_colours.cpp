@@ -9,33 +9,30 @@
 namespace asperity {
 namespace {
 
-constexpr Rgba colour(unsigned rgb) {
-  return {static_cast<float>(rgb >> 16 & 255U) / 255, static_cast<float>(rgb >> 8 & 255U) / 255,
-          static_cast<float>(rgb & 255U) / 255, 1};
-}
-
 // Blue, vermilion, green, purple, orange, sky blue, and for Okabe and Ito's yellow an olive on
 // white; then two colours far from all of these for every colour vision, on dark with a contrast
 // of 3 also with the tint of region IV.
 constexpr std::array<Rgba, kDistinctColours> kOnLight = {
-    colour(0x0072B2), colour(0xD55E00), colour(0x009E73), colour(0xB85C96), colour(0xD98C00),
-    colour(0x3FA0DC), colour(0x6B6100), colour(0x4818E0), colour(0x201060)};
+    colourFrom(0x0072B2), colourFrom(0xD55E00), colourFrom(0x009E73),
+    colourFrom(0xB85C96), colourFrom(0xD98C00), colourFrom(0x3FA0DC),
+    colourFrom(0x6B6100), colourFrom(0x4818E0), colourFrom(0x201060)};
 constexpr std::array<Rgba, kDistinctColours> kOnDark = {
-    colour(0x56B4E9), colour(0xFF8A3D), colour(0x22C294), colour(0xDD8FBC), colour(0xF0E442),
-    colour(0x5C8DF0), colour(0xC9A26B), colour(0x735FFF), colour(0xD65030)};
+    colourFrom(0x56B4E9), colourFrom(0xFF8A3D), colourFrom(0x22C294),
+    colourFrom(0xDD8FBC), colourFrom(0xF0E442), colourFrom(0x5C8DF0),
+    colourFrom(0xC9A26B), colourFrom(0x735FFF), colourFrom(0xD65030)};
 
 // Control colours of "viridis" (matplotlib, CC0) at 0, 0.1, ..., 1.
-constexpr std::array<Rgba, 11> kViridis = {colour(0x440154), colour(0x482475), colour(0x414487),
-                                           colour(0x355F8D), colour(0x2A788E), colour(0x21918C),
-                                           colour(0x22A884), colour(0x44BF70), colour(0x7AD151),
-                                           colour(0xBDDF26), colour(0xFDE725)};
+constexpr std::array<Rgba, 11> kViridis = {
+    colourFrom(0x440154), colourFrom(0x482475), colourFrom(0x414487), colourFrom(0x355F8D),
+    colourFrom(0x2A788E), colourFrom(0x21918C), colourFrom(0x22A884), colourFrom(0x44BF70),
+    colourFrom(0x7AD151), colourFrom(0xBDDF26), colourFrom(0xFDE725)};
 constexpr double kDarkEnd = 0.18, kLightEnd = 0.82;  // part that is visible on dark and on white
 
 }  // namespace
 
 Rgba seriesColour(int index, const Theme& theme) {
-  const auto place = static_cast<std::size_t>(std::max(index, 0) % kDistinctColours);
-  return isDark(theme) ? kOnDark[place] : kOnLight[place];
+  const auto position = static_cast<std::size_t>(std::max(index, 0) % kDistinctColours);
+  return isDark(theme) ? kOnDark[position] : kOnLight[position];
 }
 
 Rgba rampColour(double t, const Theme& theme) {
@@ -47,10 +44,10 @@ Rgba rampColour(double t, const Theme& theme) {
 
 Rgba fieldColour(double t) {
   const double held = std::clamp(std::isfinite(t) ? t : 0.0, 0.0, 1.0);
-  const double place = held * (kViridis.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
+  const double position = held * (kViridis.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(position), kViridis.size() - 2);
   return mix(kViridis[below], kViridis[below + 1],
-             static_cast<float>(place - static_cast<double>(below)));
+             static_cast<float>(position - static_cast<double>(below)));
 }
 
 }  // namespace asperity

@@ -13,7 +13,8 @@
 namespace asperity {
 namespace {
 
-constexpr float kGap = 14, kBar = 16;  // units: from the frame to the bar, and its width
+constexpr float kColourBarGap = 14,
+                kColourBarWidth = 16;  // units: from the frame to the bar, and its width
 constexpr float kContour = 1.1F;       // unit
 constexpr float kContourAlpha = 0.75F;
 /// A field with fewer nodes than this along a side is interpolated before it is coloured, because
@@ -26,14 +27,14 @@ double partOf(const DiagramField& field, double value) {
   return (axisPlace(field.colours.scale, value) - from) / (to - from);
 }
 
-/// Places with `steps` - 1 further ones between each two.
-std::vector<float> refined(const std::vector<float>& places, std::size_t steps) {
+/// Returns the nodes with `steps` - 1 further ones between each two.
+std::vector<float> refined(const std::vector<float>& nodes, std::size_t steps) {
   std::vector<float> fine;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     for (std::size_t k = 0; k < steps; ++k)
-      fine.push_back(places[i] + (places[i + 1] - places[i]) * static_cast<float>(k) /
-                                     static_cast<float>(steps));
-  if (!places.empty()) fine.push_back(places.back());
+      fine.push_back(nodes[i] +
+                     (nodes[i + 1] - nodes[i]) * static_cast<float>(k) / static_cast<float>(steps));
+  if (!nodes.empty()) fine.push_back(nodes.back());
   return fine;
 }
 
@@ -41,7 +42,7 @@ std::size_t stepsFor(std::size_t nodes) {
   return nodes > 1 ? std::max<std::size_t>(1, kFinest / (nodes - 1)) : 1;
 }
 
-float distance(const Place& a, const Place& b) {
+float distance(const DrawPoint& a, const DrawPoint& b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
@@ -51,8 +52,8 @@ float lengthOf(const Polyline& line) {
   return length;
 }
 
-/// Returns the place on a line after this length.
-Place placeAfter(const Polyline& line, float length) {
+/// Returns the point of a line at this length from its beginning.
+DrawPoint pointAfter(const Polyline& line, float length) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const float step = distance(line[i], line[i + 1]);
     if (length <= step && step > 0) {
@@ -69,38 +70,38 @@ Place placeAfter(const Polyline& line, float length) {
 Polyline partBetween(const Polyline& line, float from, float to) {
   Polyline part;
   if (!(from < to)) return part;
-  part.push_back(placeAfter(line, from));
+  part.push_back(pointAfter(line, from));
   float at = 0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     at += distance(line[i], line[i + 1]);
     if (at > from && at < to) part.push_back(line[i + 1]);
   }
-  part.push_back(placeAfter(line, to));
+  part.push_back(pointAfter(line, to));
   return part;
 }
 
-/// A value written on a line.
+/// The label of a contour line.
 struct LineLabel {
-  Place middle;
+  DrawPoint middle;
   float angle = 0;         // counter-clockwise on the screen
   float from = 0, to = 0;  // lengths along the line between which it is interrupted
   float radius = 0;        // of the circle that the text needs
 };
 
-/// Returns places at this distance along the lines.
-std::vector<Place> placesAlong(const std::vector<Polyline>& lines, float step) {
-  std::vector<Place> places;
+/// Returns points at this distance along the lines.
+std::vector<DrawPoint> pointsAlong(const std::vector<Polyline>& lines, float step) {
+  std::vector<DrawPoint> points;
   for (const Polyline& line : lines) {
     const float length = lengthOf(line);
-    for (float at = 0; at < length; at += step) places.push_back(placeAfter(line, at));
+    for (float at = 0; at < length; at += step) points.push_back(pointAfter(line, at));
   }
-  return places;
+  return points;
 }
 
-/// Finds a place where a line is nearly straight, nothing else is written and no border passes.
+/// Finds a part of a line that is nearly straight, without another label and without a border.
 std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& frame,
                                  const std::vector<LineLabel>& others,
-                                 const std::vector<Place>& dashes) {
+                                 const std::vector<DrawPoint>& dashes) {
   constexpr std::array kPlaces{0.5F, 0.45F, 0.55F, 0.4F,  0.6F, 0.35F, 0.65F,
                                0.3F, 0.7F,  0.25F, 0.75F, 0.2F, 0.8F};
   constexpr float kStraight = 0.95F;  // chord over arc
@@ -110,7 +111,7 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
     LineLabel label;
     label.from = part * length - width / 2;
     label.to = part * length + width / 2;
-    const Place a = placeAfter(line, label.from), b = placeAfter(line, label.to);
+    const DrawPoint a = pointAfter(line, label.from), b = pointAfter(line, label.to);
     const float chord = distance(a, b);
     if (chord < kStraight * width) continue;
     label.middle = {(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -127,7 +128,7 @@ std::optional<LineLabel> labelOn(const Polyline& line, float width, const Box& f
       return distance(other.middle, label.middle) < other.radius + r;
     });
     const bool isClear = std::ranges::none_of(
-        dashes, [&](const Place& dash) { return distance(dash, label.middle) < r; });
+        dashes, [&](const DrawPoint& dash) { return distance(dash, label.middle) < r; });
     if (isInside && isFree && isClear) return label;
   }
   return {};
@@ -146,7 +147,8 @@ float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes) {
   float widest = 0;
   for (const AxisTick& tick : colours.ticks)
     widest = std::max(widest, textWidth(tick.label, sizes.tick));
-  return std::ceil((kGap + kBar) * sizes.unit + 0.6F * sizes.tick + widest + 1.8F * sizes.axis);
+  return std::ceil((kColourBarGap + kColourBarWidth) * sizes.unit + 0.6F * sizes.tick + widest +
+                   1.8F * sizes.axis);
 }
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes) {
@@ -204,13 +206,13 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
     labels.push_back(label);
   }
   const float size = std::round(0.92F * sizes.tick);
-  const std::vector<Place> dashes = placesAlong(borders, 0.5F * size);
+  const std::vector<DrawPoint> dashes = pointsAlong(borders, 0.5F * size);
   for (const DiagramContour& contour : field.contours) {
     const Rgba colour = withAlpha(textOn(fieldColour(partOf(field, contour.value))), kContourAlpha);
     std::vector<Polyline> lines;
     for (const std::vector<DiagramPoint>& points : contour.lines) {
       Polyline line;
-      for (const DiagramPoint& point : points) line.push_back(axes.place(point.x, point.y));
+      for (const DiagramPoint& point : points) line.push_back(axes.mapToPosition(point.x, point.y));
       lines.push_back(std::move(line));
     }
     std::ranges::stable_sort(lines, {}, [](const Polyline& line) { return -lengthOf(line); });
@@ -242,8 +244,8 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
 void addColourBar(DrawList& list, const TickedAxis& colours, const Box& frame,
                   const DiagramSizes& sizes, const Theme& theme) {
   if (!(colours.range.from < colours.range.to)) return;
-  const Box bar{std::round(frame.right() + kGap * sizes.unit), frame.y,
-                std::round(kBar * sizes.unit), frame.height};
+  const Box bar{std::round(frame.right() + kColourBarGap * sizes.unit), frame.y,
+                std::round(kColourBarWidth * sizes.unit), frame.height};
   DrawLayer layer;
   DrawField ramp;
   ramp.x = {bar.x, bar.right()};

@@ -14,8 +14,8 @@ TickedAxis colourAxis(const DiagramField& field, float height, const DiagramSize
 float widthOfColourBar(const TickedAxis& colours, const DiagramSizes& sizes);
 
 void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxes& axes);
-/// Adds the contour lines. A line is interrupted for its value, which stands along it, away from
-/// these boxes and, where it can, from these lines.
+/// Adds the contour lines. A line is interrupted for its value, which is written along it, outside
+/// these boxes and, where possible, away from these lines.
 void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& axes,
                  const DiagramSizes& sizes, const std::vector<Box>& taken,
                  const std::vector<Polyline>& borders);

@@ -64,7 +64,7 @@ Paragraph paragraph(const std::string& text, float size, float least, bool bold,
   return p;
 }
 
-void addParagraph(DrawList& list, const Paragraph& p, Place at, bool bold, const Rgba& colour) {
+void addParagraph(DrawList& list, const Paragraph& p, DrawPoint at, bool bold, const Rgba& colour) {
   for (const std::string& line : p.lines) {
     addText(list, {{line, bold}}, {at.x, std::round(at.y + p.size)}, p.size, colour);
     at.y += kLineHeight * p.size;
@@ -97,12 +97,14 @@ bool hasCommonAxis(const DiagramSheet& sheet) {
 namespace {
 
 /// Returns the sizes around letters of a given size.
-DiagramSizes sizesAround(const FigureLook& look) {
-  const float letters = look.letters;
-  const auto font = [&](float size) { return fontSize(std::max(look.least, size * letters)); };
+DiagramSizes sizesAround(const DiagramFormat& format) {
+  const float letters = format.fontSize;
+  const auto font = [&](float size) {
+    return fontSize(std::max(format.minFontSize, size * letters));
+  };
   DiagramSizes sizes{letters / 12.5F, font(1.25F), font(1), font(1.1F),
                      font(1.1F),      font(1),     font(1), font(0.92F)};
-  sizes.least = std::max(sizes.least, std::floor(look.least));
+  sizes.minFontSize = std::max(sizes.minFontSize, std::floor(format.minFontSize));
   return sizes;
 }
 
@@ -122,9 +124,10 @@ DiagramSizes automaticSizes(const DiagramSheet& sheet, const DiagramOptions& opt
   const SheetGrid grid = gridFor(sheet);
   const float width = static_cast<float>(options.width) / static_cast<float>(grid.columns);
   const float height = static_cast<float>(options.height) / static_cast<float>(grid.rows);
-  const float room = std::min(width / (900 * scale), height / (620 * scale));
-  float unit = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
-  unit = std::max(std::min({unit, width / 350, height / 380}), options.leastText * scale);
+  const float available = std::min(width / (900 * scale), height / (620 * scale));
+  float unit =
+      scale * (available > 1 ? std::pow(available, 0.7F) : std::clamp(available, 0.85F, 1.0F));
+  unit = std::max(std::min({unit, width / 350, height / 380}), options.minTextSize * scale);
   return {unit,
           fontSize(19 * unit),
           fontSize(13 * unit),
@@ -139,11 +142,11 @@ DiagramSizes automaticSizes(const DiagramSheet& sheet, const DiagramOptions& opt
 
 DiagramSizes sizesFor(const DiagramSheet& sheet, const DiagramOptions& options) {
   DiagramSizes sizes =
-      options.look.letters > 0 ? sizesAround(options.look) : automaticSizes(sheet, options);
-  sizes.curve = options.look.curve;
-  sizes.legendMode = options.look.legend;
-  sizes.ticks = options.look.ticks;
-  sizes.isPrinted = options.look.letters > 0;
+      options.format.fontSize > 0 ? sizesAround(options.format) : automaticSizes(sheet, options);
+  sizes.curve = options.format.lineWidth;
+  sizes.legendMode = options.format.legend;
+  sizes.ticks = options.format.ticks;
+  sizes.isPrinted = options.format.fontSize > 0;
   return sizes;
 }
 
@@ -160,21 +163,21 @@ std::vector<Box> cellsFor(const DiagramSheet& sheet, const DiagramOptions& optio
       (static_cast<float>(options.width) - 2 * side - (columns - 1) * gap) / columns;
   // A common x-axis has its labels only under the lowest frame.
   const float under = hasCommonAxis(sheet) ? belowAxes(sizes) : 0;
-  const float room = bottom - top - (rows - 1) * gap - under;
+  const float available = bottom - top - (rows - 1) * gap - under;
   std::vector<Box> cells;
   if (grid.columns == 1) {
     double all = 0;
     for (const Diagram& diagram : sheet.diagrams) all += diagram.height;
     float y = top;
     for (const Diagram& diagram : sheet.diagrams) {
-      const float height = room * static_cast<float>(diagram.height / all);
+      const float height = available * static_cast<float>(diagram.height / all);
       cells.push_back({std::round(side), std::round(y), std::floor(width), std::floor(height)});
       y += height + gap;
     }
     if (!cells.empty()) cells.back().height += under;
     return cells;
   }
-  const float height = room / rows;
+  const float height = available / rows;
   for (std::size_t i = 0; i < sheet.diagrams.size(); ++i) {
     const int row = static_cast<int>(i) / grid.columns, column = static_cast<int>(i) % grid.columns;
     cells.push_back({std::round(side + static_cast<float>(column) * (width + gap)),
@@ -188,16 +191,16 @@ float addHeading(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& 
                  const Theme& theme) {
   if (sheet.title.empty() && sheet.subtitle.empty()) return std::round(2 * sizes.unit);
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
-  float room = 0.3F * static_cast<float>(list.height) - side, top = std::round(0.8F * side);
-  const auto least = [&](float size) { return std::max(sizes.least, std::round(size)); };
+  float available = 0.3F * static_cast<float>(list.height) - side, top = std::round(0.8F * side);
+  const auto least = [&](float size) { return std::max(sizes.minFontSize, std::round(size)); };
   const Paragraph title = paragraph(sheet.title.text, sizes.title, least(0.75F * sizes.title), true,
-                                    width, linesIn(room, sizes.title, 2));
+                                    width, linesIn(available, sizes.title, 2));
   addParagraph(list, title, {side, top}, true, theme.text);
   top += title.height();
-  room -= title.height();
+  available -= title.height();
   const Paragraph subtitle =
       paragraph(sheet.subtitle.text, sizes.subtitle, least(0.85F * sizes.subtitle), false, width,
-                linesIn(room, sizes.subtitle, 3));
+                linesIn(available, sizes.subtitle, 3));
   addParagraph(list, subtitle, {side, top}, false, theme.faintText);
   return std::round(top + subtitle.height() + 2 * sizes.unit);
 }
@@ -206,9 +209,9 @@ float addNote(DrawList& list, const DiagramSheet& sheet, const DiagramSizes& siz
               const Theme& theme) {
   const float side = sheetMargin(sizes), width = static_cast<float>(list.width) - 2 * side;
   const auto bottom = static_cast<float>(list.height);
-  const Paragraph note =
-      paragraph(sheet.note.text, sizes.note, std::max(sizes.least, std::round(0.85F * sizes.note)),
-                false, width, linesIn(0.2F * bottom, sizes.note, 5));
+  const Paragraph note = paragraph(sheet.note.text, sizes.note,
+                                   std::max(sizes.minFontSize, std::round(0.85F * sizes.note)),
+                                   false, width, linesIn(0.2F * bottom, sizes.note, 5));
   if (note.lines.empty()) return bottom - std::round(8 * sizes.unit);
   const float top = std::round(bottom - 10 * sizes.unit - note.height());
   addParagraph(list, note, {side, top}, false, theme.faintText);

@@ -1,4 +1,4 @@
-// The places of the parts of a sheet of diagrams. Private to ui/chart. Plain values; any thread.
+// The layout of a sheet of diagrams. Private to ui/chart. Plain values; any thread.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace asperity {
 struct DiagramSizes {
   float unit = 1;  // of line widths and distances
   float title = 19, subtitle = 13, panel = 14, axis = 14, tick = 12, legend = 12, note = 11;
-  float least = 7;  // of any text
-  float curve = 0;  // width of curves; 0: by the unit
+  float minFontSize = 7;  // of any text
+  float curve = 0;        // width of curves; 0: by the unit
   LegendMode legendMode = LegendMode::Automatic;
   TickSide ticks = TickSide::Inside;
   bool isPrinted = false;  // letters have a given size

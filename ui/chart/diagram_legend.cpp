@@ -13,11 +13,11 @@ namespace asperity {
 namespace {
 
 // These are in sizes of the font.
-constexpr float kSample = 2.4F, kGap = 0.6F, kRow = 1.5F, kPad = 0.6F, kBetween = 1.4F;
-constexpr float kBar = 6, kBarHeight = 0.8F;
+constexpr float kSample = 2.4F, kEntryGap = 0.6F, kRow = 1.5F, kPad = 0.6F, kBetween = 1.4F;
+constexpr float kRampLength = 6, kRampHeight = 0.8F;
 constexpr int kBarSteps = 48;
 
-bool sameLook(const SeriesStyle& a, const SeriesStyle& b) {
+bool isSameStyle(const SeriesStyle& a, const SeriesStyle& b) {
   return a.stroke == b.stroke && a.mark == b.mark && a.isBand == b.isBand &&
          a.colour.r == b.colour.r && a.colour.g == b.colour.g && a.colour.b == b.colour.b;
 }
@@ -29,7 +29,7 @@ std::vector<LegendEntry> entriesOf(const Diagram& diagram, const std::vector<Ser
     const DiagramSeries& series = diagram.series[i];
     if (series.name.empty() || (diagram.ramp && std::isfinite(series.ramp))) return;
     const bool known = std::any_of(entries.begin(), entries.end(), [&](const LegendEntry& entry) {
-      return entry.name == series.name && sameLook(entry.style, styles[i]);
+      return entry.name == series.name && isSameStyle(entry.style, styles[i]);
     });
     if (!known) entries.push_back({series.name.text, styles[i], true});
   };
@@ -41,7 +41,7 @@ std::vector<LegendEntry> entriesOf(const Diagram& diagram, const std::vector<Ser
 
 float rampWidth(const DiagramRamp& ramp, float size) {
   const float ends = textWidth(ramp.from.text, size) + textWidth(ramp.to.text, size);
-  return std::max(textWidth(ramp.title.text, size), ends + (kBar + 2 * kGap) * size);
+  return std::max(textWidth(ramp.title.text, size), ends + (kRampLength + 2 * kEntryGap) * size);
 }
 
 float rampHeight(const DiagramRamp& ramp, float size) {
@@ -49,7 +49,7 @@ float rampHeight(const DiagramRamp& ramp, float size) {
 }
 
 float widthOf(const LegendEntry& entry, float size) {
-  return textWidth(entry.name, size) + (entry.hasSample ? (kSample + kGap) * size : 0);
+  return textWidth(entry.name, size) + (entry.hasSample ? (kSample + kEntryGap) * size : 0);
 }
 
 /// Sets the size of the legend around entries of this size.
@@ -65,14 +65,14 @@ void enclose(Legend& legend, float width, std::size_t rows) {
 
 /// Measures the entries column by column; all columns have the same width.
 void measure(Legend& legend) {
-  float column = (kSample + kGap) * legend.size;
+  float column = (kSample + kEntryGap) * legend.size;
   for (const LegendEntry& entry : legend.entries)
     column = std::max(column, widthOf(entry, legend.size));
   const auto columns = static_cast<std::size_t>(legend.columns);
   const std::size_t rows = (legend.entries.size() + columns - 1) / columns;
   for (std::size_t i = 0; i < legend.entries.size(); ++i)
-    legend.entries[i].place = {static_cast<float>(i / rows) * (column + kBetween * legend.size),
-                               static_cast<float>(i % rows) * kRow * legend.size};
+    legend.entries[i].origin = {static_cast<float>(i / rows) * (column + kBetween * legend.size),
+                                static_cast<float>(i % rows) * kRow * legend.size};
   const auto count = static_cast<float>(columns);
   enclose(legend, rows > 0 ? count * column + (count - 1) * kBetween * legend.size : 0, rows);
 }
@@ -84,7 +84,7 @@ void shortenNames(Legend& legend, float width) {
       (width - 2 * kPad * legend.size - (columns - 1) * kBetween * legend.size) / columns;
   for (LegendEntry& entry : legend.entries) {
     std::string name =
-        elided(entry.name, legend.size, false, column - (kSample + kGap) * legend.size);
+        elided(entry.name, legend.size, false, column - (kSample + kEntryGap) * legend.size);
     legend.isWhole = legend.isWhole && name == entry.name;
     entry.name = std::move(name);
   }
@@ -92,9 +92,9 @@ void shortenNames(Legend& legend, float width) {
 
 /// Keeps as many entries as fit the height, and counts the missing ones.
 void dropEntries(Legend& legend, float height) {
-  const float room = height - 1.2F * kPad * legend.size -
-                     (legend.ramp ? rampHeight(*legend.ramp, legend.size) : 0);
-  const auto rows = static_cast<std::size_t>(std::max(0.0F, room / (kRow * legend.size)));
+  const float available = height - 1.2F * kPad * legend.size -
+                          (legend.ramp ? rampHeight(*legend.ramp, legend.size) : 0);
+  const auto rows = static_cast<std::size_t>(std::max(0.0F, available / (kRow * legend.size)));
   const std::size_t places = rows * static_cast<std::size_t>(legend.columns);
   if (legend.entries.size() <= places) return;
   const std::size_t kept = places > 0 ? places - 1 : 0;
@@ -106,7 +106,7 @@ void dropEntries(Legend& legend, float height) {
         {filled(Words::tr("and %1 more"), {std::to_string(missing)}), {}, false});
 }
 
-void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Place left,
+void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, DrawPoint left,
                float size) {
   if (!entry.hasSample) return;
   const SeriesStyle& style = entry.style;
@@ -114,7 +114,7 @@ void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Pla
   if (style.isBand)
     addRectangle(lines, {left.x, y - 0.36F * size, length, 0.72F * size},
                  withAlpha(style.colour, 0.2F));
-  const Place middle{left.x + length / 2, y};
+  const DrawPoint middle{left.x + length / 2, y};
   if (style.hasBars)
     addLine(lines, {{middle.x, y - 0.5F * size}, {middle.x, y + 0.5F * size}}, 0.6F * style.width,
             style.colour);
@@ -124,7 +124,7 @@ void addSample(DrawLayer& lines, DrawLayer& marks, const LegendEntry& entry, Pla
 }
 
 /// Adds a title, then the colours between the names of their ends.
-void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, Place at, float width,
+void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, DrawPoint at, float width,
              float size, const Theme& theme) {
   if (!ramp.title.empty()) {
     addLabel(list, elided(ramp.title.text, size, false, width),
@@ -133,14 +133,14 @@ void addRamp(DrawList& list, DrawLayer& layer, const DiagramRamp& ramp, Place at
   }
   const float baseline = std::round(at.y + 1.1F * size);
   addLabel(list, ramp.from.text, {at.x, baseline}, size, TextAnchor::Left, theme.text);
-  const float left = at.x + textWidth(ramp.from.text, size) + kGap * size;
-  const float bar = kBar * size, top = baseline - 0.36F * size - kBarHeight * size / 2;
+  const float left = at.x + textWidth(ramp.from.text, size) + kEntryGap * size;
+  const float bar = kRampLength * size, top = baseline - 0.36F * size - kRampHeight * size / 2;
   for (int i = 0; i < kBarSteps; ++i) {  // each reaches the right end, so that there are no gaps
     const float done = bar * static_cast<float>(i) / kBarSteps;
-    addRectangle(layer, {left + done, top, bar - done, kBarHeight * size},
+    addRectangle(layer, {left + done, top, bar - done, kRampHeight * size},
                  rampColour((i + 0.5) / kBarSteps, theme));
   }
-  addLabel(list, ramp.to.text, {left + bar + kGap * size, baseline}, size, TextAnchor::Left,
+  addLabel(list, ramp.to.text, {left + bar + kEntryGap * size, baseline}, size, TextAnchor::Left,
            theme.text);
 }
 
@@ -178,16 +178,16 @@ Legend legendOver(const Diagram& diagram, const std::vector<SeriesStyle>& styles
   legend.entries = entriesOf(diagram, styles);
   legend.ramp = diagram.ramp;
   legend.size = size;
-  const float room = width - 2 * kPad * size;
+  const float available = width - 2 * kPad * size;
   float x = 0, widest = 0;
   std::size_t row = 0;
   for (LegendEntry& entry : legend.entries) {
     const float needed = widthOf(entry, size);
-    if (x > 0 && x + needed > room) {
+    if (x > 0 && x + needed > available) {
       x = 0;
       ++row;
     }
-    entry.place = {x, static_cast<float>(row) * kRow * size};
+    entry.origin = {x, static_cast<float>(row) * kRow * size};
     widest = std::max(widest, x + needed);
     x += needed + kBetween * size;
   }
@@ -210,10 +210,10 @@ void addLegend(DrawList& list, const Legend& legend, const Box& box, bool framed
     top += rampHeight(*legend.ramp, size);
   }
   for (const LegendEntry& entry : legend.entries) {
-    const float x = box.x + pad + entry.place.x;
-    const float baseline = std::round(top + entry.place.y + 1.1F * size);
+    const float x = box.x + pad + entry.origin.x;
+    const float baseline = std::round(top + entry.origin.y + 1.1F * size);
     addSample(lines, marks, entry, {x, baseline - 0.36F * size}, size);
-    const float left = x + (entry.hasSample ? (kSample + kGap) * size : 0);
+    const float left = x + (entry.hasSample ? (kSample + kEntryGap) * size : 0);
     addLabel(list, entry.name, {left, baseline}, size, TextAnchor::Left,
              entry.hasSample ? theme.text : theme.faintText);
   }

@@ -15,7 +15,7 @@ struct LegendEntry {
   std::string name;
   SeriesStyle style;
   bool hasSample = true;
-  Place place{};  // upper left corner of its row, relative to the first row
+  DrawPoint origin{};  // upper left corner of its row, relative to the first row
 };
 
 /// A legend that is measured and can be placed; empty where there are no entries.

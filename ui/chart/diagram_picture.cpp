@@ -7,10 +7,10 @@
 #include <set>
 
 #include "ui/chart/diagram_annotations.h"
-#include "ui/chart/diagram_bars.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/diagram_field.h"
 #include "ui/chart/diagram_legend.h"
+#include "ui/chart/diagram_series.h"
 #include "ui/draw/fonts.h"
 #include "ui/draw/stroke_pattern.h"
 #include "ui/language/translated.h"
@@ -78,10 +78,10 @@ class Panel {
     return box.width >= 4 * sizes_.tick && box.height >= 2 * sizes_.tick;
   }
   /// Returns whether the frame is readable, with an upright title beside it and at least two ticks.
-  bool isComfortable() const { return isReadable() && axes_.box.height >= 7 * sizes_.tick; }
+  bool isWellReadable() const { return isReadable() && axes_.box.height >= 7 * sizes_.tick; }
 
-  /// Returns whether a reader of print misses nothing: the frame is of a fair height, and title and
-  /// legend are whole and hide next to nothing. Letters on paper cannot get smaller.
+  /// Returns whether nothing is missing in print: the frame is high enough, and title and legend
+  /// are complete and hide next to nothing. Letters on paper cannot get smaller.
   bool isWhole() const {
     const float least = axes_.titleAbove ? kLowest : 7;
     const bool isRead =
@@ -100,7 +100,7 @@ class Panel {
       for (const PlacedLabel& label : labels_) taken.push_back(label.box);
       std::vector<Polyline> borders;
       for (const DiagramSeries& series : diagram_.series)
-        std::ranges::move(curveOf(series, axes_), std::back_inserter(borders));
+        std::ranges::move(clippedCurve(series, axes_), std::back_inserter(borders));
       addContours(list, *diagram_.field, axes_, sizes_, taken, borders);
       addColourBar(list, colours_, box, sizes_, theme_);
     } else {
@@ -110,7 +110,7 @@ class Panel {
     addDiagramFrame(list, axes_, sizes_, theme_,
                     above);  // marks at the frame's edge are drawn over it
     addMarkerLine(list);
-    addBars(list, diagram_, axes_, sizes_, theme_);
+    addHorizontalBars(list, diagram_, axes_, sizes_, theme_);
     addSeries(list, diagram_, styles_, axes_, sizes_, theme_);
     addBlank(list);
     addLabels(list, labels_, sizes_, theme_);
@@ -119,8 +119,8 @@ class Panel {
     const float baseline =
         std::round(top_ - above - aboveAxes(axes_, sizes_) - 0.55F * sizes_.panel);
     const float size = fittingSize(diagram_.title.text, sizes_.panel,
-                                   std::max(sizes_.least, std::round(0.8F * sizes_.panel)), true,
-                                   cell_.right() - box.x);
+                                   std::max(sizes_.minFontSize, std::round(0.8F * sizes_.panel)),
+                                   true, cell_.right() - box.x);
     const std::string title = elided(diagram_.title.text, size, true, cell_.right() - box.x);
     if (!title.empty()) addText(list, {{title, true}}, {box.x, baseline}, size, theme_.text);
   }
@@ -134,7 +134,7 @@ class Panel {
   }
 
   /// Returns the line of the marker from the bottom to the top.
-  std::vector<Place> markerLine() const {
+  std::vector<DrawPoint> markerLine() const {
     const Box& box = axes_.box;
     const float x = axes_.px(axisPlace(axes_.xAxis.scale, diagram_.marker->x));
     return {{x, box.y}, {x, box.bottom()}};
@@ -143,10 +143,10 @@ class Panel {
   void addMarkerLine(DrawList& list) const {
     const Box& box = axes_.box;
     if (!diagram_.marker) return;
-    const std::vector<Place> line = markerLine();
+    const std::vector<DrawPoint> line = markerLine();
     if (!(line[0].x >= box.x && line[0].x <= box.right())) return;
     std::vector<Polyline> lines{line};
-    const Place at = axes_.place(diagram_.marker->x, diagram_.marker->y);
+    const DrawPoint at = axes_.mapToPosition(diagram_.marker->x, diagram_.marker->y);
     if (diagram_.marker->isCross && at.y >= box.y && at.y <= box.bottom())
       lines.push_back({{box.x, at.y}, {box.right(), at.y}});
     DrawLayer layer;
@@ -181,34 +181,34 @@ class Panel {
   /// otherwise at the right of the frame or above it where there is enough space; otherwise where
   /// it hides least.
   void arrange() {
-    constexpr float kLeastWidth = 0.55F,
-                    kLeastHeight = 0.6F;  // minimum part of the frame that stays beside a legend
-    constexpr float kMuch = 0.25F;        // part of a legend's box
+    constexpr float kMinWidth = 0.55F,
+                    kMinHeight = 0.6F;  // minimum part of the frame that stays beside a legend
+    constexpr float kMuch = 0.25F;      // part of a legend's box
     below_ = 0;
     place(0, 0);
     if (sizes_.legendMode == LegendMode::Below) return arrangeBelow();
     if (sizes_.legendMode != LegendMode::Automatic) return;
-    // A scale of colours that had no room leaves an empty legend that is not whole.
+    // A scale of colours that did not fit leaves an empty, incomplete legend.
     if (legend_.isWhole && (legend_.empty() || hidden_ <= 0)) return;
     const Box frame = axes_.box;
     const float gap = std::round(10 * sizes_.unit);
     const Legend beside =
         legendFor(diagram_, styles_, sizes_.legend, 0.36F * cell_.width, frame.height);
-    const float least = beside.isWhole && !legend_.isWhole ? 0.45F : kLeastWidth;
-    const bool sparesWidth =
+    const float least = beside.isWhole && !legend_.isWhole ? 0.45F : kMinWidth;
+    const bool fitsBeside =
         !isAligned_ && !beside.empty() && frame.width - beside.width - gap > least * cell_.width;
     const Legend over = legendOver(diagram_, styles_, sizes_.legend, frame.width);
     const float rest = frame.height - over.height;
-    const bool sparesHeight =
-        over.isWhole && rest > std::max(kLeastHeight * frame.height, 5 * sizes_.tick);
-    const bool prefersOver = sparesHeight && !(sparesWidth && beside.isWhole);
+    const bool fitsAbove =
+        over.isWhole && rest > std::max(kMinHeight * frame.height, 5 * sizes_.tick);
+    const bool prefersOver = fitsAbove && !(fitsBeside && beside.isWhole);
     if (prefersOver) {
       place(0, over.height);
       legend_ = over;
       const float above = aboveFrame(diagram_, sizes_) + aboveAxes(axes_, sizes_);
       legendBox_ = {axes_.box.x, top_ - above, over.width, over.height};
       hidden_ = 0;
-    } else if (sparesWidth || (!isAligned_ && !beside.empty() && hidden_ > kMuch)) {
+    } else if (fitsBeside || (!isAligned_ && !beside.empty() && hidden_ > kMuch)) {
       place(beside.width + gap, 0);
       legend_ = beside;
       legendBox_ = {cell_.right() - beside.width, axes_.box.y, beside.width, beside.height};
@@ -216,7 +216,7 @@ class Panel {
     } else if (sizes_.isPrinted && (hidden_ > kLittleHidden || !legend_.isWhole)) {
       arrangeBelow();
       if (axes_.box.height >= kLowest * sizes_.tick) return;
-      below_ = 0;  // rather a legend that hides something than no curve
+      below_ = 0;  // a legend that hides something is better than no curve
       place(0, 0);
     }
   }
@@ -236,7 +236,7 @@ class Panel {
     hidden_ = 0;
   }
 
-  /// Places everything, with this many pixels kept free at the right and above the frame.
+  /// Lays out everything, with this many pixels free at the right and above the frame.
   void place(float right, float above) {
     Box& box = axes_.box;
     box.y = top_ + above;
@@ -257,9 +257,9 @@ class Panel {
     };
     fit(sizes_.tick);
     fit(overhang());
-    styles_ = stylesOf(diagram_, sizes_, theme_, box.width);
+    styles_ = seriesStyles(diagram_, sizes_, theme_, box.width);
     // Letters that must not get smaller need more of a narrow frame.
-    const float widest = sizes_.least > 7 ? 0.95F : 0.7F;
+    const float widest = sizes_.minFontSize > 7 ? 0.95F : 0.7F;
     legend_ =
         sizes_.legendMode == LegendMode::None || below_ > 0
             ? Legend{}
@@ -271,7 +271,7 @@ class Panel {
     labels_ = placeLabels(diagram_, axes_, map, sizes_);
     placeLegend(map);
     if (hidden_ <= 0 || labels_.empty()) return;
-    // Labels move out of the way of the legend.
+    // Labels avoid the legend.
     const Panel before = *this;
     placeLegend(series);
     series.addBox(legendBox_, kTaken);
@@ -285,7 +285,7 @@ class Panel {
 
   void placeLegend(const OccupancyGrid& map) {
     const float margin = std::round(9 * sizes_.unit);
-    legendBox_ = legend_.empty() ? Box{} : freestPlace(map, legend_.width, legend_.height, margin);
+    legendBox_ = legend_.empty() ? Box{} : freestBox(map, legend_.width, legend_.height, margin);
     if (map.greatestUnder(legendBox_) >= kTaken) legendBox_ = {};
     hidden_ = legendBox_.width > 0 ? map.under(legendBox_) : 1;
   }
@@ -402,7 +402,7 @@ DiagramSheet prepared(const DiagramSheet& english, const DiagramOptions& options
   DiagramSheet sheet = translated(english);
   // Letters of a given size need panels of a width that holds their legends.
   constexpr float kNarrowest = 26;  // letters
-  const float letters = options.look.letters;
+  const float letters = options.format.fontSize;
   if (letters > 0) {
     const int most = static_cast<int>(static_cast<float>(options.width) / (kNarrowest * letters));
     if (most < gridFor(sheet).columns) sheet.columns = std::max(most, 1);
@@ -459,7 +459,7 @@ int heightForAll(const DiagramSheet& english, const DiagramOptions& asked) {
   DiagramOptions options = asked;
   for (; options.height <= kHighest; options.height += 10) {
     DrawList list = emptyList(options);
-    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isComfortable))
+    if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isWellReadable))
       return options.height;
   }
   return 0;
@@ -470,7 +470,7 @@ int heightInPrint(const DiagramSheet& english, const DiagramOptions& asked) {
   const DiagramSheet sheet = prepared(english, asked);
   DiagramOptions options = asked;
   // Steps of half a letter, to three times the width, which is more than a page.
-  const int step = std::max(1, static_cast<int>(asked.look.letters / 2));
+  const int step = std::max(1, static_cast<int>(asked.format.fontSize / 2));
   for (; options.height <= 3 * asked.width; options.height += step) {
     DrawList list = emptyList(options);
     if (std::ranges::all_of(panelsOf(sheet, options, list), &Panel::isWhole)) return options.height;
@@ -509,11 +509,11 @@ double DiagramFrame::yAt(float down) const {
   return valueAt(yScale, yFrom, yTo, static_cast<double>((top + height - down) / height));
 }
 
-float DiagramFrame::rightOf(double x) const {
+float DiagramFrame::mapX(double x) const {
   return left + width * static_cast<float>(partOf(xScale, xFrom, xTo, x));
 }
 
-float DiagramFrame::downOf(double y) const {
+float DiagramFrame::mapY(double y) const {
   return top + height - height * static_cast<float>(partOf(yScale, yFrom, yTo, y));
 }
 

@@ -20,11 +20,11 @@ struct FrameAbove {
   float unit = 0;
 };
 
-/// Sizes and places that a user asks for, in pixels; 0: automatic.
-struct FigureLook {
-  float letters = 0;  // of the numbers at the axes; other texts follow
-  float curve = 0;    // width of curves
-  float least = 0;    // no text is smaller
+/// Sizes in pixels and the positions of legend and ticks, as the user sets them; 0: automatic.
+struct DiagramFormat {
+  float fontSize = 0;     // of the tick labels; other texts are scaled with it
+  float lineWidth = 0;    // of curves
+  float minFontSize = 0;  // of any text
   LegendMode legend = LegendMode::Automatic;
   TickSide ticks = TickSide::Inside;
 };
@@ -34,9 +34,9 @@ struct DiagramOptions {
   float scale = 1;                 // of fonts and line widths; 2 for twice the pixels
   Theme theme = lightTheme();
   // minimum size of texts in a low picture, relative to the usual size; 1: usual
-  float leastText = 0;
+  float minTextSize = 0;
   std::optional<FrameAbove> above{};
-  FigureLook look{};
+  DiagramFormat format{};
 };
 
 /// Returns a size for print: 2400 x 1600 pixels at scale 2 for one diagram, wider for several.
@@ -47,8 +47,8 @@ DiagramOptions printOptions(const DiagramSheet& sheet, const Theme& theme = prin
 int heightForAll(const DiagramSheet& sheet, const DiagramOptions& options);
 
 /// Returns the height of the lowest picture of this width, from options.height on, in which letters
-/// of a given size (options.look.letters) leave nothing out: every frame has a fair height, every
-/// title and legend is whole. options.height where there is none.
+/// of a given size (options.format.fontSize) leave nothing out: every frame is high enough, every
+/// title and legend complete. options.height where there is no such height.
 int heightInPrint(const DiagramSheet& sheet, const DiagramOptions& options);
 
 /// Returns the height of the lowest frame, in heights of the numbers beside it; 0 where a frame
@@ -59,17 +59,17 @@ float lowestFrame(const DiagramSheet& sheet, const DiagramOptions& options);
 /// others too low to read easily.
 DiagramSheet withoutCrowding(DiagramSheet sheet, const DiagramOptions& options);
 
-/// Where a diagram of a sheet is in its picture, and what the edges of its frame mean.
+/// The position of a diagram of a sheet in its picture, and the values at the edges of its frame.
 struct DiagramFrame {
   float left = 0, top = 0, width = 0, height = 0;  // pixels
   AxisScale xScale = AxisScale::Linear, yScale = AxisScale::Linear;
   double xFrom = 0, xTo = 0, yFrom = 0, yTo = 0;  // values at the edges
 
-  /// The values at a place, and back. Pixels, y down.
+  /// These functions convert between pixels (y down) and values.
   double xAt(float right) const;
   double yAt(float down) const;
-  float rightOf(double x) const;
-  float downOf(double y) const;
+  float mapX(double x) const;
+  float mapY(double y) const;
 };
 
 /// Returns the frames of the diagrams in the picture that composeDiagrams() draws.

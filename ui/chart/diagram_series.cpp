@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/chart/sensitivity_sheet.h"
 #include "ui/chart/diagram_colours.h"
 #include "ui/chart/marks.h"
+#include "ui/draw/fonts.h"
 #include "ui/draw/stroke_pattern.h"
 #include "ui/draw/theme.h"
 
@@ -19,31 +21,32 @@ constexpr float kDash = 3.6F, kDashGap = 2.6F, kDotGap = 2.3F;
 constexpr float kBandAlpha = 0.2F;
 constexpr float kFaded = 0.3F;  // opacity of a faded series
 
-bool holds(const Box& box, const Place& p) {
+bool holds(const Box& box, const DrawPoint& p) {
   constexpr float kEdge = 0.5F;  // tolerance for points at the very end of an axis
   return p.x >= box.x - kEdge && p.x <= box.right() + kEdge && p.y >= box.y - kEdge &&
          p.y <= box.bottom() + kEdge;
 }
 
-std::vector<Place> placesOf(const DiagramSeries& series, const DiagramAxes& axes) {
-  std::vector<Place> places;
-  places.reserve(series.points.size());
-  for (const DiagramPoint& point : series.points) places.push_back(axes.place(point.x, point.y));
-  return places;
+std::vector<DrawPoint> drawnPoints(const DiagramSeries& series, const DiagramAxes& axes) {
+  std::vector<DrawPoint> points;
+  points.reserve(series.points.size());
+  for (const DiagramPoint& point : series.points)
+    points.push_back(axes.mapToPosition(point.x, point.y));
+  return points;
 }
 
 /// Returns the parts of a curve without gaps, with no more points in x than pixels.
-std::vector<Polyline> runsOf(const std::vector<Place>& places, const Box& box) {
+std::vector<Polyline> runsOf(const std::vector<DrawPoint>& points, const Box& box) {
   std::vector<Polyline> runs;
   bool open = false;
-  for (const Place& place : places) {
+  for (const DrawPoint& place : points) {
     if (isFinite(place)) {
       if (!open) runs.emplace_back();
       runs.back().push_back(place);
     }
     open = isFinite(place);
   }
-  const auto byX = [](const Place& a, const Place& b) { return a.x < b.x; };
+  const auto byX = [](const DrawPoint& a, const DrawPoint& b) { return a.x < b.x; };
   for (Polyline& run : runs)
     if (static_cast<float>(run.size()) > 2 * box.width &&
         std::is_sorted(run.begin(), run.end(), byX))
@@ -56,9 +59,10 @@ struct Bar {
   bool lowShown, highShown;
 };
 
-/// Returns the error bar of a point; an end without a place on a logarithmic axis is at its bottom.
+/// Returns the error bar of a point; an end that a logarithmic axis cannot show is at its bottom.
 Bar barOf(const DiagramPoint& point, const DiagramAxes& axes) {
-  const Place low = axes.place(point.x, point.low), high = axes.place(point.x, point.high);
+  const DrawPoint low = axes.mapToPosition(point.x, point.low),
+                  high = axes.mapToPosition(point.x, point.high);
   const bool toZero = !isFinite(low) && std::isfinite(point.low);
   const float bottom = axes.box.bottom() + 10;
   return {high.x, toZero ? bottom : low.y, high.y, isFinite(low), isFinite(high)};
@@ -121,13 +125,13 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
   lines.clip = {box.x, box.y, box.width, box.height};
   if (style.hasBars) addBars(lines, series, style, axes, unit);
   if (style.stroke != SeriesStroke::None)
-    for (const Polyline& part : curveOf(series, axes)) {
+    for (const Polyline& part : clippedCurve(series, axes)) {
       if (isOverField)
         addLine(lines, part, style.width + 2.4F * unit, withAlpha(theme.background, 0.7F));
       addStroke(lines, part, style);
     }
   if (style.mark != SeriesMark::None)
-    for (const Place& place : placesOf(series, axes)) {
+    for (const DrawPoint& place : drawnPoints(series, axes)) {
       if (!isFinite(place) || !holds(box, place)) continue;
       addMarkRim(rims, style.mark, place, style.markSize, kRim * unit, theme.background);
       addMark(marks, style.mark, place, style.markSize, style.colour);
@@ -139,33 +143,33 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
 
 }  // namespace
 
-std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes) {
+std::vector<Polyline> clippedCurve(const DiagramSeries& series, const DiagramAxes& axes) {
   std::vector<Polyline> parts;
-  for (const Polyline& run : runsOf(placesOf(series, axes), axes.box))
+  for (const Polyline& run : runsOf(drawnPoints(series, axes), axes.box))
     for (Polyline& part : clippedTo(axes.box, run)) parts.push_back(std::move(part));
   return parts;
 }
 
-std::vector<Place> thinned(const std::vector<Place>& places) {
-  std::vector<Place> kept;
-  if (places.empty()) return kept;
-  kept.push_back(places.front());
-  for (std::size_t first = 1, end = first; first + 1 < places.size(); first = end) {
-    const float column = std::floor(places[first].x);
+std::vector<DrawPoint> thinned(const std::vector<DrawPoint>& points) {
+  std::vector<DrawPoint> kept;
+  if (points.empty()) return kept;
+  kept.push_back(points.front());
+  for (std::size_t first = 1, end = first; first + 1 < points.size(); first = end) {
+    const float column = std::floor(points[first].x);
     std::size_t low = first, high = first;
-    for (end = first; end + 1 < places.size() && std::floor(places[end].x) == column; ++end) {
-      if (places[end].y < places[low].y) low = end;
-      if (places[end].y > places[high].y) high = end;
+    for (end = first; end + 1 < points.size() && std::floor(points[end].x) == column; ++end) {
+      if (points[end].y < points[low].y) low = end;
+      if (points[end].y > points[high].y) high = end;
     }
-    kept.push_back(places[std::min(low, high)]);
-    if (low != high) kept.push_back(places[std::max(low, high)]);
+    kept.push_back(points[std::min(low, high)]);
+    if (low != high) kept.push_back(points[std::max(low, high)]);
   }
-  if (places.size() > 1) kept.push_back(places.back());
+  if (points.size() > 1) kept.push_back(points.back());
   return kept;
 }
 
-std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
-                                  const Theme& theme, float pixels) {
+std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes& sizes,
+                                      const Theme& theme, float pixels) {
   std::vector<SeriesStyle> styles;
   int next = 0;
   for (const DiagramSeries& series : diagram.series) {
@@ -201,20 +205,20 @@ std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& si
   return styles;
 }
 
-void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesStyle& style) {
+void addStroke(DrawLayer& layer, const std::vector<DrawPoint>& points, const SeriesStyle& style) {
   const float w = style.width;
   switch (style.stroke) {
     case SeriesStroke::None:
       return;
     case SeriesStroke::Solid:
-      return addLine(layer, places, w, style.colour);
+      return addLine(layer, points, w, style.colour);
     case SeriesStroke::Dashed:
       // The round ends of a dash make it one width longer, and the gap one width shorter.
-      for (Polyline& dash : dashed(places, (kDash - 1) * w, (kDashGap + 1) * w))
+      for (Polyline& dash : dashed(points, (kDash - 1) * w, (kDashGap + 1) * w))
         addLine(layer, std::move(dash), w, style.colour);
       return;
     case SeriesStroke::Dotted:
-      for (Polyline& dot : dashed(places, 0, kDotGap * w))
+      for (Polyline& dot : dashed(points, 0, kDotGap * w))
         addLine(layer, std::move(dot), 1.15F * w, style.colour);
       return;
   }
@@ -245,13 +249,55 @@ void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<S
       if (isDrawable(bar))
         map.addBox({bar.x - half, bar.high, 2 * half, bar.low - bar.high},
                    styles[i].isBand ? 0.25F : 0.6F);
-      const Place place = axes.place(point.x, point.y);
+      const DrawPoint place = axes.mapToPosition(point.x, point.y);
       if (styles[i].mark != SeriesMark::None && isFinite(place))
         map.addBox({place.x - half, place.y - half, 2 * half, 2 * half}, 1);
     }
     if (styles[i].stroke != SeriesStroke::None)
-      for (const Polyline& part : curveOf(series, axes)) map.addLine(part, 1);
+      for (const Polyline& part : clippedCurve(series, axes)) map.addLine(part, 1);
   }
+}
+
+// ---- Horizontal bars
+
+TickedAxis barAxis(const Diagram& diagram, float available, const DiagramSizes& sizes) {
+  TickedAxis axis;
+  const auto count = static_cast<double>(diagram.bars.size());
+  axis.range = {0, std::max(count, 1.0)};
+  for (std::size_t i = 0; i < diagram.bars.size(); ++i)
+    axis.ticks.push_back({count - static_cast<double>(i) - 0.5,
+                          elided(diagram.bars[i].name.text, sizes.tick, false, available)});
+  return axis;
+}
+
+void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
+                       const DiagramSizes& sizes, const Theme& theme) {
+  if (diagram.bars.empty()) return;
+  constexpr float kThick = 0.62F;  // of the distance between two
+  constexpr float kPale = 0.65F;   // share of the background
+  const Box& box = axes.box;
+  const float row = box.height / static_cast<float>(diagram.bars.size());
+  const float half = std::min(kThick * row, 2.2F * sizes.tick) / 2;
+  const float zero = std::clamp(axes.px(0), box.x, box.right());
+  DrawLayer layer;
+  layer.clip = {box.x, box.y, box.width, box.height};
+  for (std::size_t i = 0; i < diagram.bars.size(); ++i) {
+    const DiagramBar& bar = diagram.bars[i];
+    const float end = axes.px(bar.value);
+    const float y = box.y + (static_cast<float>(i) + 0.5F) * row;
+    const Rgba colour = seriesColour(bar.value < 0 ? 1 : 0, theme);
+    addRectangle(layer, {std::min(zero, end), y - half, std::abs(end - zero), 2 * half},
+                 isSignificant(bar) ? colour : mix(colour, theme.background, kPale));
+    if (!std::isfinite(bar.error)) continue;
+    const float low = axes.px(bar.value - bar.error), high = axes.px(bar.value + bar.error);
+    const float cap = 0.5F * half;
+    const Rgba ink = isSignificant(bar) ? theme.text : theme.faintText;
+    addLine(layer, {{low, y}, {high, y}}, 1.4F * sizes.unit, ink);
+    for (const float x : {low, high})
+      addLine(layer, {{x, y - cap}, {x, y + cap}}, 1.4F * sizes.unit, ink);
+  }
+  addLine(layer, {{zero, box.y}, {zero, box.bottom()}}, 1.2F * sizes.unit, theme.text);
+  list.layers.push_back(std::move(layer));
 }
 
 }  // namespace asperity

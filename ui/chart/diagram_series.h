@@ -1,4 +1,5 @@
-// The curves, marks, error bars and bands of a diagram. Private to ui/chart. Pure; any thread.
+// The curves, marks, error bars, bands and named horizontal bars of a diagram. Private to ui/chart.
+// Pure; any thread.
 #pragma once
 
 #include <vector>
@@ -20,18 +21,18 @@ struct SeriesStyle {
 };
 
 /// Returns one style for each series; marks shrink where points are dense in a frame `pixels` wide.
-std::vector<SeriesStyle> stylesOf(const Diagram& diagram, const DiagramSizes& sizes,
-                                  const Theme& theme, float pixels);
+std::vector<SeriesStyle> seriesStyles(const Diagram& diagram, const DiagramSizes& sizes,
+                                      const Theme& theme, float pixels);
 
 /// Returns the curve of a series inside the frame, in parts without gaps.
-std::vector<Polyline> curveOf(const DiagramSeries& series, const DiagramAxes& axes);
+std::vector<Polyline> clippedCurve(const DiagramSeries& series, const DiagramAxes& axes);
 
 /// Returns the lowest and the highest point of each pixel column, in their order; both ends are
 /// kept. x ascends.
-std::vector<Place> thinned(const std::vector<Place>& places);
+std::vector<DrawPoint> thinned(const std::vector<DrawPoint>& points);
 
 /// Adds a line in a series' stroke.
-void addStroke(DrawLayer& layer, const std::vector<Place>& places, const SeriesStyle& style);
+void addStroke(DrawLayer& layer, const std::vector<DrawPoint>& points, const SeriesStyle& style);
 
 /// Adds bands, then theory, then the data in its order.
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
@@ -41,5 +42,13 @@ void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesS
 /// bands.
 void coverSeries(OccupancyGrid& map, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                  const DiagramAxes& axes);
+
+/// Returns the y-axis of a diagram of horizontal bars: a tick with its name for each, from the top.
+/// Names are shortened to `available` pixels.
+TickedAxis barAxis(const Diagram& diagram, float available, const DiagramSizes& sizes);
+
+/// Adds the horizontal bars with their errors, and a line at 0.
+void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes& axes,
+                       const DiagramSizes& sizes, const Theme& theme);
 
 }  // namespace asperity

@@ -21,7 +21,7 @@ Frame inPresentLanguage(Frame contact, const Figure& figure) {
 
 }  // namespace
 
-std::shared_ptr<const Frame> contactOf(const Figure& figure) {
+std::shared_ptr<const Frame> contactFrame(const Figure& figure) {
   if (!figure.sheet.diagrams.empty()) return nullptr;
   Scene scene = figure.scene;
   scene.title = figure.sheet.title.english();
@@ -36,8 +36,8 @@ DrawList composeFigure(const Figure& figure, const Frame* contact, const Diagram
   picture.height = options.height;
   picture.scale = options.scale;
   picture.theme = options.theme;
-  picture.letters = options.look.letters;
-  picture.curve = options.look.curve;
+  picture.fontSize = options.format.fontSize;
+  picture.lineWidth = options.format.lineWidth;
   picture.title = !figure.sheet.title.empty();
   return composeContact(inPresentLanguage(*contact, figure), picture);
 }

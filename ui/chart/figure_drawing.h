@@ -12,9 +12,9 @@ namespace asperity {
 
 /// Returns the frame of the contact for a figure without diagrams; null for the others. Throws the
 /// errors of the scene's steady state.
-std::shared_ptr<const Frame> contactOf(const Figure& figure);
+std::shared_ptr<const Frame> contactFrame(const Figure& figure);
 
-/// Draws the figure. contact: the result of contactOf().
+/// Draws the figure. contact: the result of contactFrame().
 DrawList composeFigure(const Figure& figure, const Frame* contact, const DiagramOptions& options);
 
 }  // namespace asperity

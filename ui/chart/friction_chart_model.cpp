@@ -20,7 +20,7 @@ namespace {
 constexpr AxisRange kEmptyVelocities{-5, 3};  // shown before anything is known
 constexpr AxisRange kEmptyCoefficients{-6, -2};
 
-constexpr double kAir = 1.15;
+constexpr double kMarginFactor = 1.15;
 // The binary value of 1e-5 may lie a little below the decade; this must not add another decade.
 constexpr double kSlack = 1e-9;
 
@@ -36,7 +36,7 @@ bool isOneLine(const CurveUpdate& curve) {
   return curve.realizationsTotal <= 1;
 }
 
-/// The smallest and largest number with a place on an axis of this scale.
+/// The smallest and largest number that an axis of this scale can show.
 struct Extent {
   AxisScale scale = AxisScale::Logarithmic;
   double low = kNotApplicable, high = kNotApplicable;
@@ -47,11 +47,12 @@ struct Extent {
     low = isEmpty() ? value : std::min(low, value);
     high = isEmpty() ? value : std::max(high, value);
   }
-  /// Returns whole decades around the numbers, or the numbers with a margin; `air` is a factor
-  /// kept between them and the ends of a logarithmic axis.
-  AxisRange range(double air = 1) const {
+  /// Returns whole decades around the numbers, or the numbers with a margin; `marginFactor` is the
+  /// factor between them and the ends of a logarithmic axis.
+  AxisRange range(double marginFactor = 1) const {
     if (isEmpty()) return {};
-    if (scale == AxisScale::Logarithmic) return decadesAround(low / air, high * air);
+    if (scale == AxisScale::Logarithmic)
+      return decadesAround(low / marginFactor, high * marginFactor);
     constexpr double kMargin = 0.04;
     const double margin = high > low ? kMargin * (high - low) : std::max(std::abs(high), 1e-12) / 2;
     return {low >= 0 && low < (high - low) / 2 ? 0 : low - margin, high + margin};
@@ -149,9 +150,9 @@ bool FrictionChartModel::take(const CurveUpdate& update) {
   const bool newCurve = !curve_ || !haveSameCurve(*curve_->scene, *update.scene);
   curve_ = std::make_shared<const CurveUpdate>(update);
   awaitsMarker_ |= newCurve;
-  if (newCurve && std::exchange(beginsAxesAnew_, false)) {
+  if (newCurve && std::exchange(resetsAxes_, false)) {
     coefficients_ = {};
-    marksAxesAnew_ = true;
+    resetsAxesWithMark_ = true;
   }
   fitRanges(newCurve);
   return true;
@@ -171,7 +172,7 @@ bool FrictionChartModel::mark(const Frame& frame) {
   // widened the axes.
   const bool isItsMarker = awaitsMarker_ && haveSameCurve(*curve_->scene, *frame.scene);
   if (isItsMarker) awaitsMarker_ = false;
-  if (isItsMarker && std::exchange(marksAxesAnew_, false)) coefficients_ = {};
+  if (isItsMarker && std::exchange(resetsAxesWithMark_, false)) coefficients_ = {};
   fitRanges(isItsMarker);
   return before == std::pair{velocities_, coefficients_};
 }
@@ -224,12 +225,13 @@ int FrictionChartModel::pin(std::shared_ptr<const CurveUpdate> curve) {
         pinned.curve->realizationsDone == curve->realizationsDone &&
         pinned.curve->isComplete == curve->isComplete)
       return 0;
-  const auto isTaken = [this](int place) {
-    return std::ranges::any_of(pinned_, [&](const PinnedCurve& p) { return p.place == place; });
+  const auto isTaken = [this](int index) {
+    return std::ranges::any_of(pinned_,
+                               [&](const PinnedCurve& p) { return p.colourIndex == index; });
   };
-  int place = 0;
-  while (isTaken(place)) ++place;
-  pinned_.push_back({++lastId_, place, std::move(curve)});
+  int index = 0;
+  while (isTaken(index)) ++index;
+  pinned_.push_back({++lastId_, index, std::move(curve)});
   fitRanges(false);
   return lastId_;
 }
@@ -244,13 +246,13 @@ void FrictionChartModel::unpinAll() {
   fitRanges(true);
 }
 
-Message FrictionChartModel::englishNameOf(const PinnedCurve& pinned, const Scene& present) const {
+Message FrictionChartModel::englishName(const PinnedCurve& pinned, const Scene& present) const {
   const Message name = describeDifferences(*pinned.curve->scene, present);
   return listed({name.empty() ? Message("same parameters") : name, shareOf(*pinned.curve)});
 }
 
-QString FrictionChartModel::nameOf(const PinnedCurve& pinned) const {
-  return translatedText(englishNameOf(pinned, present()));
+QString FrictionChartModel::pinnedName(const PinnedCurve& pinned) const {
+  return translatedText(englishName(pinned, present()));
 }
 
 void FrictionChartModel::showDifference(std::optional<CurveDifference> difference) {
@@ -271,12 +273,12 @@ bool FrictionChartModel::isDifferenceStale() const {
 CurveSet FrictionChartModel::curves(const Scene& present) const {
   CurveSet set = view();
   if (!curve_) return set;
-  // A curve over the key before has no place on the new axis.
+  // A curve over the previous key cannot be drawn over the new axis.
   if (isOnThisAxis(*curve_->scene)) set.present = {{}, *curve_->scene, curve_->points};
   for (const PinnedCurve& pinned : pinned_)
     if (isOnThisAxis(*pinned.curve->scene))
-      set.pinned.push_back({englishNameOf(pinned, present), *pinned.curve->scene,
-                            pinned.curve->points, pinned.place, pinned.id});
+      set.pinned.push_back({englishName(pinned, present), *pinned.curve->scene,
+                            pinned.curve->points, pinned.colourIndex, pinned.id});
   if (compared_ && haveSameCurve(*compared_, *curve_->scene)) {
     set.theories = comparisons_.theories;
     set.measured = comparisons_.measured;
@@ -331,12 +333,12 @@ void FrictionChartModel::hideCurve(DiagramSheet& sheet) const {
 }
 
 double FrictionChartModel::progress() const {
-  constexpr double kAlmost = 0.999;
+  constexpr double kMaxProgress = 0.999;
   if (!curve_ || isStale()) return 0;
   if (curve_->isComplete) return 1;
   if (curve_->realizationsTotal <= 0) return 0;
-  return std::min(kAlmost, static_cast<double>(curve_->realizationsDone) /
-                               static_cast<double>(curve_->realizationsTotal));
+  return std::min(kMaxProgress, static_cast<double>(curve_->realizationsDone) /
+                                    static_cast<double>(curve_->realizationsTotal));
 }
 
 std::optional<DiagramMarker> FrictionChartModel::marker() const {
@@ -361,31 +363,31 @@ const CurveUpdate* FrictionChartModel::find(int id) const {
 }
 
 QString FrictionChartModel::describe(int id, int row) const {
-  const auto place = static_cast<std::size_t>(row);
+  const auto index = static_cast<std::size_t>(row);
   if (id == kDifferenceCurve)
-    return difference_ && place < difference_->points.size() ? reading(difference_->points[place])
+    return difference_ && index < difference_->points.size() ? reading(difference_->points[index])
                                                              : QString();
   const auto table = static_cast<std::size_t>(kMeasuredCurves - id);
   if (id <= kMeasuredCurves && table < comparisons_.measured.size())
-    return describeMeasured(comparisons_.measured[table], place);
+    return describeMeasured(comparisons_.measured[table], index);
   const CurveUpdate* curve = find(id);
-  if (!curve || place >= curve->points.size()) return {};
-  const QString text = reading(curve->points[place], *curve->scene);
+  if (!curve || index >= curve->points.size()) return {};
+  const QString text = reading(curve->points[index], *curve->scene);
   if (id == kPresentCurve) return text;
   const auto pinned = std::ranges::find(pinned_, id, &PinnedCurve::id);
-  return nameOf(*pinned) + '\n' + text;
+  return pinnedName(*pinned) + '\n' + text;
 }
 
 QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
-                                             std::size_t place) const {
-  if (place >= measured.data.points.size()) return {};
-  const MeasuredPoint& point = measured.data.points[place];
+                                             std::size_t index) const {
+  if (index >= measured.data.points.size()) return {};
+  const MeasuredPoint& point = measured.data.points[index];
   const QString name = QString::fromStdString(measured.data.name);
   QStringList lines{point.label.empty() ? name : name + ", " + QString::fromStdString(point.label)};
   lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
   lines += withError(QStringLiteral("μ"), point.mu, point.muError);
-  if (place < measured.computed.size())
-    lines += tr("computed: %1").arg(readingLabel(totalMu(measured.computed[place])));
+  if (index < measured.computed.size())
+    lines += tr("computed: %1").arg(readingLabel(totalMu(measured.computed[index])));
   return lines.join('\n');
 }
 
@@ -419,7 +421,7 @@ QString FrictionChartModel::reading(const DifferencePoint& point) const {
          tr("with %1").arg(translatedText(settingName(difference_->setting)));
 }
 
-std::optional<double> FrictionChartModel::sweptOf(int id, int row) const {
+std::optional<double> FrictionChartModel::sweptValue(int id, int row) const {
   const CurveUpdate* curve = find(id);
   if (!curve || static_cast<std::size_t>(row) >= curve->points.size()) return std::nullopt;
   const CurvePoint& point = curve->points[static_cast<std::size_t>(row)];
@@ -506,7 +508,7 @@ void FrictionChartModel::fitRanges(bool newCurve) {
       coefficients_ = needed;
     return;
   }
-  coefficients_ = steadyRange(coefficients_, neededCoefficients(up.range(kAir)), newCurve);
+  coefficients_ = steadyRange(coefficients_, neededCoefficients(up.range(kMarginFactor)), newCurve);
 }
 
 /// Before there is a curve, the axis shows some decades of friction around the marker.

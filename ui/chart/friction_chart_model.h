@@ -25,7 +25,7 @@ bool haveSameCurve(const Scene& a, const Scene& b);
 /// Returns the whole decades around [low, high]; both positive and finite.
 AxisRange decadesAround(double low, double high);
 
-/// Returns the range to show next. It grows at once where the data need it, and shrinks only when
+/// Returns the range to show next. It grows at once when the data need it, and shrinks only when
 /// `mayShrink` is set and an end lies two decades or more outside the data.
 AxisRange steadyRange(const AxisRange& shown, const AxisRange& needed, bool mayShrink);
 
@@ -34,8 +34,8 @@ QString readingLabel(double value, int digits = 3);
 
 /// A curve that stays while the scene changes.
 struct PinnedCurve {
-  int id = 0;     // above 0, never reused
-  int place = 0;  // lowest free number; it determines colour and mark
+  int id = 0;           // above 0, never reused
+  int colourIndex = 0;  // lowest free number; it determines colour and mark
   std::shared_ptr<const CurveUpdate> curve;
 };
 
@@ -51,12 +51,12 @@ class FrictionChartModel {
   /// has no point yet. Returns whether it is shown.
   bool take(const CurveUpdate& update);
 
-  /// Marks the place of this frame on the curve. Returns whether the marker lies within the present
-  /// axes.
+  /// Marks the position of this frame on the curve. Returns whether the marker lies within the
+  /// present axes.
   bool mark(const Frame& frame);
   /// Lets the next curve choose the vertical axis: after another scene was opened, the decades of
   /// the one before are only empty.
-  void beginAxesAnew() { beginsAxesAnew_ = true; }
+  void resetAxes() { resetsAxes_ = true; }
   /// Fits the vertical axis to what is shown now, without the decades of earlier curves.
   void fitVerticalAxis();
   /// Fades the marker while it still belongs to the previous scene.
@@ -70,8 +70,8 @@ class FrictionChartModel {
   void setLinearY(bool isLinear);
   bool isLinearY() const { return isLinearY_; }
 
-  /// Hides the present curve and all that tells of it, with these ends of the vertical axis, as
-  /// long as somebody is to guess it; none: shows it. Pinned curves stay.
+  /// Hides the present curve and everything that reveals it, with these ends of the vertical axis,
+  /// while a student predicts it; none: shows it. Pinned curves stay.
   void conceal(std::optional<AxisRange> ends) { concealed_ = ends; }
   bool isConcealed() const { return concealed_.has_value(); }
 
@@ -83,7 +83,7 @@ class FrictionChartModel {
   void unpinAll();
   const std::vector<PinnedCurve>& pinned() const { return pinned_; }
   /// Returns the differences from the present scene: "G = 20 MPa".
-  QString nameOf(const PinnedCurve& pinned) const;
+  QString pinnedName(const PinnedCurve& pinned) const;
 
   /// Sets the difference of two settings, shown below while it belongs to this curve; none: no
   /// strip.
@@ -104,11 +104,11 @@ class FrictionChartModel {
   DiagramSheet sheet() const;
   std::optional<DiagramMarker> marker() const;
 
-  /// Return the reading of a point of the sheet, and its value of the swept key (velocity: m/s);
-  /// empty where there is none.
+  /// These functions return the reading of a point of the sheet, and its value of the swept key
+  /// (velocity: m/s); empty where there is none.
   QString describe(int id, int row) const;
-  std::optional<double> sweptOf(int id, int row) const;
-  /// Returns the value of the swept key at a place on the axis; empty where it has none.
+  std::optional<double> sweptValue(int id, int row) const;
+  /// Returns the value of the swept key at a position on the axis; empty where there is none.
   std::optional<double> sweptAt(double x) const;
 
   /// Returns the curves in the visible range, for writing them; nothing before the first curve.
@@ -116,13 +116,13 @@ class FrictionChartModel {
 
  private:
   const CurveUpdate* find(int id) const;
-  QString describeMeasured(const MeasuredCurve& measured, std::size_t place) const;
+  QString describeMeasured(const MeasuredCurve& measured, std::size_t index) const;
   QString reading(const CurvePoint& point, const Scene& scene) const;
   QString reading(const DifferencePoint& point) const;
-  Message englishNameOf(const PinnedCurve& pinned, const Scene& present) const;
+  Message englishName(const PinnedCurve& pinned, const Scene& present) const;
   const Scene& present() const { return expected_ ? *expected_ : *curve_->scene; }
   CurveSet curves(const Scene& present) const;
-  /// The axes alone.
+  /// Returns the axes without curves.
   CurveSet view() const;
   bool isOnThisAxis(const Scene& scene) const;
   Message status() const;
@@ -147,9 +147,9 @@ class FrictionChartModel {
   double fastest_ = 0;         // m/s, of the marked motion
   bool awaitsMarker_ = false;  // a new curve is there, and its scene's first picture may not be
   bool isMarkFaded_ = false;
-  bool beginsAxesAnew_ = false, marksAxesAnew_ = false;  // with the next curve; with its marker
-  std::optional<AxisRange> concealed_;                   // ends of the vertical axis
-  AxisRange velocities_, coefficients_;                  // decades, or values of a linear axis
+  bool resetsAxes_ = false, resetsAxesWithMark_ = false;  // with the next curve; with its marker
+  std::optional<AxisRange> concealed_;                    // ends of the vertical axis
+  AxisRange velocities_, coefficients_;                   // decades, or values of a linear axis
 };
 
 }  // namespace asperity

@@ -10,9 +10,9 @@ namespace {
 constexpr float kRing = 1.9F;  // relative to the other marks' size
 constexpr int kRingSides = 32;
 
-void addRing(DrawLayer& layer, Place at, float size, const Rgba& colour) {
+void addRing(DrawLayer& layer, DrawPoint at, float size, const Rgba& colour) {
   const float width = std::max(1.0F, 0.2F * size), r = (kRing * size - width) / 2;
-  std::vector<Place> circle;
+  std::vector<DrawPoint> circle;
   for (int i = 0; i <= kRingSides; ++i) {
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kRingSides;
     circle.push_back({at.x + r * std::cos(angle), at.y + r * std::sin(angle)});
@@ -25,18 +25,18 @@ float edgeWidth(float size) {
   return std::min(1.5F, 0.3F * size);
 }
 
-std::vector<Place> closed(std::vector<Place> corners) {
+std::vector<DrawPoint> closed(std::vector<DrawPoint> corners) {
   corners.push_back(corners.front());
   return corners;
 }
 
 }  // namespace
 
-std::vector<Place> markCorners(SeriesMark mark, Place at, float size) {
+std::vector<DrawPoint> markCorners(SeriesMark mark, DrawPoint at, float size) {
   const float r = size / 2;
-  const auto shifted = [&](std::initializer_list<Place> offsets) {
-    std::vector<Place> corners;
-    for (const Place& o : offsets) corners.push_back({at.x + r * o.x, at.y + r * o.y});
+  const auto shifted = [&](std::initializer_list<DrawPoint> offsets) {
+    std::vector<DrawPoint> corners;
+    for (const DrawPoint& o : offsets) corners.push_back({at.x + r * o.x, at.y + r * o.y});
     return corners;
   };
   switch (mark) {
@@ -54,19 +54,19 @@ std::vector<Place> markCorners(SeriesMark mark, Place at, float size) {
   return {};
 }
 
-void addMark(DrawLayer& layer, SeriesMark mark, Place at, float size, const Rgba& colour) {
+void addMark(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, const Rgba& colour) {
   if (mark == SeriesMark::None) return;
   if (mark == SeriesMark::Circle) return addLine(layer, {at}, size, colour);
   if (mark == SeriesMark::Ring) return addRing(layer, at, size, colour);
   const float edge = edgeWidth(size);
-  const std::vector<Place> corners = markCorners(mark, at, size - edge);
+  const std::vector<DrawPoint> corners = markCorners(mark, at, size - edge);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    for (const Place& p : {corners[0], corners[i], corners[i + 1]})
+    for (const DrawPoint& p : {corners[0], corners[i], corners[i + 1]})
       layer.triangles.push_back({p.x, p.y, colour});
   addLine(layer, closed(corners), edge, colour);
 }
 
-void addMarkRim(DrawLayer& layer, SeriesMark mark, Place at, float size, float rim,
+void addMarkRim(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, float rim,
                 const Rgba& colour) {
   if (mark == SeriesMark::None || mark == SeriesMark::Ring)
     return;  // the enclosed mark stays visible

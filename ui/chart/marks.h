@@ -6,15 +6,15 @@
 
 namespace asperity {
 
-/// Returns the corners of a mark around a place, which appears as large as a circle `size` wide;
+/// Returns the corners of a mark around a point, which appears as large as a circle `size` wide;
 /// empty for a circle, a ring and no mark.
-std::vector<Place> markCorners(SeriesMark mark, Place at, float size);
+std::vector<DrawPoint> markCorners(SeriesMark mark, DrawPoint at, float size);
 
 /// Draws a filled mark with smooth edges.
-void addMark(DrawLayer& layer, SeriesMark mark, Place at, float size, const Rgba& colour);
+void addMark(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, const Rgba& colour);
 
 /// Adds a rim that separates a mark from objects under it; its layer is below the mark's.
-void addMarkRim(DrawLayer& layer, SeriesMark mark, Place at, float size, float rim,
+void addMarkRim(DrawLayer& layer, SeriesMark mark, DrawPoint at, float size, float rim,
                 const Rgba& colour);
 
 }  // namespace asperity

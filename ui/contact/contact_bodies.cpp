@@ -13,18 +13,18 @@ using Curve = std::vector<CurveVertex>;
 
 constexpr float kLongestStroke = 0.22F;  // of the plot's height, at the end of the scale
 
-std::vector<Place> pixelsOf(const Curve& curve, const ContactLayout& layout) {
-  std::vector<Place> places;
-  places.reserve(curve.size());
-  for (const CurveVertex& v : curve) places.push_back({layout.px(v.x), layout.py(v.height)});
-  return places;
+std::vector<DrawPoint> pixelsOf(const Curve& curve, const ContactLayout& layout) {
+  std::vector<DrawPoint> points;
+  points.reserve(curve.size());
+  for (const CurveVertex& v : curve) points.push_back({layout.px(v.x), layout.py(v.height)});
+  return points;
 }
 
 /// Fills the area below the curve with colours that depend on the row. Several columns together are
 /// filled down to their lowest point, and one rectangle follows below: tall narrow rectangles are
 /// slow to draw.
 template <typename Shade>
-void fillBelow(DrawLayer& layer, const std::vector<Place>& curve, float bottom,
+void fillBelow(DrawLayer& layer, const std::vector<DrawPoint>& curve, float bottom,
                const Shade& shade) {
   constexpr std::size_t kTogether = 24;
   for (std::size_t first = 0; first + 1 < curve.size(); first += kTogether) {
@@ -32,7 +32,7 @@ void fillBelow(DrawLayer& layer, const std::vector<Place>& curve, float bottom,
     float low = curve[first].y;
     for (std::size_t i = first; i <= last; ++i) low = std::max(low, curve[i].y);
     for (std::size_t i = first; i < last; ++i) {
-      const Place &a = curve[i], &b = curve[i + 1];
+      const DrawPoint &a = curve[i], &b = curve[i + 1];
       addQuad(layer, {a.x, a.y, shade(a.y)}, {b.x, b.y, shade(b.y)}, {b.x, low, shade(low)},
               {a.x, low, shade(low)});
     }
@@ -43,10 +43,10 @@ void fillBelow(DrawLayer& layer, const std::vector<Place>& curve, float bottom,
 }
 
 /// Adds a band of light along the upper edge of the body below the curve.
-void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
+void addRim(DrawLayer& layer, const std::vector<DrawPoint>& curve, float depth) {
   const Rgba bright{1, 1, 1, 0.14F}, none{1, 1, 1, 0};
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-    const Place &a = curve[i], &b = curve[i + 1];
+    const DrawPoint &a = curve[i], &b = curve[i + 1];
     addQuad(layer, {a.x, a.y, bright}, {b.x, b.y, bright}, {b.x, b.y + depth, none},
             {a.x, a.y + depth, none});
   }
@@ -54,9 +54,9 @@ void addRim(DrawLayer& layer, const std::vector<Place>& curve, float depth) {
 
 /// Returns the lowest row of a curve within the plot; drawing further down, behind other bodies,
 /// would be wasted.
-float lowestRow(const std::vector<Place>& curve, const ContactLayout& layout) {
+float lowestRow(const std::vector<DrawPoint>& curve, const ContactLayout& layout) {
   float low = layout.plot.y;
-  for (const Place& place : curve) low = std::max(low, place.y);
+  for (const DrawPoint& point : curve) low = std::max(low, point.y);
   return std::min(std::ceil(low) + 1, layout.plot.bottom());
 }
 
@@ -99,11 +99,11 @@ DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactL
   DrawLayer layer;
   const Theme& t = layout.theme;
   const float bottom = layout.plot.bottom();
-  const std::vector<Place> places = pixelsOf(surface, layout);
-  fillBelow(layer, pixelsOf(line, layout), lowestRow(places, layout),
+  const std::vector<DrawPoint> points = pixelsOf(surface, layout);
+  fillBelow(layer, pixelsOf(line, layout), lowestRow(points, layout),
             [&](float) { return t.panel; });
   if (t.isPaper) {
-    fillBelow(layer, places, bottom, [&](float) { return t.elastomer; });
+    fillBelow(layer, points, bottom, [&](float) { return t.elastomer; });
     return layer;
   }
   const Rgba light = mix(t.elastomer, {1, 1, 1, 1}, 0.14F);
@@ -111,8 +111,8 @@ DrawLayer elastomerLayer(const Curve& line, const Curve& surface, const ContactL
   const auto shade = [&](float y) {
     return mix(light, dark, std::clamp((y - layout.plot.y) / layout.plot.height, 0.0F, 1.0F));
   };
-  fillBelow(layer, places, bottom, shade);
-  addRim(layer, places, 26 * layout.sizes.unit);
+  fillBelow(layer, points, bottom, shade);
+  addRim(layer, points, 26 * layout.sizes.unit);
   return layer;
 }
 
@@ -213,7 +213,7 @@ void addAge(DrawLayer& below, DrawLayer& curves, const Curve& surface,
 void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) {
   const std::size_t point = *layout.marked;
   const float u = layout.sizes.unit, y = layout.py(frame.surfaceHeight[point]);
-  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const std::vector<double>& values = overlayValues(frame, layout.scale.overlay);
   const double value = values.empty() ? 0 : values[point];
   const Rgba bright =
       layout.scale.isShown() && value > 0 ? layout.scale.colour(value) : layout.scale.colourAt(1);
@@ -221,10 +221,10 @@ void addMark(DrawLayer& layer, const Frame& frame, const ContactLayout& layout) 
   const double at = frame.spacing * static_cast<double>(point);
   for (double k = std::ceil((layout.view.left - at) / period);
        at + k * period <= layout.view.left + layout.view.width; ++k) {
-    const Place place{layout.px(at + k * period), y};
-    addLine(layer, {place}, 15 * u, withAlpha(bright, 0.3F));
-    addLine(layer, {place}, 9.5F * u, {0.07F, 0.1F, 0.14F, 1});
-    addLine(layer, {place}, 7 * u, bright);
+    const DrawPoint centre{layout.px(at + k * period), y};
+    addLine(layer, {centre}, 15 * u, withAlpha(bright, 0.3F));
+    addLine(layer, {centre}, 9.5F * u, {0.07F, 0.1F, 0.14F, 1});
+    addLine(layer, {centre}, 7 * u, bright);
   }
 }
 
@@ -235,7 +235,7 @@ void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout) 
   const Clip clip{layout.plot.x, layout.plot.y, layout.plot.width, layout.plot.height};
   const PointRange range = pointsWithin(frame, layout.view.left, layout.view.width);
   const Columns columns{layout.view.left, layout.pixelsPerMetreX()};
-  const std::vector<double>& values = valuesOf(frame, layout.scale.overlay);
+  const std::vector<double>& values = overlayValues(frame, layout.scale.overlay);
   const bool coloursAge = layout.scale.overlay == ContactOverlay::Relaxation;
   const Curve line = decimated(frame, frame.lineHeight, range, columns);
   const Curve surface = decimated(frame, frame.surfaceHeight, range, columns, values);

@@ -11,9 +11,9 @@
 namespace asperity {
 namespace {
 
-constexpr float kLeastPlot = 130;    // units; lower plots have no space
+constexpr float kMinPlot = 130;      // units; lower plots have no space
 constexpr float kLowPlot = 300;      // units; in higher ones the line may pass behind arrows
-constexpr float kAir = 4;            // units, between an arrow's end and the line
+constexpr float kClearance = 4;      // units, between an arrow's end and the line
 constexpr float kShortestArrow = 5;  // units; a shorter one would vanish in the dot at its foot
 constexpr double kTypicalFriction =
     0.5;  // of the plateau's mu; its arrow is about as long as that of F_N
@@ -23,7 +23,8 @@ double enlargementFor(double rmsSlope) {
   return rmsSlope > 0 ? std::max(1.0, roundUp125(kTypicalFriction / rmsSlope)) : 1;
 }
 
-void addArrowWithRim(ForceLayers layers, Place from, Place to, const ContactLayout& layout) {
+void addArrowWithRim(ForceLayers layers, DrawPoint from, DrawPoint to,
+                     const ContactLayout& layout) {
   const float u = layout.sizes.unit;
   const float length = std::hypot(to.x - from.x, to.y - from.y);
   const float head = std::min(9 * u, 0.5F * length);
@@ -33,7 +34,7 @@ void addArrowWithRim(ForceLayers layers, Place from, Place to, const ContactLayo
 
 }  // namespace
 
-double velocityOf(const Frame& frame) {
+double frameVelocity(const Frame& frame) {
   if (frame.transient) return frame.velocity;
   return frame.scene ? frame.scene->sliding.velocity : 0;
 }
@@ -49,7 +50,7 @@ double totalFriction(const ContactState& state) {
 bool pushesRight(const Frame& frame) {
   const double force =
       frame.transient && !frame.transient->empty() ? frame.transient->back().tangentialForce : 0;
-  return (force != 0 ? force : velocityOf(frame)) < 0;
+  return (force != 0 ? force : frameVelocity(frame)) < 0;
 }
 
 double frictionForce(const ContactState& state) {
@@ -63,16 +64,17 @@ ForceArrows arrowsInScale(const Frame& frame, const ContactLayout& layout) {
   ForceArrows arrows;
   const ContactState state = drawnState(frame);
   const float u = layout.sizes.unit;
-  if (!(state.normalForce > 0) || layout.plot.height < kLeastPlot * u) return arrows;
+  if (!(state.normalForce > 0) || layout.plot.height < kMinPlot * u) return arrows;
   arrows.down = std::clamp(0.17F * layout.plot.height, 26 * u, 64 * u);
   const double mu = totalFriction(state);
   if (!(mu > 0) || !(frictionForce(state) > 0)) return arrows;
   arrows.pointsRight = pushesRight(frame);
   arrows.enlarged = enlargementFor(frame.rmsSlope);
-  const double room = 0.3 * layout.plot.width / arrows.down;  // in lengths of the normal force
-  while (arrows.enlarged > 1 && mu * arrows.enlarged > room)
+  const double available = 0.3 * layout.plot.width / arrows.down;  // in lengths of the normal force
+  while (arrows.enlarged > 1 && mu * arrows.enlarged > available)
     arrows.enlarged = std::max(1.0, arrows.enlarged / 10);
-  if (mu * arrows.enlarged > room) arrows.down *= static_cast<float>(room / (mu * arrows.enlarged));
+  if (mu * arrows.enlarged > available)
+    arrows.down *= static_cast<float>(available / (mu * arrows.enlarged));
   arrows.sideways = static_cast<float>(mu * arrows.enlarged) * arrows.down;
   if (arrows.sideways < kShortestArrow * u) arrows.sideways = 0;
   return arrows;
@@ -80,7 +82,7 @@ ForceArrows arrowsInScale(const Frame& frame, const ContactLayout& layout) {
 
 }  // namespace
 
-Place footOf(const ForceArrows& arrows, const ContactLayout& layout, float top) {
+DrawPoint arrowFoot(const ForceArrows& arrows, const ContactLayout& layout, float top) {
   const float away = 3 * std::round(9 * layout.sizes.unit);
   return {layout.plot.right() - away - (arrows.pointsRight ? arrows.sideways : 0), top};
 }
@@ -90,7 +92,7 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout, std::op
   const float u = layout.sizes.unit;
   if (!top || !(arrows.down > 0) || layout.plot.height > kLowPlot * u) return arrows;
   for (const float part : {1.0F, 0.75F, 0.55F})
-    if (lineStaysBelow(frame, layout, *top + part * arrows.down + kAir * u)) {
+    if (lineStaysBelow(frame, layout, *top + part * arrows.down + kClearance * u)) {
       ForceArrows shorter = arrows;
       shorter.down *= part;
       shorter.sideways *= part;
@@ -99,7 +101,7 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout, std::op
   return {};
 }
 
-void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
+void addForceArrows(ForceLayers layers, const ForceArrows& arrows, DrawPoint from,
                     const ContactLayout& layout) {
   const float side = arrows.pointsRight ? arrows.sideways : -arrows.sideways;
   if (arrows.sideways > 0) addArrowWithRim(layers, from, {from.x + side, from.y}, layout);

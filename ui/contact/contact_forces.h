@@ -29,7 +29,7 @@ ForceArrows forceArrows(const Frame& frame, const ContactLayout& layout,
                         std::optional<float> top = {});
 
 /// Returns the point where both arrows begin, at the right of the plot.
-Place footOf(const ForceArrows& arrows, const ContactLayout& layout, float top);
+DrawPoint arrowFoot(const ForceArrows& arrows, const ContactLayout& layout, float top);
 
 /// Layers for rims, which are under the line, and for arrows, which are over it.
 struct ForceLayers {
@@ -37,11 +37,11 @@ struct ForceLayers {
 };
 
 /// Adds the arrows from `from`, over the rigid body.
-void addForceArrows(ForceLayers layers, const ForceArrows& arrows, Place from,
+void addForceArrows(ForceLayers layers, const ForceArrows& arrows, DrawPoint from,
                     const ContactLayout& layout);
 
 /// Returns the present velocity, m/s; 0 without a scene.
-double velocityOf(const Frame& frame);
+double frameVelocity(const Frame& frame);
 
 /// Returns whether there is local friction in addition to that of the deformation.
 bool hasInterface(const Frame& frame);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kRows = 12;
 
-/// Values at equidistant places across the plot.
+/// Values at equidistant positions across the plot.
 class Strip {
  public:
   Strip(const ContactLayout& layout, float step)
@@ -23,7 +23,7 @@ class Strip {
   float& operator[](std::size_t i) { return values_[i]; }
   float operator[](std::size_t i) const { return values_[i]; }
 
-  /// Returns the nearest place, limited to the strip.
+  /// Returns the nearest position, limited to the strip.
   std::size_t nearest(float x) const {
     const float i = std::round((x - left_) / step_);
     return static_cast<std::size_t>(std::clamp(i, 0.0F, static_cast<float>(values_.size() - 1)));
@@ -45,7 +45,7 @@ class Strip {
   std::vector<float> values_;
 };
 
-/// Writes the surface's pixel row at every place of the strip.
+/// Writes the surface's pixel row at every position of the strip.
 void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
                    const ContactLayout& layout) {
   std::size_t k = 0;
@@ -60,7 +60,8 @@ void sampleSurface(Strip& rows, const std::vector<CurveVertex>& surface,
   }
 }
 
-/// Writes positions on the colour scale; places between the vertices of a stretch are interpolated.
+/// Writes positions on the colour scale; positions between the vertices of a stretch are
+/// interpolated.
 void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
                  const ContactLayout& layout) {
   const auto share = [&](const CurveVertex& v) {
@@ -85,7 +86,7 @@ void markStretch(Strip& shares, const std::vector<CurveVertex>& stretch,
   }
 }
 
-/// Where light is (weight) and how bright it is (weighted share), smoothed row by row.
+/// The position of the light (weight) and its brightness (weighted share), smoothed row by row.
 struct Light {
   Strip weight, share;
   Rgba colour(std::size_t i, int row) const {

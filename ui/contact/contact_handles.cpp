@@ -35,14 +35,15 @@ std::string_view draggedKey(ContactHandle handle, const Scene& scene) {
 
 Scene dragged(const Scene& start, ContactHandle handle, const DragDistance& moved) {
   const std::string_view key = draggedKey(handle, start);
-  const double way = handle == ContactHandle::Velocity ? moved.right : moved.down;
-  if (key.empty() || way == 0) return start;  // not even rounded
+  const double displacement = handle == ContactHandle::Velocity ? moved.right : moved.down;
+  if (key.empty() || displacement == 0) return start;  // not even rounded
   const Parameter& parameter = knownParameter(key);
   const auto& field = std::get<RealField>(parameter.field);
   const double before = std::get<double>(parameterValue(parameter, start));
   double value = before;
   if (key == "load.depth") {
-    // At most a thousandth is left, so that the body does not leave the contact for good.
+    // At least a thousandth of the depth remains, so that the body cannot leave the contact
+    // permanently.
     value = std::max(before + moved.down * moved.height, 1e-3 * before);
   } else if (handle == ContactHandle::Velocity) {
     // A line at rest begins at the slowest velocity of the slider.

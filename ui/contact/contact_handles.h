@@ -1,5 +1,6 @@
-// What can be dragged in a picture of the contact: the rigid body presses, the force's arrow sets
-// the normal force, the velocity's arrow the velocity. Pure functions; any thread.
+// The handles of a picture of the contact, which the user can drag: the rigid body sets the load
+// (depth, force or pressure), the arrow of the force sets the normal force or the pressure, the
+// arrow of the velocity the velocity. Pure functions; any thread.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ namespace asperity {
 enum class ContactHandle { None, Body, Force, Velocity };
 
 /// A label or an arrow.
-struct HandlePlace {
+struct HandlePosition {
   ContactHandle handle = ContactHandle::None;
   Clip box;               // pixels
   std::string_view id{};  // of its explanation (core/chart/explanations.h)
@@ -22,9 +23,10 @@ struct HandlePlace {
 };
 
 /// Returns the labels and arrows of a picture that can be dragged.
-std::vector<HandlePlace> contactHandles(const Frame& frame, const ContactPictureOptions& options);
+std::vector<HandlePosition> contactHandles(const Frame& frame,
+                                           const ContactPictureOptions& options);
 
-/// Returns what is under a pixel of the picture. The body is what lies on the line and above it.
+/// Returns the handle under a pixel of the picture. The body is the area on the line and above it.
 ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& options, float x, float y);
 
 /// Returns the key that a drag changes: the body that of the load's kind, the force's arrow the
@@ -32,7 +34,7 @@ ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& options,
 /// choose.
 std::string_view draggedKey(ContactHandle handle, const Scene& scene);
 
-/// How far a pointer has moved since the button was pressed.
+/// The distance that the pointer has moved since the button was pressed.
 struct DragDistance {
   double right = 0, down = 0;  // parts of the plot's width and height
   double height = 0;           // m, heights that the plot showed at the beginning

@@ -20,10 +20,10 @@ struct Reading {
   std::string_view id;  // of its explanation
 };
 
-/// A reading with its place: the label's left end, and the baseline of its first row.
+/// A reading with its position: the label's left end, and the baseline of its first row.
 struct PlacedReading {
   Reading reading;
-  Place at;
+  DrawPoint at;
 };
 
 float widthOf(const Reading& reading, const Sizes& s) {
@@ -74,8 +74,8 @@ std::string frictionTip(const Frame& frame) {
       "computed without time steps.");
 }
 
-/// Returns the readings of the state that is drawn. While it is on its way to the steady state, the
-/// friction of the latter is shown, too.
+/// Returns the readings of the state that is drawn. While it approaches the steady state, the
+/// friction of the steady state is shown, too.
 std::vector<Reading> readingsOf(const Frame& frame) {
   std::vector<Reading> readings;
   const bool isSteady = !frame.transient;
@@ -122,7 +122,7 @@ std::vector<Reading> readingsOf(const Frame& frame) {
                                              "back."),
                         "sliding.velocity"});
   // A line at rest has no pace.
-  if (frame.timeScale > 0 && (frame.transient || velocityOf(frame) != 0)) {
+  if (frame.timeScale > 0 && (frame.transient || frameVelocity(frame) != 0)) {
     const bool isSlower = frame.timeScale < 1;
     const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
     readings.push_back({{{isSlower ? Words::tr("slow motion") : Words::tr("time lapse")}},
@@ -204,7 +204,7 @@ float titleBaseline(const Sizes& s) {
 /// The title and the text at the right end of its line, if it fits.
 struct TitleLine {
   std::string whole, shown, progress;
-  float side = 0, room = 0, progressAt = 0;
+  float side = 0, width = 0, progressAt = 0;
   float size = 0;  // of the title's font
 };
 
@@ -217,10 +217,10 @@ TitleLine titleLine(const Frame& frame, const ContactPictureOptions& options) {
   const float alone = width - 2 * line.side, beside = alone - progress - 2 * line.side;
   const float wanted = textWidth(line.whole, s.title, true);
   if (!(progress < 0.4F * width) || (wanted > beside && wanted <= alone)) line.progress.clear();
-  line.room = line.progress.empty() ? alone : beside;
-  line.size =
-      fittingSize(line.whole, s.title, std::max(7.0F, std::round(0.8F * s.title)), true, line.room);
-  line.shown = elided(line.whole, line.size, true, line.room);
+  line.width = line.progress.empty() ? alone : beside;
+  line.size = fittingSize(line.whole, s.title, std::max(7.0F, std::round(0.8F * s.title)), true,
+                          line.width);
+  line.shown = elided(line.whole, line.size, true, line.width);
   return line;
 }
 
@@ -254,9 +254,9 @@ std::vector<PlacedReading> placedReadings(const Frame& frame, const ContactPictu
   const auto tooMuch = [&](const auto& rows) {
     // One reading alone below a full row would take the picture's height, and come and go with the
     // digits of the others.
-    const bool hasStraggler = rows.size() == 2 && rows[0].size() > 4 && rows[1].size() == 1;
+    const bool hasWidow = rows.size() == 2 && rows[0].size() > 4 && rows[1].size() == 1;
     return titleHeight(s) + static_cast<float>(rows.size()) * rowHeight(s) > most ||
-           widthOf(rows[0][0], s) > width || hasStraggler;
+           widthOf(rows[0][0], s) > width || hasWidow;
   };
   while (!readings.empty() && tooMuch(flow(readings, width, gap, s))) dropLeastImportant(readings);
   std::vector<PlacedReading> placed;
@@ -297,17 +297,17 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 
 std::vector<ContactReading> contactReadings(const Frame& frame,
                                             const ContactPictureOptions& options) {
-  std::vector<ContactReading> places;
-  if (!options.title || !hasHeader(options)) return places;
+  std::vector<ContactReading> readingBoxes;
+  if (!options.title || !hasHeader(options)) return readingBoxes;
   const Sizes s = sizesFor(options);
   if (const TitleLine line = titleLine(frame, options); line.shown != line.whole)
-    places.push_back({{line.side, 0, line.room, titleHeight(s)}, line.shown, line.whole});
+    readingBoxes.push_back({{line.side, 0, line.width, titleHeight(s)}, line.shown, line.whole});
   for (const auto& [reading, at] : placedReadings(frame, options, titleBaseline(s)))
-    places.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
-                      plainText(reading.label),
-                      reading.tip,
-                      reading.id});
-  return places;
+    readingBoxes.push_back({{at.x, at.y + 0.25F * s.body, widthOf(reading, s), rowHeight(s)},
+                            plainText(reading.label),
+                            reading.tip,
+                            reading.id});
+  return readingBoxes;
 }
 
 }  // namespace asperity

@@ -1,5 +1,5 @@
 // Labels inside the axes. They are fixed in the corners, on translucent plates of their body's
-// colour; in a low view, where the line reaches up to them, they move out of its way.
+// colour; in a low view, where the line reaches up to them, they are moved away from it.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -20,22 +20,26 @@ namespace {
 
 std::optional<Tag> slidingTag(const Frame& frame, bool brief) {
   if (!frame.scene) return std::nullopt;
-  const double v = velocityOf(frame);
+  const double v = frameVelocity(frame);
   if (v == 0)
     return Tag{{{Words::tr("rigid line at rest")}},
-               ArrowWay::None,
+               ArrowDirection::None,
                {},
                ContactHandle::Velocity,
                "sliding.velocity"};
   return Tag{{{brief ? Words::tr("slides") : Words::tr("rigid line slides")}},
-             v > 0 ? ArrowWay::Right : ArrowWay::Left,
+             v > 0 ? ArrowDirection::Right : ArrowDirection::Left,
              {{"v = " + quantity(v, "m/s")}},
              ContactHandle::Velocity,
              "sliding.velocity"};
 }
 
 Tag rigidTag() {
-  return {{{Words::tr("rigid body"), true}}, ArrowWay::None, {}, ContactHandle::None, "rigid body"};
+  return {{{Words::tr("rigid body"), true}},
+          ArrowDirection::None,
+          {},
+          ContactHandle::None,
+          "rigid body"};
 }
 
 /// Returns the tag of friction. Arrows in tags show only the direction; where there is space,
@@ -45,12 +49,12 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
   Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
            {"x", false, true},
            {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
-          toTheRight ? ArrowWay::Right : ArrowWay::Left,
+          toTheRight ? ArrowDirection::Right : ArrowDirection::Left,
           {},
           ContactHandle::None,
           hasInterface(frame) ? "total friction" : "tangential_force"};
   if (!(arrows.sideways > 0)) return tag;
-  tag.arrow = ArrowWay::None;
+  tag.arrow = ArrowDirection::None;
   if (arrows.enlarged > 1)
     tag.before.push_back({filled(Words::tr(", arrow %1\u00D7"), {shortNumber(arrows.enlarged)})});
   return tag;
@@ -58,7 +62,7 @@ Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
 
 Tag pressingTag(const Frame& frame, const ForceArrows& arrows) {
   return {{{"F"}, {"N", false, true}, {" = " + quantity(drawnState(frame).normalForce, "N")}},
-          arrows.down > 0 ? ArrowWay::None : ArrowWay::Down,
+          arrows.down > 0 ? ArrowDirection::None : ArrowDirection::Down,
           {},
           ContactHandle::Force,
           "load.normal_force"};
@@ -92,7 +96,8 @@ std::string elastomerWords(const Frame& frame) {
 
 /// Returns the full label first, then the name alone.
 std::vector<Tag> elastomerTags(const Frame& frame) {
-  Tag name{{{Words::tr("elastomer"), true}}, ArrowWay::None, {}, ContactHandle::None, "elastomer"};
+  Tag name{
+      {{Words::tr("elastomer"), true}}, ArrowDirection::None, {}, ContactHandle::None, "elastomer"};
   const std::string words = elastomerWords(frame);
   if (words.empty()) return {name};
   Tag whole = name;
@@ -100,19 +105,19 @@ std::vector<Tag> elastomerTags(const Frame& frame) {
   return {whole, name};
 }
 
-/// Names the rigid body, its motion and the forces at places that the line leaves free now, as near
-/// to the usual places as possible. A label that does not fit is left out, because the line would
-/// cross it. The labels of the forces contain their arrows.
+/// Names the rigid body, its motion and the forces in spaces that the line leaves free now, as near
+/// to their usual positions as possible. A label that does not fit is left out, because the line
+/// would cross it. The labels of the forces contain their arrows.
 void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                                float y) {
   const float gap = std::round(10 * layout.sizes.unit);
-  const CurveRows line = rowsOf(frame, frame.lineHeight, layout);
+  const CurveRows line = curveRows(frame, frame.lineHeight, layout);
   float left = layout.plot.x + gap;
   const float right = layout.plot.right() - gap;
   const auto place = [&](const Tag& tag, float wanted, float to) {
     const float width = painter.width(tag);
     const Box box{std::clamp(wanted, left, std::max(left, to - width)), y, width, painter.height()};
-    const auto x = placeAbove(line, box, left, to);
+    const auto x = freeSpanAbove(line, box, left, to);
     if (!x) return false;
     painter.paint(tag, {std::round(*x), y}, layout.theme.rigid);
     left = std::round(*x) + width + gap;
@@ -129,13 +134,13 @@ void addRigidTagsBetweenCrests(TagPainter& painter, const Frame& frame, const Co
     brief.after.clear();  // the header shows the velocity
     motions.push_back(brief);
   }
-  const auto placeMotion = [&](float to) {
+  const auto placeMotionTag = [&](float to) {
     return std::ranges::any_of(motions, [&](const Tag& motion) {
       return place(motion, layout.plot.x + (layout.plot.width - painter.width(motion)) / 2, to);
     });
   };
-  // The motion leaves the forces their room, in fewer words if need be.
-  if (!placeMotion(right - needed - gap)) placeMotion(right);
+  // The label of the motion is shortened if necessary, so that the forces fit beside it.
+  if (!placeMotionTag(right - needed - gap)) placeMotionTag(right);
   // The tags are placed from left to right; F_N, the first of them, is on the right.
   for (auto force = forces.rbegin(); force != forces.rend(); ++force) {
     const bool isLast = force + 1 == forces.rend();
@@ -160,7 +165,7 @@ void addRigidRow(TagPainter& painter, const Frame& frame, const ContactLayout& l
   if (motion && both() > right - left) motion = slidingTag(frame, true);
   // A view of the elastomer alone has no rigid body in its corner.
   const bool isThere =
-      liesOn(Body::Rigid, frame, layout, {left, y, painter.width(name), painter.height()});
+      isOnBody(Body::Rigid, frame, layout, {left, y, painter.width(name), painter.height()});
   if (isThere) painter.paint(name, {left, y}, plate);
   if (motion && isThere && both() > right - left) {  // a narrow picture has them below each other
     const float below = y + painter.height();
@@ -193,7 +198,7 @@ std::string powerText(const Frame& frame) {
     if (!(frame.pressure[i] > 0)) free += frame.power[i];
   }
   const bool isSteady = !frame.transient && !frame.isSettling;
-  const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(velocityOf(frame))
+  const double power = isSteady ? frictionForce(drawnState(frame)) * std::abs(frameVelocity(frame))
                                 : whole * frame.spacing;
   if (!(whole > 0)) return Words::tr("nothing is dissipated");
   return filled(Words::tr("%1 total, %2 % in the free surface"),
@@ -229,7 +234,8 @@ bool footerWith(Notes& notes, const FooterNote& note, const ContactLayout& layou
 }
 
 /// Names the elastomer where the label hides no contact: at the bottom left if no contact ever gets
-/// there, so that the label stays fixed; else in the footer; else in a place that is free now.
+/// there, so that the label stays fixed; otherwise in the footer; otherwise in a space that is free
+/// now.
 void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout& layout,
                    Notes& notes) {
   const float margin = std::round(9 * layout.sizes.unit);
@@ -237,19 +243,20 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   const Theme& t = layout.theme;
   const Rgba plate = t.isPaper ? t.elastomer : mix(t.elastomer, {0, 0, 0, 1}, 0.2F);
   // In a low view the name stands lower, so that the surface does not cross its letters.
-  const float air = std::round(2 * layout.sizes.unit);
+  const float clearance = std::round(2 * layout.sizes.unit);
   const float lowest = layout.plot.bottom() - painter.height();
-  const float top = std::clamp(std::round(layout.py(0)) + air, lowest - margin, lowest - air);
+  const float top =
+      std::clamp(std::round(layout.py(0)) + clearance, lowest - margin, lowest - clearance);
   const auto fits = [&](const Tag& tag) {
     return painter.width(tag) + 2 * margin <= layout.plot.width;
   };
-  const auto liesThere = [&](const Tag& tag, float x) {
-    return liesOn(Body::Elastomer, frame, layout, {x, top, painter.width(tag), painter.height()});
+  const auto isOnElastomer = [&](const Tag& tag, float x) {
+    return isOnBody(Body::Elastomer, frame, layout, {x, top, painter.width(tag), painter.height()});
   };
   if (clearAcross(frame, layout, top)) {
     const auto tag = std::find_if(tags.begin(), tags.end(), fits);
     const float left = layout.plot.x + margin;
-    if (tag != tags.end() && liesThere(*tag, left)) painter.paint(*tag, {left, top}, plate);
+    if (tag != tags.end() && isOnElastomer(*tag, left)) painter.paint(*tag, {left, top}, plate);
     return;
   }
   const std::string words = elastomerWords(frame);
@@ -260,14 +267,14 @@ void nameElastomer(TagPainter& painter, const Frame& frame, const ContactLayout&
   for (const Tag& tag : tags) {
     if (!fits(tag)) continue;
     const auto x = labelPlacement(frame, layout, top, painter.width(tag), margin);
-    if (x && liesThere(tag, *x)) return painter.paint(tag, {*x, top}, plate);
+    if (x && isOnElastomer(tag, *x)) return painter.paint(tag, {*x, top}, plate);
   }
 }
 
 }  // namespace
 
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
-                std::vector<HandlePlace>* handles) {
+                std::vector<HandlePosition>* handles) {
   Notes notes = notesFor(frame, layout);
   DrawLayer layer, plates;
   TagPainter painter(list, plates, layer, layout);
@@ -282,12 +289,13 @@ Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
     addRigidTagsBetweenCrests(painter, frame, layout, row);
   const float top = belowRow(painter, layout, row);
   const ForceArrows arrows = hasRow ? forceArrows(frame, layout, top) : ForceArrows{};
-  if (arrows.down > 0) addForceArrows({plates, layer}, arrows, footOf(arrows, layout, top), layout);
+  if (arrows.down > 0)
+    addForceArrows({plates, layer}, arrows, arrowFoot(arrows, layout, top), layout);
   nameElastomer(painter, frame, layout, notes);
   if (handles) {
-    *handles = painter.places();
+    *handles = painter.handles();
     if (arrows.down > 0) {
-      const Place foot = footOf(arrows, layout, top);
+      const DrawPoint foot = arrowFoot(arrows, layout, top);
       const float reach = 9 * layout.sizes.unit;
       handles->push_back({ContactHandle::Force,
                           {foot.x - reach, foot.y, 2 * reach, arrows.down + reach},

@@ -78,8 +78,8 @@ bool placeLegend(ContactLayout& layout, const std::string& title, float from) {
 }
 
 /// Arranges everything of a low picture in one line: exaggeration on the left, the axis' title, the
-/// legend on the right. The title of the legend gets shorter where necessary, so that the
-/// exaggeration has room; then that of the axis moves.
+/// legend on the right. The title of the legend is shortened where necessary, so that the
+/// exaggeration fits; then the title of the axis is moved.
 void placeInLine(ContactLayout& layout, const std::string& reason) {
   const Sizes& s = layout.sizes;
   const float gap = 16 * s.unit;
@@ -99,10 +99,10 @@ void placeInLine(ContactLayout& layout, const std::string& reason) {
         if (placeLegend(layout, title, middle + axis / 2 + (axis > 0 ? gap : 0)))
           layout.axisTitle.x = middle;
       }
-  const float room = layout.axisTitle.x - axis / 2 - plot.x - gap;
-  if (textWidth(exaggerationText(layout), s.small) > room) return;
+  const float available = layout.axisTitle.x - axis / 2 - plot.x - gap;
+  if (textWidth(exaggerationText(layout), s.small) > available) return;
   layout.footer = layout.axisTitle.y;
-  layout.footerWidth = room;
+  layout.footerWidth = available;
 }
 
 }  // namespace
@@ -113,13 +113,14 @@ std::string xAxisTitle(const ContactLayout& layout) {
 
 Sizes sizesFor(const ContactPictureOptions& options) {
   const float scale = options.scale > 0 ? options.scale : 1;
-  const float room = std::min(static_cast<float>(options.width) / (1280 * scale),
-                              static_cast<float>(options.height) / (720 * scale));
+  const float available = std::min(static_cast<float>(options.width) / (1280 * scale),
+                                   static_cast<float>(options.height) / (720 * scale));
   // Small pictures shrink their texts a little; large ones enlarge them less than the picture.
-  const float usual = scale * (room > 1 ? std::pow(room, 0.7F) : std::clamp(room, 0.85F, 1.0F));
-  const float unit = options.letters > 0 ? options.letters / 12 : usual;
+  const float usual =
+      scale * (available > 1 ? std::pow(available, 0.7F) : std::clamp(available, 0.85F, 1.0F));
+  const float unit = options.fontSize > 0 ? options.fontSize / 12 : usual;
   const auto font = [&](float size) { return std::max(7.0F, std::round(size * unit)); };
-  const float curve = options.curve > 0 ? options.curve : 1.7F * unit;
+  const float curve = options.lineWidth > 0 ? options.lineWidth : 1.7F * unit;
   return {unit, font(19), font(14), font(12), curve};
 }
 
@@ -155,7 +156,7 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   layout.theme = options.theme;
   layout.view = resolvedView(frame, options.view);
   layout.scale = {options.overlay, colourMaximum(layout.view, options.overlay)};
-  if (valuesOf(frame, options.overlay).size() != frame.lineHeight.size())
+  if (overlayValues(frame, options.overlay).size() != frame.lineHeight.size())
     layout.scale = {};  // the frame lacks the values
   const std::string reason = layout.scale.isShown() ? "" : reasonUncoloured(frame, options.overlay);
   const bool hasLegend = layout.scale.isShown() || !reason.empty();
@@ -167,14 +168,15 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
   const float tickRow = std::round(8 * u + s.small);
   const float titleRow = std::round(s.small * 1.5F);
   const float footerRow = std::round(s.small * 2.9F);
-  const float room = height - headerBottom - pad;
-  layout.axisTitles = room - tickRow > 90 * u;
-  const bool footer = room - tickRow - titleRow - footerRow > 150 * u;
+  const float available = height - headerBottom - pad;
+  layout.axisTitles = available - tickRow > 90 * u;
+  const bool footer = available - tickRow - titleRow - footerRow > 150 * u;
 
   // The labels of the height axis determine the left edge.
   const float plotTop = std::round(headerBottom + pad);
   float below = tickRow + pad * 0.6F;
-  const bool hasLine = layout.axisTitles || (hasLegend && room - tickRow - titleRow > kLowest * u);
+  const bool hasLine =
+      layout.axisTitles || (hasLegend && available - tickRow - titleRow > kLowest * u);
   if (hasLine) below += titleRow;
   const float exaggeration = textWidth(exaggerationText(layout) + "0000", s.small);
   const std::string title = layout.scale.isShown() ? layout.scale.title() : reason;
@@ -195,8 +197,8 @@ ContactLayout layoutContact(const Frame& frame, const ContactPictureOptions& opt
                      (layout.axisTitles ? s.small * 1.6F : 0);
   layout.plot.x = std::round(left);
   layout.plot.width = std::max(1.0F, std::round(width - 2 * pad) - layout.plot.x);
-  layout.xTicks = roomyTicks(layout.view.left, layout.view.left + layout.view.width,
-                             layout.plot.width, s.small, "m");
+  layout.xTicks = sparseTicks(layout.view.left, layout.view.left + layout.view.width,
+                              layout.plot.width, s.small, "m");
   if (!layout.axisTitles) {
     nameUnit(layout.xTicks);
     dropTicksUnderLast(layout);

@@ -1,5 +1,5 @@
-// The places of the parts of a contact picture, and the map from metres to pixels. Private to
-// ui/contact. Plain values; any thread.
+// The layout of a contact picture, and the map from metres to pixels. Private to ui/contact. Plain
+// values; any thread.
 #pragma once
 
 #include "ui/contact/contact_overlay.h"
@@ -21,11 +21,11 @@ inline constexpr float kNumberGap = 6;  // units, from a legend's bar to a numbe
 
 /// The legend of the colours: a title, a bar, and numbers below it or, in a low picture, beside it
 /// in one line.
-struct LegendPlace {
+struct LegendLayout {
   Box bar;              // width 0: nothing is coloured, or there is no space
   bool inLine = false;  // the numbers are beside the bar
   std::string title;    // or why nothing is coloured; may be empty
-  Place titleEnd;       // right end of its baseline
+  DrawPoint titleEnd;   // right end of its baseline
 };
 
 struct ContactLayout {
@@ -37,8 +37,8 @@ struct ContactLayout {
   AxisTicks xTicks, heightTicks;
   ColourScale scale;
   bool axisTitles = true;
-  Place axisTitle;  // of the x-axis: middle of its baseline
-  LegendPlace legend;
+  DrawPoint axisTitle;  // of the x-axis: middle of its baseline
+  LegendLayout legend;
   float footer = 0;  // baseline of the footer's text; 0: none
   float footerWidth = 0;
   std::optional<std::size_t> marked;  // point of a contact so narrow that a dot must show it

@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-constexpr float kLeastWidth = 110, kLeastHeight = 74;  // units
-constexpr int kLeastPoints = 6;  // minimum number of the frame's points in the inset
+constexpr float kMinWidth = 110, kMinHeight = 74;  // units
+constexpr int kMinPoints = 6;  // minimum number of the frame's points in the inset
 
 /// The height range of both curves in a view, m.
 struct Heights {
@@ -44,7 +44,7 @@ ContactView partOf(const Frame& frame, const Magnifier& magnifier, const Contact
   ContactView view = layout.view;
   const double enlargement = magnifier.enlargement > 1 ? magnifier.enlargement : 1;
   view.width = std::max(pixels / layout.pixelsPerMetreX() / enlargement,
-                        std::min(kLeastPoints * frame.spacing, view.width));
+                        std::min(kMinPoints * frame.spacing, view.width));
   view.left = magnifier.position - 0.5 * view.width;
   const auto [low, high] = heightsIn(frame, view, pixels);
   const double least = 1e-3 * (layout.view.top - layout.view.bottom);
@@ -115,7 +115,7 @@ class ScaleBars {
   void addTo(DrawList& list, DrawLayer& layer, const Box& plate) const {
     const Sizes& s = inset_.sizes;
     const float u = s.unit;
-    const Place corner{plate.x + 5 * u, plate.bottom() - 5 * u};
+    const DrawPoint corner{plate.x + 5 * u, plate.bottom() - 5 * u};
     const Rgba ink = textOn(inset_.theme.elastomer);
     addRectangle(layer, plate, withAlpha(mix(inset_.theme.elastomer, {0, 0, 0, 1}, 0.3F), 0.75F));
     addLine(layer, {{corner.x, corner.y - height_}, corner, {corner.x + width_, corner.y}}, 2 * u,
@@ -136,8 +136,8 @@ class ScaleBars {
 /// Returns a plate for the bars that hides neither curve, so no contact; none where there is none.
 std::optional<Box> clearPlate(const ScaleBars& bars, const Frame& frame,
                               const ContactLayout& inset) {
-  const CurveRows line = rowsOf(frame, frame.lineHeight, inset);
-  const CurveRows surface = rowsOf(frame, frame.surfaceHeight, inset);
+  const CurveRows line = curveRows(frame, frame.lineHeight, inset);
+  const CurveRows surface = curveRows(frame, frame.surfaceHeight, inset);
   const Box& plot = inset.plot;
   for (const bool isRight : {false, true}) {
     const Box box = bars.plate(isRight);
@@ -152,16 +152,16 @@ void addHeading(DrawList& list, const ContactLayout& inset, double enlargement) 
   const Sizes& s = inset.sizes;
   const std::string times = shortNumber(enlargement, 2) + "\u00D7";
   const std::string longer = times + ", " + exaggerationText(inset);
-  const float room = inset.plot.width - 14 * s.unit;
-  const std::string& text = textWidth(longer, s.small) <= room ? longer : times;
+  const float available = inset.plot.width - 14 * s.unit;
+  const std::string& text = textWidth(longer, s.small) <= available ? longer : times;
   addLabel(list, text,
            {inset.plot.x + 7 * s.unit, std::round(inset.plot.y + 0.4F * s.small + 0.9F * s.small)},
            s.small, TextAnchor::Left, textOn(inset.theme.rigid));
 }
 
-/// Sets the view of the inset, and returns the place of its scale bars: a corner without contact.
-/// The contact gets more space below where neither corner is free; there are no bars where this
-/// would leave nothing visible.
+/// Sets the view of the inset, and returns the position of its scale bars: a corner without
+/// contact. Where neither corner is free, the space below the contact is enlarged; there are no
+/// bars where this would leave nothing visible.
 std::optional<Box> zoomIn(ContactLayout& inset, const Frame& frame, const Magnifier& magnifier,
                           const ContactLayout& layout) {
   std::optional<Box> plate;
@@ -180,8 +180,8 @@ Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLa
   const Box& plot = layout.plot;
   const float u = layout.sizes.unit, edge = std::round(10 * u);
   // In a small plot, the inset takes a larger part.
-  const float width = std::round(std::max(0.3F * plot.width, kLeastWidth * u));
-  const float height = std::round(std::max(0.56F * plot.height, kLeastHeight * u));
+  const float width = std::round(std::max(0.3F * plot.width, kMinWidth * u));
+  const float height = std::round(std::max(0.56F * plot.height, kMinHeight * u));
   if (!isDrawable(frame) || width > 0.45F * plot.width || height > 0.7F * plot.height) return {};
   const float x = layout.px(magnifier.position);
   const bool isLeft = x > plot.x + 0.5F * plot.width;
@@ -193,7 +193,7 @@ Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLa
   const float name =
       plot.bottom() - std::round(9 * u) - std::round(1.75F * (layout.sizes.small + 1));
   const float above = name - std::round(4 * u) - top;
-  if (isLeft && above >= 0.8F * kLeastHeight * u)
+  if (isLeft && above >= 0.8F * kMinHeight * u)
     return {plot.x + edge, top, width, std::min(height, above)};
   if (isLeft) return {plot.x + edge, std::min(top, low), width, height};
   return {plot.right() - edge - width, low, width, height};

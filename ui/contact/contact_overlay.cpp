@@ -126,11 +126,11 @@ std::vector<ColourTick> ColourScale::ticks(int most) const {
 }
 
 std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
-  const std::vector<double>& values = valuesOf(frame, overlay);
+  const std::vector<double>& values = overlayValues(frame, overlay);
   if (!isDrawable(frame) || values.size() != frame.lineHeight.size()) return {};
   const bool showsPressure = overlay == ContactOverlay::Pressure;
   if (showsPressure ? greatestPressure(frame) > 0 : greatestOf(values) > 0) return {};
-  const bool rests = velocityOf(frame) == 0;
+  const bool rests = frameVelocity(frame) == 0;
   // If all points were in contact, they would bear pressure.
   const bool touches =
       frame.contactFraction < 1 && (frame.normalForce > 0 || frame.contactFraction > 0);
@@ -145,7 +145,7 @@ std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay) {
                : Words::tr("no colours: nothing has left contact yet");
 }
 
-const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay) {
+const std::vector<double>& overlayValues(const Frame& frame, ContactOverlay overlay) {
   static const std::vector<double> none;
   switch (overlay) {
     case ContactOverlay::Pressure:
@@ -164,7 +164,7 @@ double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last) {
   if (overlay == ContactOverlay::Pressure && !pointsBearLoad(frame)) return 0;
   if (overlay == ContactOverlay::Pressure && frame.steadyPressure > 0)
     return roundUp(kInHand * frame.steadyPressure);
-  double greatest = greatestOf(valuesOf(frame, overlay));
+  double greatest = greatestOf(overlayValues(frame, overlay));
   if (overlay == ContactOverlay::Relaxation && greatest > 0)
     greatest = std::min(greatest, kRelaxationTimes * longestRelaxation(frame));
   if (!(greatest > 0) || (greatest <= last && greatest > 0.4 * last)) return last;

@@ -46,11 +46,11 @@ struct ColourScale {
 std::string reasonUncoloured(const Frame& frame, ContactOverlay overlay);
 
 /// Returns the values of the scale at the frame's points; empty where the frame lacks them.
-const std::vector<double>& valuesOf(const Frame& frame, ContactOverlay overlay);
+const std::vector<double>& overlayValues(const Frame& frame, ContactOverlay overlay);
 
-/// Returns a round maximum of the scale for this frame, 0 where it has no values or where pressures
-/// of its points say nothing (`pointsBearLoad`). `last` is kept as long as it fits; for pressures
-/// only where those of the steady state are unknown.
+/// Returns a round maximum of the scale for this frame, 0 where it has no values or where the
+/// pressures of its points are not those of the contact (`pointsBearLoad`). `last` is kept as long
+/// as it fits; for pressures only where those of the steady state are unknown.
 double scaleMaximum(const Frame& frame, ContactOverlay overlay, double last);
 
 /// Returns the maximum of the colour scale in a view.

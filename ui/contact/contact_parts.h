@@ -22,12 +22,12 @@ using Notes = std::vector<FooterNote>;
 inline constexpr const char* kNoteGap = "      ";  // between two of them
 
 /// A picture of which the title and readings are drawn, and nothing below them.
-struct BegunPicture {
+struct PreparedPicture {
   ContactPictureOptions options;  // with a size of at least one pixel
   DrawList list;
   ContactLayout layout;
 };
-BegunPicture beginContact(const Frame& frame, const ContactPictureOptions& asked);
+PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked);
 
 /// Adds title and readings; returns the pixels that they take from the top.
 float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions& options);
@@ -36,10 +36,10 @@ float addHeader(DrawList& list, const Frame& frame, const ContactPictureOptions&
 void addBodies(DrawList& list, const Frame& frame, const ContactLayout& layout);
 
 /// Adds the names of the bodies, the direction of sliding and the forces; call it after addBodies.
-/// Returns the texts for the footer. handles: receives the places of labels and arrows; may be
+/// Returns the texts for the footer. handles: receives the positions of labels and arrows; may be
 /// null.
 Notes addLabels(DrawList& list, const Frame& frame, const ContactLayout& layout,
-                std::vector<HandlePlace>* handles = nullptr);
+                std::vector<HandlePosition>* handles = nullptr);
 
 /// Returns the notes that fit into the footer.
 Notes shownNotes(const ContactLayout& layout, const Notes& notes);
@@ -50,7 +50,7 @@ std::string heightAxisTitle(const ContactLayout& layout);
 /// Adds frame, ticks, axis titles, colour legend and footer.
 void addAxes(DrawList& list, const ContactLayout& layout, const Notes& notes);
 
-/// Returns the place of the inset: in the half of the plot that it does not enlarge. Width 0: the
+/// Returns the box of the inset: in the half of the plot that it does not enlarge. Width 0: the
 /// plot is too small for one.
 Box magnifierBox(const Frame& frame, const Magnifier& magnifier, const ContactLayout& layout);
 

@@ -19,19 +19,19 @@ ContactPictureOptions tidy(ContactPictureOptions options) {
 
 }  // namespace
 
-BegunPicture beginContact(const Frame& frame, const ContactPictureOptions& asked) {
-  BegunPicture begun{tidy(asked), {}, {}};
-  const ContactPictureOptions& options = begun.options;
-  begun.list.width = options.width;
-  begun.list.height = options.height;
-  begun.list.background = options.theme.background;
-  const float header = options.title ? addHeader(begun.list, frame, options) : 0;
-  begun.layout = layoutContact(frame, options, header);
-  return begun;
+PreparedPicture prepareContact(const Frame& frame, const ContactPictureOptions& asked) {
+  PreparedPicture prepared{tidy(asked), {}, {}};
+  const ContactPictureOptions& options = prepared.options;
+  prepared.list.width = options.width;
+  prepared.list.height = options.height;
+  prepared.list.background = options.theme.background;
+  const float header = options.title ? addHeader(prepared.list, frame, options) : 0;
+  prepared.layout = layoutContact(frame, options, header);
+  return prepared;
 }
 
 Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& asked) {
-  const Box plot = beginContact(frame, asked).layout.plot;
+  const Box plot = prepareContact(frame, asked).layout.plot;
   return {plot.x, plot.y, plot.width, plot.height};
 }
 
@@ -39,26 +39,27 @@ float contactUnit(const ContactPictureOptions& options) {
   return sizesFor(tidy(options)).unit;
 }
 
-std::vector<HandlePlace> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
-  BegunPicture begun = beginContact(frame, asked);
-  begun.list.layers.emplace_back();  // in place of the bodies
-  std::vector<HandlePlace> handles;
-  addLabels(begun.list, frame, begun.layout, &handles);
-  std::erase_if(handles,
-                [](const HandlePlace& place) { return place.handle == ContactHandle::None; });
+std::vector<HandlePosition> contactHandles(const Frame& frame, const ContactPictureOptions& asked) {
+  PreparedPicture prepared = prepareContact(frame, asked);
+  prepared.list.layers.emplace_back();  // in place of the bodies
+  std::vector<HandlePosition> handles;
+  addLabels(prepared.list, frame, prepared.layout, &handles);
+  std::erase_if(handles, [](const HandlePosition& position) {
+    return position.handle == ContactHandle::None;
+  });
   return handles;
 }
 
 ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, float x, float y) {
   constexpr float kReach = 5;  // units below the line that still belong to the rigid body
-  for (const HandlePlace& handle : contactHandles(frame, asked)) {
+  for (const HandlePosition& handle : contactHandles(frame, asked)) {
     const Clip& box = handle.box;
     if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
       return handle.handle;
   }
-  const BegunPicture begun = beginContact(frame, asked);
-  const ContactPictureOptions& options = begun.options;
-  const ContactLayout& layout = begun.layout;
+  const PreparedPicture prepared = prepareContact(frame, asked);
+  const ContactPictureOptions& options = prepared.options;
+  const ContactLayout& layout = prepared.layout;
   const Box& plot = layout.plot;
   const auto isIn = [x, y](const Box& box) {
     return x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
@@ -74,10 +75,10 @@ ContactHandle handleAt(const Frame& frame, const ContactPictureOptions& asked, f
 }
 
 DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) {
-  BegunPicture begun = beginContact(frame, asked);
-  const ContactPictureOptions& options = begun.options;
-  const ContactLayout& layout = begun.layout;
-  DrawList& list = begun.list;
+  PreparedPicture prepared = prepareContact(frame, asked);
+  const ContactPictureOptions& options = prepared.options;
+  const ContactLayout& layout = prepared.layout;
+  DrawList& list = prepared.list;
   addBodies(list, frame, layout);
   addAxes(list, layout, options.names ? addLabels(list, frame, layout) : Notes{});
   Box taken;
@@ -86,7 +87,7 @@ DrawList composeContact(const Frame& frame, const ContactPictureOptions& asked) 
     taken = magnifierBox(frame, *options.magnifier, layout);
   }
   if (options.probe) addProbe(list, frame, *options.probe, layout, taken);
-  return std::move(begun.list);
+  return std::move(prepared.list);
 }
 
 }  // namespace asperity

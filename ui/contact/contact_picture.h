@@ -52,8 +52,8 @@ struct ContactPictureOptions {
   ContactOverlay overlay = ContactOverlay::Pressure;
   std::optional<double> probe;  // m: position of a crosshair with readings of that element
   std::optional<Magnifier> magnifier;
-  float letters = 0;  // pixels, of the numbers at the axes; 0: automatic
-  float curve = 0;    // pixels, width of line and surface; 0: automatic
+  float fontSize = 0;   // pixels, of the tick labels; 0: automatic
+  float lineWidth = 0;  // pixels, of line and surface; 0: automatic
 };
 
 /// Returns a view that fits the frame and changes only when it must (pass the last view to avoid
@@ -71,11 +71,11 @@ Clip contactPlotArea(const Frame& frame, const ContactPictureOptions& options);
 /// Returns the unit of line widths and distances, in pixels; its small texts are 12 units high.
 float contactUnit(const ContactPictureOptions& options);
 
-/// A reading above the axes: its place (pixels), its name, a sentence about it, and its explanation
+/// A reading above the axes: its box (pixels), its name, a sentence about it, and its explanation
 /// (an id of core/chart/explanations.h). A title that does not fit its line is the first one, with
 /// its full text as the sentence and no explanation.
 struct ContactReading {
-  Clip place;
+  Clip box;
   std::string name, tip;
   std::string_view id{};
 };

@@ -25,8 +25,8 @@ std::optional<double> surfaceRate(const Frame& frame, std::size_t point) {
 
 /// A free surface relaxes for ever; what is left of it far below an atom is shown as 0.
 std::string heightText(double height) {
-  constexpr double kLeast = 1e-12;  // m
-  return quantity(std::abs(height) < kLeast ? 0 : height, "m", 3, Zeros::Keep);
+  constexpr double kMin = 1e-12;  // m
+  return quantity(std::abs(height) < kMin ? 0 : height, "m", 3, Zeros::Keep);
 }
 
 }  // namespace

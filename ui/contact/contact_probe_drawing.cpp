@@ -54,10 +54,10 @@ struct Surroundings {
   Box taken;
 };
 
-/// Returns the place of the readout: beside the crosshair, on the side with more space, high or
+/// Returns a free box for the readout: beside the crosshair, on the side with more space, high or
 /// low, away from the dots. In a narrow plot it is at the edges, above or below the dots. Nothing
-/// where all of these places cover the dots or the box to avoid.
-std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
+/// where all of these boxes cover the dots or the box to avoid.
+std::optional<Box> freeBox(const Readout& readout, const Surroundings& around,
                            const ContactLayout& layout) {
   const Box& plot = layout.plot;
   const auto [x, upper, lower, taken] = around;
@@ -74,11 +74,12 @@ std::optional<Box> placeOf(const Readout& readout, const Surroundings& around,
   const bool goesRight = right <= last;
   for (const float side : {goesRight ? right : left, goesRight ? left : right, first, last})
     for (const float y : {middle, least, low, upper - away - h, lower + away, high}) {
-      const Box place{std::round(std::clamp(side, first, last)),
-                      std::round(std::clamp(y, y == high ? high : least, low)), w, h};
-      const bool isBeside = place.x >= x + 0.5F * away || place.right() <= x - 0.5F * away;
-      const bool isApart = place.y >= lower + 0.5F * away || place.bottom() <= upper - 0.5F * away;
-      if ((isBeside || isApart) && !overlap(place, taken)) return place;
+      const Box candidate{std::round(std::clamp(side, first, last)),
+                          std::round(std::clamp(y, y == high ? high : least, low)), w, h};
+      const bool isBeside = candidate.x >= x + 0.5F * away || candidate.right() <= x - 0.5F * away;
+      const bool isApart =
+          candidate.y >= lower + 0.5F * away || candidate.bottom() <= upper - 0.5F * away;
+      if ((isBeside || isApart) && !overlap(candidate, taken)) return candidate;
     }
   return std::nullopt;
 }
@@ -92,8 +93,8 @@ void leaveOneOut(std::vector<ProbeLine>& lines) {
     lines.pop_back();
 }
 
-/// Returns the readout with as many of its lines as fit at a free place, at least three; it covers
-/// an inset only where there is no such place.
+/// Returns the readout with as many of its lines as fit into a free box, at least three; it covers
+/// an inset only where there is no such box.
 std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& reading,
                                                       Surroundings around,
                                                       const ContactLayout& layout) {
@@ -104,7 +105,7 @@ std::optional<std::pair<Readout, Box>> fittingReadout(const ProbeReading& readin
     std::vector<ProbeLine> lines = all.lines;
     for (; lines.size() >= kFewestLines; leaveOneOut(lines)) {
       const Readout readout = readoutOf(lines, layout.sizes);
-      if (const auto place = placeOf(readout, around, layout)) return {{readout, *place}};
+      if (const auto box = freeBox(readout, around, layout)) return {{readout, *box}};
     }
   }
   return std::nullopt;
@@ -144,10 +145,10 @@ void addProbe(DrawList& list, const Frame& frame, double x, const ContactLayout&
   if (!reading) return;
   // The copies are shifted to the period of the crosshair.
   const double period = frame.spacing * static_cast<double>(frame.lineHeight.size());
-  const double place = reading->position + period * std::round((x - reading->position) / period);
+  const double nearest = reading->position + period * std::round((x - reading->position) / period);
   const Box& plot = layout.plot;
   const float u = layout.sizes.unit;
-  const float px = layout.px(place);
+  const float px = layout.px(nearest);
   if (px < plot.x - 1 || px > plot.right() + 1) return;
   const float line = layout.py(reading->line), surface = layout.py(reading->surface);
   DrawLayer layer;

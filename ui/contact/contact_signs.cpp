@@ -12,7 +12,7 @@ namespace {
 constexpr float kAboveBaseline = 1.0F,
                 kBelowBaseline = 0.4F;  // of a font's size: a line around its baseline
 
-/// Returns the place of a line of text.
+/// Returns the box of a line of text.
 Clip lineAt(float left, float baseline, float width, float size) {
   return {left, baseline - kAboveBaseline * size, width, (kAboveBaseline + kBelowBaseline) * size};
 }
@@ -33,23 +33,23 @@ std::string_view idOf(ContactOverlay overlay) {
 
 /// Adds the legend of the colours: its title, its bar and the numbers below or beside it.
 void addLegendSign(std::vector<ContactSign>& signs, const ContactLayout& layout) {
-  const LegendPlace& legend = layout.legend;
+  const LegendLayout& legend = layout.legend;
   const std::string_view id = idOf(layout.scale.overlay);
   const bool hasBar = legend.bar.width > 0;
   if (id.empty() || (!hasBar && legend.title.empty())) return;
   const float size = layout.sizes.small;
-  Clip place = lineAt(legend.titleEnd.x - textWidth(legend.title, size), legend.titleEnd.y,
-                      textWidth(legend.title, size), size);
+  Clip box = lineAt(legend.titleEnd.x - textWidth(legend.title, size), legend.titleEnd.y,
+                    textWidth(legend.title, size), size);
   if (hasBar) {
     const float numbers = legend.inLine ? 5 * size : 0;  // beside the end of the bar
-    const float left = legend.title.empty() ? legend.bar.x : place.x;
+    const float left = legend.title.empty() ? legend.bar.x : box.x;
     const float bottom = legend.bar.bottom() + (legend.inLine ? 0 : 1.5F * size);
-    const float top = legend.title.empty() ? legend.bar.y : std::min(place.y, legend.bar.y);
-    place = {left, top, legend.bar.right() + numbers - left,
-             std::max(bottom, place.y + place.height) - top};
+    const float top = legend.title.empty() ? legend.bar.y : std::min(box.y, legend.bar.y);
+    box = {left, top, legend.bar.right() + numbers - left,
+           std::max(bottom, box.y + box.height) - top};
   }
   const std::string name = hasBar || legend.title.empty() ? layout.scale.title() : legend.title;
-  signs.push_back({place, name, id});
+  signs.push_back({box, name, id});
 }
 
 void addAxisSigns(std::vector<ContactSign>& signs, const ContactLayout& layout) {
@@ -80,25 +80,25 @@ void addFooterSigns(std::vector<ContactSign>& signs, const ContactLayout& layout
 }  // namespace
 
 std::vector<ContactSign> contactSigns(const Frame& frame, const ContactPictureOptions& asked) {
-  BegunPicture begun = beginContact(frame, asked);
+  PreparedPicture prepared = prepareContact(frame, asked);
   std::vector<ContactSign> signs;
-  for (ContactReading& reading : contactReadings(frame, begun.options))
-    signs.push_back({reading.place, std::move(reading.name), reading.id, std::move(reading.tip)});
-  begun.list.layers.emplace_back();  // in place of the bodies
-  std::vector<HandlePlace> labels;
-  const Notes notes = addLabels(begun.list, frame, begun.layout, &labels);
-  for (HandlePlace& label : labels)
+  for (ContactReading& reading : contactReadings(frame, prepared.options))
+    signs.push_back({reading.box, std::move(reading.name), reading.id, std::move(reading.tip)});
+  prepared.list.layers.emplace_back();  // in place of the bodies
+  std::vector<HandlePosition> labels;
+  const Notes notes = addLabels(prepared.list, frame, prepared.layout, &labels);
+  for (HandlePosition& label : labels)
     if (!label.id.empty()) signs.push_back({label.box, std::move(label.name), label.id});
-  addAxisSigns(signs, begun.layout);
-  addLegendSign(signs, begun.layout);
-  addFooterSigns(signs, begun.layout, notes);
+  addAxisSigns(signs, prepared.layout);
+  addLegendSign(signs, prepared.layout);
+  addFooterSigns(signs, prepared.layout, notes);
   return signs;
 }
 
 std::optional<ContactSign> contactSignAt(const Frame& frame, const ContactPictureOptions& options,
                                          float x, float y) {
   for (ContactSign& sign : contactSigns(frame, options)) {
-    const Clip& box = sign.place;
+    const Clip& box = sign.box;
     if (x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height)
       return std::move(sign);
   }

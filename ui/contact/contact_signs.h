@@ -1,6 +1,5 @@
-// What the words and signs of a contact picture mean: readings, labels, arrows, axes, the legend of
-// the colours, the remarks below the axes, each with its place and its explanation. Pure; any
-// thread.
+// The texts and symbols of a contact picture with their explanations: readings, labels, arrows,
+// axes, the legend of the colours, the notes below the axes, each with its box. Pure; any thread.
 #pragma once
 
 #include <optional>
@@ -13,9 +12,9 @@
 namespace asperity {
 
 struct ContactSign {
-  Clip place;           // pixels
+  Clip box;             // pixels
   std::string name;     // as it is written
-  std::string_view id;  // of core/chart/explanations.h; empty: the tip says all
+  std::string_view id;  // of core/chart/explanations.h; empty: the tip is complete
   std::string tip{};    // a sentence on this frame; empty: that of the explanation
 };
 

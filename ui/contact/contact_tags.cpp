@@ -36,20 +36,20 @@ float TagPainter::height() const {
 
 float TagPainter::width(const Tag& tag) const {
   float inner = textWidth(tag.before, size_) + textWidth(tag.after, size_) + arrowWidth(tag.arrow);
-  if (!tag.before.empty() && tag.arrow != ArrowWay::None) inner += space();
+  if (!tag.before.empty() && tag.arrow != ArrowDirection::None) inner += space();
   if (!tag.after.empty()) inner += space();
   return std::ceil(inner) + 2 * inset_;
 }
 
-void TagPainter::paint(const Tag& tag, Place topLeft, const Rgba& plate) {
-  places_.push_back(
+void TagPainter::paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate) {
+  handles_.push_back(
       {tag.handle, {topLeft.x, topLeft.y, width(tag), height()}, tag.id, plainText(tag.before)});
   addPill(plates_, {topLeft.x, topLeft.y, width(tag), height()}, withAlpha(plate, 0.86F));
   const Rgba colour = textOn(plate);
   const float baseline = std::round(topLeft.y + height() / 2 + size_ * 0.36F);
   float x = topLeft.x + inset_;
   if (!tag.before.empty()) x = addText(list_, tag.before, {x, baseline}, size_, colour);
-  if (tag.arrow != ArrowWay::None) {
+  if (tag.arrow != ArrowDirection::None) {
     if (!tag.before.empty()) x += space();
     paintArrow(tag.arrow, x, topLeft.y + height() / 2, layout_.theme.highlight);
     x += arrowWidth(tag.arrow);
@@ -61,16 +61,16 @@ float TagPainter::space() const {
   return std::round(size_ * 0.6F);
 }
 
-float TagPainter::arrowWidth(ArrowWay way) const {
-  if (way == ArrowWay::None) return 0;
-  return std::round(size_ * (way == ArrowWay::Down ? 0.8F : 2.6F));
+float TagPainter::arrowWidth(ArrowDirection direction) const {
+  if (direction == ArrowDirection::None) return 0;
+  return std::round(size_ * (direction == ArrowDirection::Down ? 0.8F : 2.6F));
 }
 
-void TagPainter::paintArrow(ArrowWay way, float x, float middle, const Rgba& colour) {
-  const float u = layout_.sizes.unit, length = arrowWidth(way);
-  Place from{x, middle}, to{x + length, middle};
-  if (way == ArrowWay::Left) std::swap(from, to);
-  if (way == ArrowWay::Down) {
+void TagPainter::paintArrow(ArrowDirection direction, float x, float middle, const Rgba& colour) {
+  const float u = layout_.sizes.unit, length = arrowWidth(direction);
+  DrawPoint from{x, middle}, to{x + length, middle};
+  if (direction == ArrowDirection::Left) std::swap(from, to);
+  if (direction == ArrowDirection::Down) {
     from = {x + length / 2, middle - height() * 0.34F};
     to = {x + length / 2, middle + height() * 0.34F};
   }

@@ -1,4 +1,5 @@
 // Short labels inside the axes: words and an arrow on a translucent plate. Private to ui/contact.
+// One thread at a time.
 #pragma once
 
 #include <string>
@@ -8,12 +9,12 @@
 
 namespace asperity {
 
-enum class ArrowWay { None, Left, Right, Down };
+enum class ArrowDirection { None, Left, Right, Down };
 
 /// A label: words, an arrow, words.
 struct Tag {
   TextRuns before;
-  ArrowWay arrow = ArrowWay::None;
+  ArrowDirection arrow = ArrowDirection::None;
   TextRuns after;
   ContactHandle handle = ContactHandle::None;  // what a drag of it changes
   std::string_view id{};                       // of its explanation
@@ -30,20 +31,20 @@ class TagPainter {
 
   float height() const;
   float width(const Tag& tag) const;
-  void paint(const Tag& tag, Place topLeft, const Rgba& plate);
-  /// Returns the places of the tags painted so far.
-  const std::vector<HandlePlace>& places() const { return places_; }
+  void paint(const Tag& tag, DrawPoint topLeft, const Rgba& plate);
+  /// Returns the handles of the tags painted so far.
+  const std::vector<HandlePosition>& handles() const { return handles_; }
 
  private:
   float space() const;
-  float arrowWidth(ArrowWay way) const;
-  void paintArrow(ArrowWay way, float x, float middle, const Rgba& colour);
+  float arrowWidth(ArrowDirection direction) const;
+  void paintArrow(ArrowDirection direction, float x, float middle, const Rgba& colour);
 
   DrawList& list_;
   DrawLayer &plates_, &arrows_;
   const ContactLayout& layout_;
   float size_, inset_;
-  std::vector<HandlePlace> places_;
+  std::vector<HandlePosition> handles_;
 };
 
 }  // namespace asperity

@@ -13,8 +13,8 @@ namespace {
 
 // Space above and below the rough interface, relative to its height range, for the bodies and their
 // labels.
-constexpr double kRoomAbove = 0.24, kRoomBelow = 0.30;
-constexpr double kMostPeriods = 50;
+constexpr double kSpaceAbove = 0.24, kSpaceBelow = 0.30;
+constexpr double kMaxPeriods = 50;
 
 struct Extent {
   double low = 0, high = 0;
@@ -57,8 +57,8 @@ ContactView fittedView(const Frame& frame, const std::optional<ContactView>& las
     // The ends are rounded outwards, so that small changes do not move the axis even without
     // `last`.
     const double grid = roundUp125(extent.size() / 20);
-    view.bottom = std::floor((extent.low - kRoomBelow * extent.size()) / grid) * grid;
-    view.top = std::ceil((extent.high + kRoomAbove * extent.size()) / grid) * grid;
+    view.bottom = std::floor((extent.low - kSpaceBelow * extent.size()) / grid) * grid;
+    view.top = std::ceil((extent.high + kSpaceAbove * extent.size()) / grid) * grid;
   }
   view.pressure = scaleMaximum(frame, ContactOverlay::Pressure, view.pressure);
   view.age = scaleMaximum(frame, ContactOverlay::Relaxation, view.age);
@@ -74,7 +74,7 @@ ContactView resolvedView(const Frame& frame, const ContactView& view) {
   ContactView resolved = view;
   if (!std::isfinite(resolved.left)) resolved.left = 0;
   if (!(resolved.width > 0)) resolved.width = period;
-  resolved.width = std::min(resolved.width, kMostPeriods * period);
+  resolved.width = std::min(resolved.width, kMaxPeriods * period);
   const ContactView fitted = fittedView(frame);
   if (!(resolved.bottom < resolved.top) || !std::isfinite(resolved.top - resolved.bottom)) {
     resolved.bottom = fitted.bottom;

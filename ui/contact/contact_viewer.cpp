@@ -40,7 +40,8 @@ void ContactViewer::setFrame(std::shared_ptr<const Frame> frame) {
   if (magnifies_) followPeak(last.get());
 }
 
-/// Finds the greatest pressure, but keeps the former place while its pressure is still similar.
+/// Finds the greatest pressure, but keeps the previous position while its pressure is still
+/// similar.
 void ContactViewer::followPeak(const Frame* last) {
   const Frame& frame = *frame_;
   if (!isDrawable(frame)) return;
@@ -86,14 +87,14 @@ FrameFields ContactViewer::fields() const {
   return fields;
 }
 
-void ContactViewer::zoom(const ViewPlace& at, double steps) {
+void ContactViewer::zoom(const ViewPosition& at, double steps) {
   navigation_ =
       navigation_.zoomed(at, std::pow(kStep, steps), std::pow(kStep, kHeights * steps), finest());
   // Zooming out to the whole period shows everything.
   if (steps < 0 && navigation_.enlargement() == 1) fit();
 }
 
-void ContactViewer::exaggerate(const ViewPlace& at, double steps) {
+void ContactViewer::exaggerate(const ViewPosition& at, double steps) {
   navigation_ = navigation_.zoomed(at, 1, std::pow(kStep, steps), finest());
 }
 
@@ -117,8 +118,8 @@ void ContactViewer::follow(bool follows) {
     navigation_ = navigation_.following(follows, periodOf(*frame_), frame_->distance);
 }
 
-void ContactViewer::pointAt(std::optional<ViewPlace> place) {
-  cursor_ = place;
+void ContactViewer::pointAt(std::optional<ViewPosition> position) {
+  cursor_ = position;
   element_.reset();
 }
 

@@ -1,6 +1,6 @@
 // The user's view of the contact: the zoomed part, the crosshair, the magnifier, the colours. It
-// takes frames and returns the options of their pictures. It uses no widget: places are relative to
-// the plot. One thread at a time.
+// takes frames and returns the options of their pictures. It uses no widget: positions are relative
+// to the plot. One thread at a time.
 #pragma once
 
 #include <memory>
@@ -32,24 +32,24 @@ class ContactViewer {
   void setNavigation(const ViewNavigation& navigation) { navigation_ = navigation; }
   /// Zooms by steps. One step enlarges x, and heights by less: a self-affine line has the same
   /// appearance at every scale if heights grow with length to the power H.
-  void zoom(const ViewPlace& at, double steps);
-  void exaggerate(const ViewPlace& at, double steps);
+  void zoom(const ViewPosition& at, double steps);
+  void exaggerate(const ViewPosition& at, double steps);
   void pan(double dx, double dy);
   void fit();
   void fitHeights();
   void follow(bool follows);
 
-  /// Sets the crosshair to the place of a cursor, or removes it.
-  void pointAt(std::optional<ViewPlace> place);
-  /// Moves the crosshair by this many elements, from its place or the middle; it then stays on its
-  /// element.
+  /// Sets the crosshair to the position of a cursor, or removes it.
+  void pointAt(std::optional<ViewPosition> position);
+  /// Moves the crosshair by this many elements, from its position or the middle; it then stays on
+  /// its element.
   void movePointer(int elements);
   /// Returns the position of the crosshair, m; none without one.
   std::optional<double> pointer() const;
   std::optional<ProbeReading> reading() const;
 
-  /// Switches the magnifier, around the crosshair or else around the asperity with the greatest
-  /// pressure.
+  /// Switches the magnifier, around the crosshair or, without one, around the asperity with the
+  /// greatest pressure.
   void magnify(bool magnifies);
   bool magnifies() const { return magnifies_; }
 
@@ -64,9 +64,9 @@ class ContactViewer {
   std::shared_ptr<const Frame> frame_;
   std::optional<ContactView> fitted_;
   ViewNavigation navigation_;
-  std::optional<ViewPlace> cursor_;  // of the crosshair, or
-  std::optional<double> element_;    // m, the element to which it was moved
-  double peak_ = 0;                  // m, the asperity with the greatest pressure at last
+  std::optional<ViewPosition> cursor_;  // of the crosshair, or
+  std::optional<double> element_;       // m, the element to which it was moved
+  double peak_ = 0;                     // m, the asperity with the greatest pressure at last
   bool magnifies_ = false;
   ContactOverlay overlay_ = ContactOverlay::Pressure;
 };

@@ -142,11 +142,6 @@ std::vector<CurveVertex> decimated(const Frame& frame, const std::vector<double>
   return curve;
 }
 
-std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
-                                                       const Columns& columns) {
-  return stretchesAbove(frame, range, columns, frame.pressure, 0);
-}
-
 std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRange range,
                                                      const Columns& columns,
                                                      const std::vector<double>& values,

@@ -47,8 +47,4 @@ std::vector<std::vector<CurveVertex>> stretchesAbove(const Frame& frame, PointRa
                                                      const std::vector<double>& values,
                                                      double least);
 
-/// Returns the stretches in contact (pressure > 0).
-std::vector<std::vector<CurveVertex>> contactStretches(const Frame& frame, PointRange range,
-                                                       const Columns& columns);
-
 }  // namespace asperity

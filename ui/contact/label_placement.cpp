@@ -30,9 +30,9 @@ std::int64_t countWithin(const Frame& frame, const PointRange& range, const auto
 }
 
 /// Returns whether the other body stays outside of the rows of the box, and the body itself reaches
-/// the middle of the box at most of the points: the rest may be air.
-bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box,
-            const PointRange& range) {
+/// the middle of the box at most of the points; at the others there may be a gap.
+bool isOnBody(Body body, const Frame& frame, const ContactLayout& layout, const Box& box,
+              const PointRange& range) {
   const float middle = box.y + box.height / 2;
   const bool isRigid = body == Body::Rigid;
   const auto isIntruded = [&](std::size_t point) {
@@ -57,10 +57,10 @@ PointRange pointsBetween(const Frame& frame, const ContactLayout& layout, float 
 
 }  // namespace
 
-bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box) {
+bool isOnBody(Body body, const Frame& frame, const ContactLayout& layout, const Box& box) {
   const auto last = static_cast<std::int64_t>(frame.pressure.size()) - 1;
-  return liesOn(body, frame, layout, box, {0, last}) ||
-         liesOn(body, frame, layout, box, pointsBetween(frame, layout, box.x, box.right()));
+  return isOnBody(body, frame, layout, box, {0, last}) ||
+         isOnBody(body, frame, layout, box, pointsBetween(frame, layout, box.x, box.right()));
 }
 
 bool clearAcross(const Frame& frame, const ContactLayout& layout, float top) {
@@ -73,8 +73,8 @@ std::optional<float> labelPlacement(const Frame& frame, const ContactLayout& lay
                                     float width, float margin) {
   const Box& plot = layout.plot;
   const auto isClear = [&](float x) {
-    const float air = 0.5F * margin;  // less than margin: the axes' ends do not count as neighbours
-    return countWithin(frame, pointsBetween(frame, layout, x - air, x + width + air),
+    const float gap = 0.5F * margin;  // less than margin: the axes' ends do not count as neighbours
+    return countWithin(frame, pointsBetween(frame, layout, x - gap, x + width + gap),
                        [&](std::size_t point) {
                          return touches(frame, layout, point) &&
                                 !isAbove(frame, layout, point, top);
@@ -106,8 +106,8 @@ bool CurveRows::crosses(const Box& box) const {
   return false;
 }
 
-CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
-                 const ContactLayout& layout) {
+CurveRows curveRows(const Frame& frame, const std::vector<double>& heights,
+                    const ContactLayout& layout) {
   const Box& plot = layout.plot;
   const auto count = static_cast<std::size_t>(std::ceil(plot.width));
   constexpr float kFar = 1e6F;
@@ -133,7 +133,8 @@ CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
   return rows;
 }
 
-std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to) {
+std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& wanted, float from,
+                                   float to) {
   constexpr float kStep = 4;  // pixels
   const auto isClear = [&](float x) {
     // Everything above counts as covered: a label below the line is on the elastomer or in the gap.

@@ -1,5 +1,5 @@
-// Finds places where a label hides no contact, where the line of its body does not cross it, and
-// where it lies on the body that it names. Private to ui/contact; pure.
+// Finds positions at which a label hides no contact, is not crossed by the line of its body, and
+// lies on the body that it names. Private to ui/contact; pure.
 #pragma once
 
 #include <optional>
@@ -36,16 +36,16 @@ struct CurveRows {
   /// Returns whether the curve passes through the rows of the box.
   bool crosses(const Box& box) const;
 };
-CurveRows rowsOf(const Frame& frame, const std::vector<double>& heights,
-                 const ContactLayout& layout);
+CurveRows curveRows(const Frame& frame, const std::vector<double>& heights,
+                    const ContactLayout& layout);
 
 /// Returns the left end nearest to `wanted`, from `from` to `to`, of a box of this size at the row
-/// `top` that is above the curve now; none where there is no such place.
-std::optional<float> placeAbove(const CurveRows& curve, const Box& wanted, float from, float to);
+/// `top` that is above the curve now; none where there is no such position.
+std::optional<float> freeSpanAbove(const CurveRows& curve, const Box& wanted, float from, float to);
 enum class Body { Rigid, Elastomer };
 
 /// Returns whether a label in the box lies on the body and not on the other one: always while the
 /// line slides by, or at least now.
-bool liesOn(Body body, const Frame& frame, const ContactLayout& layout, const Box& box);
+bool isOnBody(Body body, const Frame& frame, const ContactLayout& layout, const Box& box);
 
 }  // namespace asperity

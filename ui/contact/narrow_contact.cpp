@@ -13,7 +13,7 @@ namespace {
 bool hasStretch(const Frame& frame, double metres) {
   const std::size_t n = frame.pressure.size();
   const double most = static_cast<double>(2 * n);
-  // The width in points; at least two neighbours, because one point alone would be a stretch.
+  // Returns the width in points: at least two, because one point alone would be a stretch.
   const double wide = std::max(1.0, std::min(metres / frame.spacing, most));
   const double apart = std::max(1.0, 0.25 * wide);
   std::size_t first = 0, last = 0;
@@ -29,7 +29,7 @@ bool hasStretch(const Frame& frame, double metres) {
   return false;
 }
 
-std::optional<std::size_t> pressedMost(const Frame& frame) {
+std::optional<std::size_t> greatestPressurePoint(const Frame& frame) {
   std::optional<std::size_t> most;
   for (std::size_t i = 0; i < frame.pressure.size(); ++i)
     if (frame.pressure[i] > (most ? frame.pressure[*most] : 0.0)) most = i;
@@ -52,7 +52,7 @@ std::optional<std::size_t> smallestGap(const Frame& frame) {
 
 std::optional<std::size_t> narrowContact(const Frame& frame, double metres) {
   if (!isDrawable(frame) || hasStretch(frame, metres)) return std::nullopt;
-  if (const auto point = pressedMost(frame)) return point;
+  if (const auto point = greatestPressurePoint(frame)) return point;
   const bool touches = frame.normalForce > 0 || frame.contactFraction > 0;
   return touches ? smallestGap(frame) : std::nullopt;
 }

@@ -12,7 +12,7 @@ namespace {
 
 // The smallest and largest height range, relative to the fitted one: from single elements to a
 // range at which x and y have the same scale on almost any line.
-constexpr double kLeastHeights = 1e-4, kMostHeights = 1e6;
+constexpr double kMinHeights = 1e-4, kMaxHeights = 1e6;
 
 double wrapped(double share) {
   const double rest = share - std::floor(share);
@@ -72,7 +72,7 @@ ViewNavigation ViewNavigation::within(double finest) const {
   const double middle = left_ + 0.5 * width_;
   held.width_ = std::clamp(width_, std::min(std::max(finest, 1e-12), 1.0), 1.0);
   held.left_ = wrapped(held.width_ == width_ ? left_ : middle - 0.5 * held.width_);
-  const double size = std::clamp(top_ - bottom_, kLeastHeights, kMostHeights);
+  const double size = std::clamp(top_ - bottom_, kMinHeights, kMaxHeights);
   const double centre = 0.5 * (bottom_ + top_);
   const double low = std::min(0.0, 1 - size), high = std::max(0.0, 1 - size);
   held.bottom_ = std::clamp(centre - 0.5 * size, low, high);
@@ -82,14 +82,14 @@ ViewNavigation ViewNavigation::within(double finest) const {
   return held;
 }
 
-ViewNavigation ViewNavigation::zoomed(const ViewPlace& at, double xFactor, double yFactor,
+ViewNavigation ViewNavigation::zoomed(const ViewPosition& at, double xFactor, double yFactor,
                                       double finest) const {
   ViewNavigation next = *this;
   const double width = std::clamp(width_ / usable(xFactor), std::min(finest, 1.0), 1.0);
   next.left_ = left_ + at.x * (width_ - width);
   next.width_ = width;
   const double size = top_ - bottom_;
-  const double wanted = std::clamp(size / usable(yFactor), kLeastHeights, kMostHeights);
+  const double wanted = std::clamp(size / usable(yFactor), kMinHeights, kMaxHeights);
   next.bottom_ = bottom_ + at.y * (size - wanted);
   next.top_ = next.bottom_ + wanted;
   return next.within(finest);

@@ -10,15 +10,15 @@
 
 namespace asperity {
 
-/// A place in the plot, relative to its size: 0, 0 is its lower left corner, 1, 1 its upper right
-/// one.
-struct ViewPlace {
+/// A position in the plot, relative to its size: 0, 0 is its lower left corner, 1, 1 its upper
+/// right one.
+struct ViewPosition {
   double x = 0.5, y = 0.5;
 };
 
 class ViewNavigation {
  public:
-  /// A view that shows everything.
+  /// Makes a view that shows everything.
   ViewNavigation() = default;
   /// Returns the view that a text of toText() describes; a view that shows everything where the
   /// text is none.
@@ -29,9 +29,10 @@ class ViewNavigation {
   /// distance of the line in m, which the view follows if that is chosen.
   ContactView applied(const ContactView& fitted, double period, double distance) const;
 
-  /// Zooms about a place, which stays fixed; factors above 1 enlarge. finest: the narrowest view,
-  /// as a part of the period.
-  ViewNavigation zoomed(const ViewPlace& at, double xFactor, double yFactor, double finest) const;
+  /// Zooms about a position, which stays fixed; factors above 1 enlarge. finest: the narrowest
+  /// view, as a part of the period.
+  ViewNavigation zoomed(const ViewPosition& at, double xFactor, double yFactor,
+                        double finest) const;
   /// Moves the contents by these parts of the plot. In x, the line continues periodically.
   ViewNavigation panned(double dx, double dy) const;
   /// Returns the same view, fixed to the line or to the elastomer; nothing jumps.

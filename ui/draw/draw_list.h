@@ -1,7 +1,7 @@
 // The content of a picture in pixels: filled triangles, antialiased lines and texts, in this order.
 // ui/contact and ui/chart make it; ui/draw/renderer.h draws its shapes and ui/draw/fonts.h its
-// texts. A plain value; uses neither OpenGL nor Qt. Coordinates: pixels, origin top left, y down.
-// Colours: sRGB, straight alpha.
+// texts. A plain value; any thread; uses neither OpenGL nor Qt. Coordinates: pixels, origin top
+// left, y down. Colours: sRGB, straight alpha.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ struct Clip {
   float x = 0, y = 0, width = 0, height = 0;
 };
 
-/// Colours on a rectangular grid of places, interpolated between neighbours. In a cell of the grid
+/// Colours on a rectangular grid of points, interpolated between neighbours. In a cell of the grid
 /// with a corner without colour (a = 0) nothing is drawn.
 struct DrawField {
   std::vector<float> x, y;    // pixels, of columns and rows; rising or falling

@@ -52,7 +52,7 @@ Fonts installedFonts() {
   return Fonts(FcFontList(nullptr, all.get(), objects.get()));
 }
 
-/// Returns how far a font is from the upright one of usual width that is wanted.
+/// Returns the distance of a font from the upright one of normal width.
 int distance(const FcPattern* font, bool bold) {
   const int weight = bold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR;
   return std::abs(numberOf(font, FC_WEIGHT) - weight) + 10 * numberOf(font, FC_SLANT) +

@@ -1,6 +1,6 @@
-// The family of fonts for the texts of pictures, where a user asks for another one than the
-// embedded DejaVu Sans. It is chosen once, before any picture is composed; reading is then free on
-// any thread. Characters that the family does not have are DejaVu Sans.
+// The family of fonts for the texts of pictures, where the user chooses another one than the
+// embedded DejaVu Sans. It is set once, before any picture is composed; it may then be read on any
+// thread. Characters that the family lacks are drawn with DejaVu Sans.
 #pragma once
 
 #include <QByteArray>
@@ -30,7 +30,7 @@ void useFontFamily(const std::string& family);
 
 const FontChoice& fontChoice();
 
-/// The same as fontSubset() of ui/draw/fonts.h, of the chosen family.
+/// Returns a subset of the chosen family, as fontSubset() of ui/draw/fonts.h does.
 QByteArray chosenFontSubset(bool bold, const std::set<char32_t>& characters);
 
 }  // namespace asperity

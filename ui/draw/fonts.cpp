@@ -240,11 +240,11 @@ std::vector<std::string> wrapped(const std::string& utf8, float size, bool bold,
 std::string elided(const std::string& utf8, float size, bool bold, float width) {
   if (textWidth(utf8, size, bold) <= width) return utf8;
   const std::string ellipsis = "\u2026";
-  const float room = width - textWidth(ellipsis, size, bold);
+  const float available = width - textWidth(ellipsis, size, bold);
   std::size_t kept = 0;
   for (std::size_t at = 0; at < utf8.size();) {
     nextCharacter(utf8, at);
-    if (textWidth(std::string_view(utf8).substr(0, at), size, bold) > room) break;
+    if (textWidth(std::string_view(utf8).substr(0, at), size, bold) > available) break;
     kept = at;
   }
   while (kept > 0 && utf8[kept - 1] == ' ') --kept;
@@ -259,13 +259,13 @@ qreal leftEnd(const DrawText& text, qreal advance) {
 }
 
 void paintText(QPainter& painter, const DrawText& text) {
-  const QFont font = fontOf(text);
+  const QFont font = toQFont(text);
   const QString words = QString::fromStdString(text.utf8);
   painter.save();
   painter.translate(text.x, text.y);
   if (text.angle != 0) painter.rotate(-qRadiansToDegrees(static_cast<qreal>(text.angle)));
   painter.setFont(font);
-  painter.setPen(colourOf(text.colour));
+  painter.setPen(toQColor(text.colour));
   qreal left = leftEnd(text, QFontMetricsF(font).horizontalAdvance(words));
   if (text.angle == 0) left = std::round(text.x + left) - text.x;  // whole pixels give sharp stems
   painter.drawText(QPointF(left, 0), words);
@@ -284,7 +284,7 @@ void loadFonts() {
   static_cast<void>(loaded);
 }
 
-QColor colourOf(const Rgba& c) {
+QColor toQColor(const Rgba& c) {
   return QColor::fromRgbF(c.r, c.g, c.b, c.a);
 }
 
@@ -295,7 +295,7 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
   return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
 }
 
-QFont fontOf(const DrawText& text) {
+QFont toQFont(const DrawText& text) {
   QFont font(QStringLiteral("DejaVu Sans"));
   if (const std::string& family = fontChoice().family; !family.empty())
     font.setFamilies({QString::fromStdString(family), QStringLiteral("DejaVu Sans")});

@@ -63,12 +63,12 @@ class PixelContext;
 /// std::runtime_error if Qt refuses them.
 void loadFonts();
 
-QColor colourOf(const Rgba& colour);
+QColor toQColor(const Rgba& colour);
 /// Returns a at share 0 and b at 1, interpolated channel by channel.
 QColor mixed(const QColor& a, const QColor& b, double share);
 
 /// Returns the font of this text.
-QFont fontOf(const DrawText& text);
+QFont toQFont(const DrawText& text);
 
 /// Paints list.texts; the painter's coordinates are the list's pixels.
 void paintTexts(QPainter& painter, const DrawList& list);

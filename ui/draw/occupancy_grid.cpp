@@ -14,7 +14,7 @@ OccupancyGrid::OccupancyGrid(const Box& area, float cell)
       rows_(std::max(1, static_cast<int>(std::ceil(area.height / cell_)))),
       weights_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
-OccupancyGrid::Cells OccupancyGrid::cellsOf(const Box& box) const {
+OccupancyGrid::Cells OccupancyGrid::cellsUnder(const Box& box) const {
   const auto index = [&](float pixels, int most) {
     return static_cast<int>(std::clamp(pixels / cell_, 0.0F, static_cast<float>(most)));
   };
@@ -25,9 +25,9 @@ OccupancyGrid::Cells OccupancyGrid::cellsOf(const Box& box) const {
           index(box.y - area_.y, rows_), above(box.bottom() - area_.y, rows_)};
 }
 
-void OccupancyGrid::addLine(const std::vector<Place>& places, float weight) {
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place a = places[i], b = places[std::min(i + 1, places.size() - 1)];
+void OccupancyGrid::addLine(const std::vector<DrawPoint>& points, float weight) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const DrawPoint a = points[i], b = points[std::min(i + 1, points.size() - 1)];
     if (!std::isfinite(a.x + a.y + b.x + b.y)) continue;
     const float longest = std::max(std::abs(b.x - a.x), std::abs(b.y - a.y));
     const int steps = 1 + static_cast<int>(std::min(2 * longest / cell_, 1e4F));
@@ -39,7 +39,7 @@ void OccupancyGrid::addLine(const std::vector<Place>& places, float weight) {
 }
 
 void OccupancyGrid::addBox(const Box& box, float weight) {
-  const Cells c = cellsOf(box);
+  const Cells c = cellsUnder(box);
   for (int row = c.top; row < c.bottom; ++row)
     for (int column = c.left; column < c.right; ++column) {
       float& there = weights_[static_cast<std::size_t>(row * columns_ + column)];
@@ -48,7 +48,7 @@ void OccupancyGrid::addBox(const Box& box, float weight) {
 }
 
 float OccupancyGrid::under(const Box& box) const {
-  const Cells c = cellsOf(box);
+  const Cells c = cellsUnder(box);
   float sum = 0;
   for (int row = c.top; row < c.bottom; ++row)
     for (int column = c.left; column < c.right; ++column)
@@ -57,7 +57,7 @@ float OccupancyGrid::under(const Box& box) const {
 }
 
 float OccupancyGrid::greatestUnder(const Box& box) const {
-  const Cells c = cellsOf(box);
+  const Cells c = cellsUnder(box);
   float greatest = 0;
   for (int row = c.top; row < c.bottom; ++row)
     for (int column = c.left; column < c.right; ++column)
@@ -65,18 +65,19 @@ float OccupancyGrid::greatestUnder(const Box& box) const {
   return greatest;
 }
 
-Box freestPlace(const OccupancyGrid& map, float width, float height, float margin) {
+Box freestBox(const OccupancyGrid& map, float width, float height, float margin) {
   const Box& area = map.area();
-  const float roomX = area.width - 2 * margin - width, roomY = area.height - 2 * margin - height;
-  if (roomX < 0 || roomY < 0) return {};
+  const float freeWidth = area.width - 2 * margin - width,
+              freeHeight = area.height - 2 * margin - height;
+  if (freeWidth < 0 || freeHeight < 0) return {};
   constexpr int kSteps = 12;
   Box best;
   float least = std::numeric_limits<float>::max();
   for (int row = 0; row <= kSteps; ++row)
     for (int column = 0; column <= kSteps; ++column) {
       const float x = static_cast<float>(column) / kSteps, y = static_cast<float>(row) / kSteps;
-      const Box box{std::round(area.x + margin + x * roomX),
-                    std::round(area.y + margin + y * roomY), width, height};
+      const Box box{std::round(area.x + margin + x * freeWidth),
+                    std::round(area.y + margin + y * freeHeight), width, height};
       const float fromCorner = std::min(x, 1 - x) + std::min(y, 1 - y);
       // A hundredth of the box that is hidden counts more than the distance from a corner to the
       // middle.

@@ -1,4 +1,4 @@
-// The occupied parts of an area on a coarse grid, and the search for a free place in it. Private to
+// The occupied parts of an area on a coarse grid, and the search for a free box in it. Private to
 // ui/draw. A plain value; any thread. Pixels.
 #pragma once
 
@@ -13,7 +13,7 @@ class OccupancyGrid {
   OccupancyGrid(const Box& area, float cell);
 
   /// Marks the cells under a line as occupied; parts outside the area are ignored.
-  void addLine(const std::vector<Place>& places, float weight);
+  void addLine(const std::vector<DrawPoint>& points, float weight);
   /// Marks the cells that a box touches as occupied.
   void addBox(const Box& box, float weight);
   /// Returns the mean weight of the cells that a box touches; outside the area counts as free.
@@ -26,7 +26,7 @@ class OccupancyGrid {
   struct Cells {
     int left, right, top, bottom;  // right and bottom are one past the last cell
   };
-  Cells cellsOf(const Box& box) const;
+  Cells cellsUnder(const Box& box) const;
 
   Box area_;
   float cell_;
@@ -36,6 +36,6 @@ class OccupancyGrid {
 
 /// Returns the box of this size inside the map's area, `margin` from its edges, that covers least;
 /// corners are preferred. The box is empty where the area is too small.
-Box freestPlace(const OccupancyGrid& map, float width, float height, float margin);
+Box freestBox(const OccupancyGrid& map, float width, float height, float margin);
 
 }  // namespace asperity

@@ -25,8 +25,8 @@ constexpr double kPointsPerInch = 72;
 constexpr int kFieldPixels = 512;  // of an image for a field, in each direction
 constexpr int kSoftPixels = 2;     // image pixels per picture pixel, in each direction
 
-QPointF pointOf(const Place& place) {
-  return {place.x, place.y};
+QPointF pointOf(const DrawPoint& point) {
+  return {point.x, point.y};
 }
 
 QPainterPath pathOf(const std::vector<Polyline>& lines, bool closed) {
@@ -42,10 +42,10 @@ QPainterPath pathOf(const std::vector<Polyline>& lines, bool closed) {
 }
 
 QBrush brushOf(const VectorPaint& paint) {
-  if (!paint.isGradient) return colourOf(paint.from);
+  if (!paint.isGradient) return toQColor(paint.from);
   QLinearGradient gradient(pointOf(paint.start), pointOf(paint.end));
-  gradient.setColorAt(0, colourOf(paint.from));
-  gradient.setColorAt(1, colourOf(paint.to));
+  gradient.setColorAt(0, toQColor(paint.from));
+  gradient.setColorAt(1, toQColor(paint.to));
   return gradient;
 }
 
@@ -97,7 +97,7 @@ void paintFills(QPainter& painter, const std::vector<VectorFill>& fills, const Q
 }
 
 void paintStroke(QPainter& painter, const VectorStroke& stroke) {
-  const QColor colour = colourOf(stroke.colour);
+  const QColor colour = toQColor(stroke.colour);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(
       QPen(colour, static_cast<qreal>(stroke.width), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -110,7 +110,7 @@ void paintStroke(QPainter& painter, const VectorStroke& stroke) {
 }
 
 void paintList(QPainter& painter, const DrawList& list) {
-  painter.fillRect(QRectF(0, 0, list.width, list.height), colourOf(list.background));
+  painter.fillRect(QRectF(0, 0, list.width, list.height), toQColor(list.background));
   for (const DrawLayer& layer : list.layers) {
     const VectorLayer vector = vectorized(layer);
     painter.save();
@@ -121,8 +121,8 @@ void paintList(QPainter& painter, const DrawList& list) {
       painter.setClipRect(shown);
     }
     for (const DrawField& field : layer.fields) {
-      const Box box = boxOf(field);
-      if (const QImage image = imageOf(field, kFieldPixels); !image.isNull())
+      const Box box = boundingBox(field);
+      if (const QImage image = fieldImage(field, kFieldPixels); !image.isNull())
         painter.drawImage(QRectF(box.x, box.y, box.width, box.height), image);
     }
     paintFills(painter, vector.fills, shown);
@@ -141,7 +141,7 @@ void blankDate(QByteArray& pdf) {
   for (qsizetype i = from; i >= 0 && i <= to; ++i) pdf[i] = ' ';
 }
 
-std::string pdfOf(const DrawList& list, const PdfOptions& options) {
+std::string pdfBytes(const DrawList& list, const PdfOptions& options) {
   // Qt lists the fonts in the order of a hash, which would differ in every process.
   QHashSeed::setDeterministicGlobalSeed();
   QByteArray bytes;
@@ -170,7 +170,7 @@ std::string pdfOf(const DrawList& list, const PdfOptions& options) {
 }
 
 void writePdf(const std::filesystem::path& path, const DrawList& list, const PdfOptions& options) {
-  writeFileAtomically(path, pdfOf(list, options));
+  writeFileAtomically(path, pdfBytes(list, options));
 }
 
 }  // namespace asperity

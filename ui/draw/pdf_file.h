@@ -19,7 +19,7 @@ struct PdfOptions {
 };
 
 /// Throws std::runtime_error where Qt cannot write a PDF.
-std::string pdfOf(const DrawList& list, const PdfOptions& options = {});
+std::string pdfBytes(const DrawList& list, const PdfOptions& options = {});
 
 /// Writes blanks over the date of creation in a PDF that Qt made, so that offsets stay valid; the
 /// date is the only content that does not depend on what is drawn.

@@ -1,10 +1,9 @@
-// What draws the shapes of a DrawList without a screen, and the pixels. There are three kinds: the
+// Draws the shapes of a DrawList without a screen, into pixels. There are three kinds: the
 // program's own rasterizer, which is always there, and two OpenGL 3.3 core contexts, OSMesa
 // (software, part of Mesa up to 25.0) and EGL without a surface (any driver), whose libraries are
-// opened at run time.
-// Threading: one thread makes, draws and destroys; with OpenGL never a thread on which a Qt context
-// is current.
-// Failure: std::runtime_error in one sentence that names the missing library and its package.
+// opened at run time. Threading: one thread makes, draws and destroys; with OpenGL never a thread
+// on which a Qt context is current. Failure: std::runtime_error in one sentence that names the
+// missing library and its package.
 #pragma once
 
 #include <cstdint>

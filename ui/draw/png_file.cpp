@@ -51,7 +51,7 @@ void addText(std::string& png, std::string_view key, const std::string& text) {
 
 constexpr std::size_t kTogether = 16;  // pixels that are compared at once
 
-/// Filters rows of colours. Most pixels are equal to those above them, which is seen fast. The
+/// Filters rows of colours. Most pixels are equal to those above them, which is detected fast. The
 /// number of channels is known at compile time, which is ten times faster.
 template <std::size_t kChannels>
 std::vector<std::uint8_t> filteredRows(const QImage& image) {
@@ -104,7 +104,7 @@ bool isOpaque(const QImage& image) {
 
 }  // namespace
 
-std::string pngOf(const QImage& given, const PngOptions& options) {
+std::string encodePng(const QImage& given, const PngOptions& options) {
   if (given.isNull()) throw std::runtime_error("an empty picture cannot be encoded as PNG");
   // In an opaque picture, both formats have the same bytes.
   const bool isRgba = given.format() == QImage::Format_RGBA8888_Premultiplied;
@@ -133,16 +133,16 @@ std::string pngOf(const QImage& given, const PngOptions& options) {
 void writePng(const std::filesystem::path& path, const QImage& image, const PngOptions& options) {
   if (image.isNull())
     throw std::runtime_error(path.string() + ": the picture cannot be encoded as PNG");
-  writeFileAtomically(path, pngOf(image, options));
+  writeFileAtomically(path, encodePng(image, options));
 }
 
-QImage imageOf(const DrawField& field, int mostPixels) {
-  const Box box = boxOf(field);
-  const auto pixels = [mostPixels](float size) {
-    return std::clamp(static_cast<int>(std::ceil(size)), 1, mostPixels);
+QImage fieldImage(const DrawField& field, int maxPixels) {
+  const Box box = boundingBox(field);
+  const auto pixels = [maxPixels](float size) {
+    return std::clamp(static_cast<int>(std::ceil(size)), 1, maxPixels);
   };
   const int columns = pixels(box.width), rows = pixels(box.height);
-  const std::vector<Rgba> raster = rasterOf(field, columns, rows);
+  const std::vector<Rgba> raster = sampledColours(field, columns, rows);
   if (raster.empty()) return {};
   QImage image(columns, rows, QImage::Format_ARGB32);
   bool isOpaque = true;

@@ -16,18 +16,18 @@ struct PictureProperties {
   std::string title;       // of the document; empty: none
   std::string metadata;    // any UTF-8 text; the program writes the provenance; empty: none
   double scale = 1;        // pixels of the picture to one pixel at 96 per inch: its size on paper
-  bool isOnPaper = false;  // the size was given as lengths: an SVG says them in millimetres
+  bool isOnPaper = false;  // the size was given as lengths: an SVG has them in millimetres
 };
 
 struct PngOptions {
   std::string title;       // kept as the text chunk "Title"; empty: none
   std::string metadata;    // any UTF-8 text, kept as the text chunk "asperity"; empty: none
-  double dotsPerInch = 0;  // 0: the file does not say
+  double dotsPerInch = 0;  // 0: not in the file
 };
 
-/// Returns the file's bytes: 24-bit where the picture is opaque, else 32-bit. The same picture
+/// Returns the file's bytes: 24-bit where the picture is opaque, otherwise 32-bit. The same picture
 /// gives the same bytes. Throws std::runtime_error for an empty picture.
-std::string pngOf(const QImage& image, const PngOptions& options = {});
+std::string encodePng(const QImage& image, const PngOptions& options = {});
 
 /// Writes beside the final name and renames; an existing file is replaced. After a failure nothing
 /// is left behind, an existing file is unchanged, and std::runtime_error gives the reason in one
@@ -35,8 +35,8 @@ std::string pngOf(const QImage& image, const PngOptions& options = {});
 void writePng(const std::filesystem::path& path, const QImage& image,
               const PngOptions& options = {});
 
-/// Returns a field as an image for vector files, with at most so many pixels in each direction.
-QImage imageOf(const DrawField& field, int mostPixels);
+/// Returns a field as an image for vector files, with at most `maxPixels` pixels in each direction.
+QImage fieldImage(const DrawField& field, int maxPixels);
 
 /// Returns the text chunk "asperity" of a PNG's bytes; empty where there is none.
 std::string pngMetadata(std::string_view bytes);

@@ -59,7 +59,7 @@ inline void blend(std::uint8_t* pixel, const Paint& paint) {
   std::memcpy(pixel, &word, sizeof word);
 }
 
-/// Returns the first pixel whose centre is at or after this place, between `from` >= 0 and `to`.
+/// Returns the first pixel whose centre is at or after this position, between `from` >= 0 and `to`.
 int pixelAt(double place, int from, int to) {
   const double wanted = std::min(std::max(place - 0.5, double(from)), double(to));
   const int below = static_cast<int>(wanted);
@@ -90,7 +90,7 @@ struct Corner {
 };
 
 /// An edge from its upper to its lower corner. Two triangles with a common edge compute the same
-/// places on it, so that they leave no gap and share no pixel.
+/// points on it, so that they leave no gap and share no pixel.
 struct Edge {
   Edge(const Corner& a, const Corner& b)
       : x(a.x), y(a.y), slope(b.y > a.y ? (double{b.x} - a.x) / (double{b.y} - a.y) : 0) {}
@@ -99,7 +99,7 @@ struct Edge {
   double x, y, slope;
 };
 
-/// The colour of a triangle, which is linear in the place.
+/// The colour of a triangle, which is linear in x and y.
 class Gradient {
  public:
   Gradient(const Corner& a, const Corner& b, const Corner& c)
@@ -183,7 +183,7 @@ struct Piece {
     const float square = dx * dx + dy * dy;
     inverse = square > 0 ? 1 / square : 0;
   }
-  /// Returns the nearest places on the piece, from 0 to 1.
+  /// Returns the nearest points on the piece, from 0 to 1.
   Four place(Four px, float py) const {
     const Four along = ((px - x) * dx + (py - y) * dy) * inverse;
     return most(least(along, Four{1, 1, 1, 1}), Four{0, 0, 0, 0});
@@ -200,7 +200,7 @@ struct Piece {
 /// The interval of x in which a quantity linear in x and in the row is within limits.
 class Band {
  public:
-  /// The quantity: acrossX * x + acrossRow * row.
+  /// The linear function acrossX * x + acrossRow * row.
   Band(double acrossX, double acrossRow, double low, double high)
       : isEven_(std::abs(acrossX) < 1e-9), low_(low), high_(high), acrossRow_(acrossRow) {
     if (isEven_) return;

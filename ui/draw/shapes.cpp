@@ -73,13 +73,6 @@ std::vector<DrawVertex> trianglesOf(const DrawField& field) {
   return corners;
 }
 
-/// Removes vertices that repeat the previous one (they would hide the joins) or are not finite.
-void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean) {
-  clean.clear();
-  for (const DrawVertex& v : line.vertices)
-    if (isFinite(v) && (clean.empty() || !samePlace(clean.back(), v))) clean.push_back(v);
-}
-
 void appendSegment(const DrawVertex& before, const DrawVertex& from, const DrawVertex& to,
                    const DrawVertex& after, float width, std::vector<float>& data) {
   data.insert(data.end(), {from.x, from.y, to.x, to.y, before.x, before.y, after.x, after.y});
@@ -103,6 +96,12 @@ void appendLine(const std::vector<DrawVertex>& v, float width, Geometry& geometr
 }
 
 }  // namespace
+
+void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean) {
+  clean.clear();
+  for (const DrawVertex& v : line.vertices)
+    if (isFinite(v) && (clean.empty() || !isSamePoint(clean.back(), v))) clean.push_back(v);
+}
 
 void flatten(const DrawList& list, Geometry& geometry) {
   geometry.data.clear();
@@ -136,13 +135,13 @@ float loweredSize(float size) {
 }
 
 /// Returns the space on either side of a lowered piece.
-float sideRoom(const TextRun& run, float size) {
+float italicOverhang(const TextRun& run, float size) {
   return run.lowered ? 0.06F * size : 0;
 }
 
 float runWidth(const TextRun& run, float size) {
   const float text = textWidth(run.utf8, run.lowered ? loweredSize(size) : size, run.bold);
-  return text + 2 * sideRoom(run, size);
+  return text + 2 * italicOverhang(run, size);
 }
 
 /// Replaces the small letter in the subscript of a normal force by a lowered capital N, which
@@ -170,7 +169,7 @@ void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const D
   layer.triangles.insert(layer.triangles.end(), {a, b, c, a, c, d});
 }
 
-Box boxOf(const DrawField& field) {
+Box boundingBox(const DrawField& field) {
   if (field.x.empty() || field.y.empty()) return {};
   const auto [left, right] = std::ranges::minmax(field.x);
   const auto [top, bottom] = std::ranges::minmax(field.y);
@@ -179,13 +178,13 @@ Box boxOf(const DrawField& field) {
 
 namespace {
 
-/// A place between two neighbours of a list.
+/// A position between two neighbours of a list.
 struct Between {
   std::size_t index = 0;
   float part = 0;
 };
 
-/// Returns the place of a value on a rising or falling list that holds it.
+/// Returns the position of a value in an ascending or descending list that contains it.
 Between betweenIn(const std::vector<float>& list, float value) {
   const bool rises = list.front() <= list.back();
   std::size_t low = 0, high = list.size() - 1;
@@ -199,11 +198,11 @@ Between betweenIn(const std::vector<float>& list, float value) {
 
 }  // namespace
 
-std::vector<Rgba> rasterOf(const DrawField& field, int columns, int rows) {
+std::vector<Rgba> sampledColours(const DrawField& field, int columns, int rows) {
   std::vector<Rgba> raster;
   if (field.x.size() < 2 || field.y.size() < 2) return raster;
   raster.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  const Box box = boxOf(field);
+  const Box box = boundingBox(field);
   const std::size_t width = field.x.size();
   std::vector<Between> across;
   for (int i = 0; i < columns; ++i)
@@ -238,10 +237,10 @@ void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, cons
           {box.right(), box.bottom(), right}, {box.x, box.bottom(), left});
 }
 
-void addLine(DrawLayer& layer, std::vector<Place> places, float width, const Rgba& colour) {
+void addLine(DrawLayer& layer, std::vector<DrawPoint> points, float width, const Rgba& colour) {
   DrawLine line;
   line.width = width;
-  for (const Place& p : places) line.vertices.push_back({p.x, p.y, colour});
+  for (const DrawPoint& p : points) line.vertices.push_back({p.x, p.y, colour});
   layer.lines.push_back(std::move(line));
 }
 
@@ -251,16 +250,17 @@ void addPill(DrawLayer& layer, const Box& box, const Rgba& colour) {
   addLine(layer, {{box.x + radius, y}, {box.right() - radius, y}}, box.height, colour);
 }
 
-void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, const Rgba& colour) {
+void addArrow(DrawLayer& layer, DrawPoint from, DrawPoint to, float head, float width,
+              const Rgba& colour) {
   const float angle = std::atan2(to.y - from.y, to.x - from.x);
   const auto side = [&](float turn) {
-    return Place{to.x - head * std::cos(angle + turn), to.y - head * std::sin(angle + turn)};
+    return DrawPoint{to.x - head * std::cos(angle + turn), to.y - head * std::sin(angle + turn)};
   };
   addLine(layer, {from, to}, width, colour);
   addLine(layer, {side(0.6F), to, side(-0.6F)}, width, colour);
 }
 
-void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
+void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAnchor anchor,
               const Rgba& colour, float angle) {
   if (utf8.empty()) return;
   const TextRuns runs = withLoweredN({{utf8}});
@@ -288,12 +288,12 @@ float textWidth(const TextRuns& runs, float size) {
   return width;
 }
 
-float addText(DrawList& list, const TextRuns& runs, Place baseline, float size,
+float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float size,
               const Rgba& colour) {
   for (const TextRun& run : withLoweredN(runs)) {
     DrawText text;
     text.utf8 = run.utf8;
-    text.x = baseline.x + sideRoom(run, size);
+    text.x = baseline.x + italicOverhang(run, size);
     text.y = run.lowered ? baseline.y + std::round(size * 0.22F) : baseline.y;
     text.size = run.lowered ? loweredSize(size) : size;
     text.bold = run.bold;

@@ -30,6 +30,10 @@ struct Geometry {
   std::vector<DrawBatch> batches;
 };
 
+/// Fills `clean`, reusing its memory, with the vertices of a line that are finite and do not repeat
+/// the previous one; repeated ones would hide the joins.
+void cleanVertices(const DrawLine& line, std::vector<DrawVertex>& clean);
+
 /// Fills `geometry`, reusing its memory.
 void flatten(const DrawList& list, Geometry& geometry);
 
@@ -39,25 +43,25 @@ struct Box {
   float bottom() const { return y + height; }
 };
 
-struct Place {
+struct DrawPoint {
   float x = 0, y = 0;
 };
 
-/// Of a Place or a DrawVertex.
+/// For a DrawPoint or a DrawVertex.
 template <class Point>
 bool isFinite(const Point& point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 template <class Point>
-bool samePlace(const Point& a, const Point& b) {
+bool isSamePoint(const Point& a, const Point& b) {
   return a.x == b.x && a.y == b.y;
 }
 
 /// Returns the box around a field.
-Box boxOf(const DrawField& field);
+Box boundingBox(const DrawField& field);
 /// Returns the colours of a field at the centres of a raster over its box, row by row from the top;
 /// a = 0 where there is none.
-std::vector<Rgba> rasterOf(const DrawField& field, int columns, int rows);
+std::vector<Rgba> sampledColours(const DrawField& field, int columns, int rows);
 
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& top, const Rgba& bottom);
 void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
@@ -65,14 +69,15 @@ void addRectangle(DrawLayer& layer, const Box& box, const Rgba& colour);
 void addRectangleAcross(DrawLayer& layer, const Box& box, const Rgba& left, const Rgba& right);
 void addQuad(DrawLayer& layer, const DrawVertex& a, const DrawVertex& b, const DrawVertex& c,
              const DrawVertex& d);
-void addLine(DrawLayer& layer, std::vector<Place> places, float width, const Rgba& colour);
+void addLine(DrawLayer& layer, std::vector<DrawPoint> points, float width, const Rgba& colour);
 /// Adds a box with half-round ends.
 void addPill(DrawLayer& layer, const Box& box, const Rgba& colour);
 /// Adds a shaft with an open head at `to`; the head's sides are `head` pixels long.
-void addArrow(DrawLayer& layer, Place from, Place to, float head, float width, const Rgba& colour);
+void addArrow(DrawLayer& layer, DrawPoint from, DrawPoint to, float head, float width,
+              const Rgba& colour);
 
 /// Adds one text; `at` is its anchor on the baseline. An empty one is left out.
-void addLabel(DrawList& list, std::string utf8, Place at, float size, TextAnchor anchor,
+void addLabel(DrawList& list, std::string utf8, DrawPoint at, float size, TextAnchor anchor,
               const Rgba& colour, float angle = 0);
 
 /// A piece of a text; a lowered piece is smaller, as in "F_N".
@@ -85,6 +90,7 @@ using TextRuns = std::vector<TextRun>;
 
 float textWidth(const TextRuns& runs, float size);
 /// Adds text left-aligned on the baseline; returns its right end.
-float addText(DrawList& list, const TextRuns& runs, Place baseline, float size, const Rgba& colour);
+float addText(DrawList& list, const TextRuns& runs, DrawPoint baseline, float size,
+              const Rgba& colour);
 
 }  // namespace asperity

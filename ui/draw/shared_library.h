@@ -9,7 +9,7 @@ namespace asperity {
 
 class SharedLibrary {
  public:
-  /// `variable`: an environment variable that names another file.
+  /// Loads the library. `variable`: an environment variable that names another file.
   SharedLibrary(const char* file, const char* variable, const char* package);
 
   template <typename Function>

@@ -11,29 +11,29 @@ namespace asperity {
 namespace {
 
 struct Piece {
-  Place from, to;
+  DrawPoint from, to;
 };
 
-Place between(const Place& a, const Place& b, double t) {
+DrawPoint between(const DrawPoint& a, const DrawPoint& b, double t) {
   return {static_cast<float>(a.x + t * (static_cast<double>(b.x) - a.x)),
           static_cast<float>(a.y + t * (static_cast<double>(b.y) - a.y))};
 }
 
 /// Clips a segment by the method of Liang and Barsky (1984).
-std::optional<Piece> inside(const Box& box, const Place& a, const Place& b) {
+std::optional<Piece> inside(const Box& box, const DrawPoint& a, const DrawPoint& b) {
   double first = 0, last = 1;
   const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
   const double steps[4][2] = {{-dx, static_cast<double>(a.x) - box.x},
                               {dx, static_cast<double>(box.right()) - a.x},
                               {-dy, static_cast<double>(a.y) - box.y},
                               {dy, static_cast<double>(box.bottom()) - a.y}};
-  for (const auto& [change, room] : steps) {
+  for (const auto& [change, distance] : steps) {
     if (change == 0) {
-      if (room < 0) return std::nullopt;
+      if (distance < 0) return std::nullopt;
     } else if (change < 0) {
-      first = std::max(first, room / change);
+      first = std::max(first, distance / change);
     } else {
-      last = std::min(last, room / change);
+      last = std::min(last, distance / change);
     }
   }
   if (first > last) return std::nullopt;
@@ -56,9 +56,9 @@ std::vector<Polyline> clippedTo(const Box& box, const Polyline& line) {
       joined = false;
       continue;
     }
-    if (!joined || !samePlace(parts.back().back(), piece->from)) parts.push_back({piece->from});
+    if (!joined || !isSamePoint(parts.back().back(), piece->from)) parts.push_back({piece->from});
     parts.back().push_back(piece->to);
-    joined = samePlace(piece->to, line[i + 1]);
+    joined = isSamePoint(piece->to, line[i + 1]);
   }
   return parts;
 }
@@ -75,7 +75,7 @@ std::vector<Polyline> dashed(const Polyline& line, float on, float off) {
     double at = 0;
     while (length - at >= left) {
       at += left;
-      const Place here = between(line[i], line[i + 1], at / length);
+      const DrawPoint here = between(line[i], line[i + 1], at / length);
       if (drawing)
         pieces.back().push_back(here);
       else
@@ -86,7 +86,7 @@ std::vector<Polyline> dashed(const Polyline& line, float on, float off) {
     left -= length - at;
     if (drawing && length > at) pieces.back().push_back(line[i + 1]);
   }
-  // The line ended where a dash would have begun.
+  // The line ended at the beginning of a dash.
   if (on > 0 && pieces.size() > 1 && pieces.back().size() == 1) pieces.pop_back();
   return pieces;
 }

@@ -77,8 +77,8 @@ std::string stopOf(const Rgba& c) {
   return paintOf("stop-color", "stop-opacity", c);
 }
 
-/// The first place is absolute, others are relative to the previous one; differences of rounded
-/// places do not accumulate errors.
+/// The first point is absolute, others are relative to the previous one; differences of rounded
+/// points do not accumulate errors.
 void appendPath(std::string& path, const Polyline& line, bool closed) {
   std::int64_t x = rounded(line[0].x), y = rounded(line[0].y);
   path += "M" + hundredths(x) + " " + hundredths(y);
@@ -142,12 +142,12 @@ class SvgWriter {
 
   /// A mesh of many colours would be large, and viewers would show its seams.
   void addFields(const DrawLayer& layer) {
-    constexpr int kMostPixels = 320;
+    constexpr int kMaxPixels = 320;
     for (const DrawField& field : layer.fields) {
-      const QImage image = imageOf(field, kMostPixels);
+      const QImage image = fieldImage(field, kMaxPixels);
       if (image.isNull()) continue;
-      const std::string bytes = pngOf(image);
-      const Box box = boxOf(field);
+      const std::string bytes = encodePng(image);
+      const Box box = boundingBox(field);
       body_ +=
           "<g" + clipOf(layer.clip) + "><image x=\"" + number(box.x) + "\" y=\"" + number(box.y) +
           "\" width=\"" + number(box.width) + "\" height=\"" + number(box.height) +
@@ -248,12 +248,12 @@ class SvgWriter {
 
 }  // namespace
 
-std::string svgOf(const DrawList& list, const SvgOptions& options) {
+std::string svgText(const DrawList& list, const SvgOptions& options) {
   return SvgWriter(list, options).write();
 }
 
 void writeSvg(const std::filesystem::path& path, const DrawList& list, const SvgOptions& options) {
-  writeFileAtomically(path, svgOf(list, options));
+  writeFileAtomically(path, svgText(list, options));
 }
 
 namespace {

@@ -17,7 +17,7 @@ struct SvgOptions {
   double millimetres = 0;  // of one pixel, where the picture has a size on paper; 0: it has none
 };
 
-std::string svgOf(const DrawList& list, const SvgOptions& options = {});
+std::string svgText(const DrawList& list, const SvgOptions& options = {});
 
 /// Writes the file as writeFileAtomically.
 void writeSvg(const std::filesystem::path& path, const DrawList& list,

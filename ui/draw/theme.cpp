@@ -5,51 +5,42 @@
 #include <cmath>
 
 namespace asperity {
-namespace {
-
-constexpr Rgba colour(unsigned rgb, float alpha = 1) {
-  return {static_cast<float>(rgb >> 16 & 255U) / 255, static_cast<float>(rgb >> 8 & 255U) / 255,
-          static_cast<float>(rgb & 255U) / 255, alpha};
-}
-
-}  // namespace
-
 const Theme& lightTheme() {
-  static const Theme theme{.background = colour(0xFFFFFF),
-                           .panel = colour(0xEFF5FA),
-                           .text = colour(0x18212B),
-                           .faintText = colour(0x5A6876),
-                           .grid = colour(0x000000, 0.07F),
-                           .axis = colour(0x7D8A97),
-                           .rigid = colour(0xB4BFCA),
-                           .rigidEdge = colour(0x2A3440),
-                           .elastomer = colour(0x355673),
-                           .elastomerEdge = colour(0x12263A),
-                           .highlight = colour(0xB83A06)};
+  static const Theme theme{.background = colourFrom(0xFFFFFF),
+                           .panel = colourFrom(0xEFF5FA),
+                           .text = colourFrom(0x18212B),
+                           .faintText = colourFrom(0x5A6876),
+                           .grid = colourFrom(0x000000, 0.07F),
+                           .axis = colourFrom(0x7D8A97),
+                           .rigid = colourFrom(0xB4BFCA),
+                           .rigidEdge = colourFrom(0x2A3440),
+                           .elastomer = colourFrom(0x355673),
+                           .elastomerEdge = colourFrom(0x12263A),
+                           .highlight = colourFrom(0xB83A06)};
   return theme;
 }
 
 const Theme& darkTheme() {
-  static const Theme theme{.background = colour(0x10161D),
-                           .panel = colour(0x05080B),
-                           .text = colour(0xE8EEF4),
-                           .faintText = colour(0x93A3B2),
-                           .grid = colour(0xFFFFFF, 0.06F),
-                           .axis = colour(0x5F6E7C),
-                           .rigid = colour(0x4B5866),
-                           .rigidEdge = colour(0xD2DBE4),
-                           .elastomer = colour(0x1F415E),
-                           .elastomerEdge = colour(0x7FC0F0),
-                           .highlight = colour(0xFFB454)};
+  static const Theme theme{.background = colourFrom(0x10161D),
+                           .panel = colourFrom(0x05080B),
+                           .text = colourFrom(0xE8EEF4),
+                           .faintText = colourFrom(0x93A3B2),
+                           .grid = colourFrom(0xFFFFFF, 0.06F),
+                           .axis = colourFrom(0x5F6E7C),
+                           .rigid = colourFrom(0x4B5866),
+                           .rigidEdge = colourFrom(0xD2DBE4),
+                           .elastomer = colourFrom(0x1F415E),
+                           .elastomerEdge = colourFrom(0x7FC0F0),
+                           .highlight = colourFrom(0xFFB454)};
   return theme;
 }
 
 const Theme& printTheme() {
   static const Theme theme = [] {
     Theme print = lightTheme();
-    print.text = print.axis = colour(0x000000);
-    print.faintText = colour(0x333333);
-    print.grid = colour(0x000000, 0.09F);
+    print.text = print.axis = colourFrom(0x000000);
+    print.faintText = colourFrom(0x333333);
+    print.grid = colourFrom(0x000000, 0.09F);
     return print;
   }();
   return theme;
@@ -58,14 +49,14 @@ const Theme& printTheme() {
 const Theme& paperTheme() {
   static const Theme theme = [] {
     Theme paper = printTheme();
-    paper.panel = colour(0xFFFFFF);
-    paper.rigid = colour(0xF7F7F7);
-    paper.rigidEdge = colour(0x000000);
-    paper.elastomer = colour(0xDDE4EA);
-    paper.elastomerEdge = colour(0x000000);
-    paper.faintText = colour(0x000000);
-    paper.axis = colour(0x000000);
-    paper.highlight = colour(0x000000);
+    paper.panel = colourFrom(0xFFFFFF);
+    paper.rigid = colourFrom(0xF7F7F7);
+    paper.rigidEdge = colourFrom(0x000000);
+    paper.elastomer = colourFrom(0xDDE4EA);
+    paper.elastomerEdge = colourFrom(0x000000);
+    paper.faintText = colourFrom(0x000000);
+    paper.axis = colourFrom(0x000000);
+    paper.highlight = colourFrom(0x000000);
     paper.isPaper = true;
     return paper;
   }();
@@ -75,10 +66,6 @@ const Theme& paperTheme() {
 bool isDark(const Theme& theme) {
   const Rgba& c = theme.background;
   return 0.299F * c.r + 0.587F * c.g + 0.114F * c.b < 0.5F;
-}
-
-Rgba colourFrom(std::uint32_t rgb) {
-  return colour(rgb);
 }
 
 void removeColours(DrawList& list) {
@@ -117,9 +104,9 @@ constexpr std::array<Rgba, 8> kViridis = {
 
 template <std::size_t N>
 Rgba alongMap(const std::array<Rgba, N>& map, float t) {
-  const float place = std::clamp(std::isfinite(t) ? t : 0.0F, 0.0F, 1.0F) * (N - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), N - 2);
-  return mix(map[below], map[below + 1], place - static_cast<float>(below));
+  const float position = std::clamp(std::isfinite(t) ? t : 0.0F, 0.0F, 1.0F) * (N - 1);
+  const auto below = std::min(static_cast<std::size_t>(position), N - 2);
+  return mix(map[below], map[below + 1], position - static_cast<float>(below));
 }
 
 }  // namespace

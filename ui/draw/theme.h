@@ -24,7 +24,10 @@ const Theme& paperTheme();  // the same, with a contact in light tints instead o
 bool isDark(const Theme& theme);
 
 /// Returns 0xRRGGBB as a colour.
-Rgba colourFrom(std::uint32_t rgb);
+constexpr Rgba colourFrom(std::uint32_t rgb, float alpha = 1) {
+  return {static_cast<float>(rgb >> 16 & 255U) / 255, static_cast<float>(rgb >> 8 & 255U) / 255,
+          static_cast<float>(rgb & 255U) / 255, alpha};
+}
 
 /// Replaces every colour by the grey of its luminance (Rec. 709, of the coded values).
 void removeColours(DrawList& list);

@@ -54,9 +54,9 @@ double nextOf(std::initializer_list<double> factors, double value) {
   return 10 * power;
 }
 
-constexpr double kRounding = 1e-9;    // of a decade: a tick at the very end belongs to the axis
-constexpr double kMostDecades = 700;  // the range of a double
-constexpr int kMostTicks = 12;
+constexpr double kRounding = 1e-9;   // of a decade: a tick at the very end belongs to the axis
+constexpr double kMaxDecades = 700;  // the range of a double
+constexpr int kMaxTicks = 12;
 
 /// Returns the multiples of every decade inside [from, to].
 std::vector<LogTick> multiples(double from, double to, const std::vector<int>& factors) {
@@ -89,7 +89,7 @@ std::vector<LogTick> decades(double from, double to, int most) {
 }
 
 int tickCount(float pixels, float each) {
-  return std::clamp(static_cast<int>(pixels / each), 2, kMostTicks);
+  return std::clamp(static_cast<int>(pixels / each), 2, kMaxTicks);
 }
 
 }  // namespace
@@ -143,8 +143,8 @@ std::vector<double> minorTicks(const AxisTicks& axis, double from, double to) {
   return minor;
 }
 
-AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit) {
-  const auto isRoomy = [&](const AxisTicks& axis) {
+AxisTicks sparseTicks(double from, double to, float pixels, float size, std::string_view unit) {
+  const auto isSparse = [&](const AxisTicks& axis) {
     float widest = 0;
     for (const Tick& tick : axis.ticks) widest = std::max(widest, textWidth(tick.label, size));
     const double share = (axis.ticks[1].value - axis.ticks[0].value) / (to - from);
@@ -154,14 +154,14 @@ AxisTicks roomyTicks(double from, double to, float pixels, float size, std::stri
   for (int count = most; count > 1; --count) {
     AxisTicks axis = linearTicks(from, to, count, unit);
     if (axis.ticks.size() > 1) {
-      if (isRoomy(axis)) return axis;
+      if (isSparse(axis)) return axis;
       continue;
     }
-    // One tick gives no scale: with steps of 1, 2 and 5 more of them may have room.
-    for (int more = most + 1; count == most && more <= kMostTicks; ++more) {
+    // One tick gives no scale: with steps of 1, 2 and 5 more of them may fit.
+    for (int more = most + 1; count == most && more <= kMaxTicks; ++more) {
       AxisTicks closer = linearTicks(from, to, more, unit);
       if (closer.ticks.size() < 2) continue;
-      if (isRoomy(closer)) return closer;
+      if (isSparse(closer)) return closer;
       break;
     }
     return axis;
@@ -174,28 +174,27 @@ AxisTicks yTicks(double from, double to, float pixels, float each, float size,
   int most = tickCount(pixels, each);
   AxisTicks axis = linearTicks(from, to, most, unit);
   // With steps of 1, 2 and 5 the next number of ticks is up to five times as large.
-  while (axis.ticks.size() < 2 && most < kMostTicks) {
+  while (axis.ticks.size() < 2 && most < kMaxTicks) {
     AxisTicks closer = linearTicks(from, to, ++most, unit);
     if (closer.ticks.size() < 2) continue;
-    const auto hasRoom = [&] {
+    const auto ticksFit = [&] {
       const double apart = (closer.ticks[1].value - closer.ticks[0].value) / (to - from);
       return apart * static_cast<double>(pixels) >= 1.1 * static_cast<double>(size);
     };
-    // The outermost two give a scale where all have no room.
-    if (!hasRoom()) closer.ticks.erase(closer.ticks.begin() + 1, closer.ticks.end() - 1);
-    if (!hasRoom()) break;
+    // The outermost two give a scale where not all fit.
+    if (!ticksFit()) closer.ticks.erase(closer.ticks.begin() + 1, closer.ticks.end() - 1);
+    if (!ticksFit()) break;
     axis = std::move(closer);
   }
   return axis;
 }
 
 std::vector<LogTick> logTicks(double from, double to, int most) {
-  if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades) ||
-      most < 1)
+  if (!(from < to) || !(std::abs(from) < kMaxDecades) || !(std::abs(to) < kMaxDecades) || most < 1)
     return {};
   std::vector<LogTick> ticks = decades(from, to, most);
   if (ticks.size() > 1 || most < 2) return ticks;
-  // Uses multiples that give a scale and fit, or else the outermost of them.
+  // Uses multiples that give a scale and fit, otherwise the outermost of them.
   const std::vector<int> choices[] = {{1, 2, 5}, {1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 3}, {1, 5}};
   for (const std::vector<int>& factors : choices) {
     std::vector<LogTick> finer = multiples(from, to, factors);
@@ -209,7 +208,7 @@ std::vector<LogTick> logTicks(double from, double to, int most) {
 std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
                                   double decadePixels, double apart) {
   std::vector<double> minor;
-  if (!(from < to) || !(std::abs(from) < kMostDecades) || !(std::abs(to) < kMostDecades))
+  if (!(from < to) || !(std::abs(from) < kMaxDecades) || !(std::abs(to) < kMaxDecades))
     return minor;
   std::vector<int> factors{1};
   if (decadePixels >= 12 * apart)
@@ -218,11 +217,11 @@ std::vector<double> minorLogTicks(double from, double to, const std::vector<LogT
     factors = {1, 2, 5};
   else if (decadePixels < apart)
     return minor;
-  for (const LogTick& place : multiples(from, to, factors))
+  for (const LogTick& candidate : multiples(from, to, factors))
     if (std::none_of(ticks.begin(), ticks.end(), [&](const LogTick& tick) {
-          return std::abs(tick.decade - place.decade) < kRounding;
+          return std::abs(tick.decade - candidate.decade) < kRounding;
         }))
-      minor.push_back(place.decade);
+      minor.push_back(candidate.decade);
   return minor;
 }
 

@@ -1,5 +1,5 @@
-// Numbers for users: round places on linear and logarithmic axes, values with a prefixed unit.
-// Pure; any thread. Texts are UTF-8 with a true minus, micro and multiplication sign.
+// Numbers for users: ticks at round values of linear and logarithmic axes, values with a prefixed
+// unit. Pure; any thread. Texts are UTF-8 with a true minus, micro and multiplication sign.
 #pragma once
 
 #include <string>
@@ -27,18 +27,17 @@ double roundUp125(double value);
 /// Returns the next of 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten, as the end of a scale.
 double roundUp(double value);
 
-/// Returns at most `most` places with a step of 1, 2 or 5 times a power of ten; none if from >= to
+/// Returns at most `most` ticks with a step of 1, 2 or 5 times a power of ten; none if from >= to
 /// or the step is lost in rounding. `unit` is the SI unit; its prefix follows the larger end. A
 /// unit without prefixes ("", "%", "1/m", "m²") gets the power of ten of the largest tick where
 /// plain numbers would be long, and so does any unit outside the range of prefixes.
 AxisTicks linearTicks(double from, double to, int most, std::string_view unit);
 
-/// Returns the places between the ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in
-/// [from, to].
+/// Returns the minor ticks that split a step of 1, 2, 5 into 5, 4, 5; ascending, in [from, to].
 std::vector<double> minorTicks(const AxisTicks& axis, double from, double to);
 
 /// Returns ticks whose labels, written side by side in fonts of `size`, fit `pixels`.
-AxisTicks roomyTicks(double from, double to, float pixels, float size, std::string_view unit);
+AxisTicks sparseTicks(double from, double to, float pixels, float size, std::string_view unit);
 
 /// Returns ticks of a vertical axis, `each` pixels for one of them. A low axis has closer ticks as
 /// far as labels in fonts of `size` fit, because a single tick does not show the scale.
@@ -55,13 +54,13 @@ struct LogTick {
 /// as fit. None where from >= to, either is not finite, or most < 1.
 std::vector<LogTick> logTicks(double from, double to, int most);
 
-/// Returns decimal logarithms of the places between the ticks: 2, 3, ..., 9 times every decade, or
-/// 2 and 5 times where `decadePixels` is below twelve times `apart`, or only the decades where
-/// those do not fit. Ascending, none at a tick.
+/// Returns decimal logarithms of the minor ticks: 2, 3, ..., 9 times every decade, or 2 and 5 times
+/// where `decadePixels` is below twelve times `apart`, or only the decades where those do not fit.
+/// Ascending, none at a tick.
 std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
                                   double decadePixels, double apart);
 
-/// Return printedNumber() and printedQuantity() in the current language.
+/// These functions return printedNumber() and printedQuantity() in the current language.
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 std::string quantity(double value, std::string_view unit, int digits = 3,
                      Zeros zeros = Zeros::Drop);

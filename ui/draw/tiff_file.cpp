@@ -20,7 +20,7 @@ namespace {
 /// A file in memory, as libtiff reads and writes it.
 struct MemoryFile {
   std::string bytes;
-  std::size_t place = 0;
+  std::size_t position = 0;
 };
 
 MemoryFile& fileOf(thandle_t handle) {
@@ -29,29 +29,29 @@ MemoryFile& fileOf(thandle_t handle) {
 
 tmsize_t readBytes(thandle_t handle, void* to, tmsize_t count) {
   MemoryFile& file = fileOf(handle);
-  const std::size_t known = file.bytes.size() - std::min(file.place, file.bytes.size());
+  const std::size_t known = file.bytes.size() - std::min(file.position, file.bytes.size());
   const std::size_t taken = std::min(static_cast<std::size_t>(count), known);
-  std::memcpy(to, file.bytes.data() + file.place, taken);
-  file.place += taken;
+  std::memcpy(to, file.bytes.data() + file.position, taken);
+  file.position += taken;
   return static_cast<tmsize_t>(taken);
 }
 
 tmsize_t writeBytes(thandle_t handle, void* from, tmsize_t count) {
   MemoryFile& file = fileOf(handle);
   const auto size = static_cast<std::size_t>(count);
-  if (file.bytes.size() < file.place + size) file.bytes.resize(file.place + size);
-  std::memcpy(file.bytes.data() + file.place, from, size);
-  file.place += size;
+  if (file.bytes.size() < file.position + size) file.bytes.resize(file.position + size);
+  std::memcpy(file.bytes.data() + file.position, from, size);
+  file.position += size;
   return count;
 }
 
 toff_t moveTo(thandle_t handle, toff_t offset, int whence) {
   MemoryFile& file = fileOf(handle);
   const std::size_t start = whence == SEEK_SET   ? 0
-                            : whence == SEEK_CUR ? file.place
+                            : whence == SEEK_CUR ? file.position
                                                  : file.bytes.size();
-  file.place = start + static_cast<std::size_t>(offset);
-  return file.place;
+  file.position = start + static_cast<std::size_t>(offset);
+  return file.position;
 }
 
 int closeFile(thandle_t) {
@@ -72,7 +72,7 @@ bool canWriteTiff() {
   return true;
 }
 
-std::string tiffOf(const QImage& given, const PngOptions& options) {
+std::string tiffBytes(const QImage& given, const PngOptions& options) {
   if (given.isNull()) throw std::runtime_error("An empty picture cannot be a TIFF file.");
   const QImage rgba = given.convertToFormat(QImage::Format_RGBA8888);
   bool isOpaque = true;
@@ -129,14 +129,14 @@ bool canWriteTiff() {
   return false;
 }
 
-std::string tiffOf(const QImage&, const PngOptions&) {
+std::string tiffBytes(const QImage&, const PngOptions&) {
   throw std::runtime_error("This program was built without libtiff and writes no TIFF.");
 }
 
 #endif
 
 void writeTiff(const std::filesystem::path& path, const QImage& image, const PngOptions& options) {
-  writeFileAtomically(path, tiffOf(image, options));
+  writeFileAtomically(path, tiffBytes(image, options));
 }
 
 }  // namespace asperity

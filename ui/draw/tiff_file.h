@@ -1,5 +1,5 @@
-// Pictures as TIFF files that are either complete or absent, for publishers that take nothing else.
-// They need libtiff when the program is built. Any thread.
+// Pictures as TIFF files that are either complete or absent, for publishers that accept no other
+// format. They need libtiff when the program is built. Any thread.
 #pragma once
 
 #include <QImage>
@@ -10,13 +10,13 @@
 
 namespace asperity {
 
-/// Whether this program was built with libtiff.
+/// Returns whether this program was built with libtiff.
 bool canWriteTiff();
 
 /// Returns the file's bytes: RGB, or RGBA where the picture is not opaque, compressed without loss
 /// (LZW); the metadata as "asperity: ..." in the description of the image. The same picture gives
 /// the same bytes. Throws std::runtime_error for an empty picture, or where it cannot be written.
-std::string tiffOf(const QImage& image, const PngOptions& options = {});
+std::string tiffBytes(const QImage& image, const PngOptions& options = {});
 
 /// Writes the file as writeFileAtomically.
 void writeTiff(const std::filesystem::path& path, const QImage& image,

@@ -13,15 +13,7 @@ namespace asperity {
 namespace {
 
 constexpr float kColourSteps = 32;  // steps of a line whose colour changes over the whole range
-constexpr std::size_t kMostSteps = 16;
-
-/// Removes vertices that cannot be drawn, and those that repeat the previous one.
-std::vector<DrawVertex> cleaned(const DrawLine& line) {
-  std::vector<DrawVertex> clean;
-  for (const DrawVertex& v : line.vertices)
-    if (isFinite(v) && (clean.empty() || !samePlace(clean.back(), v))) clean.push_back(v);
-  return clean;
-}
+constexpr std::size_t kMaxSteps = 16;
 
 bool isTranslucent(const std::vector<DrawVertex>& vertices) {
   return std::any_of(vertices.begin(), vertices.end(),
@@ -29,7 +21,7 @@ bool isTranslucent(const std::vector<DrawVertex>& vertices) {
 }
 
 /// Gives a translucent line its mean colour, because overlapping ends of pieces would be visible.
-void giveMeanColour(std::vector<DrawVertex>& vertices) {
+void setMeanColour(std::vector<DrawVertex>& vertices) {
   Rgba mean{0, 0, 0, 0};
   for (const DrawVertex& v : vertices) {
     mean.r += v.colour.r;
@@ -47,10 +39,11 @@ class StrokeCollector {
   explicit StrokeCollector(std::vector<VectorStroke>& strokes) : strokes_(strokes) {}
 
   void add(const DrawLine& line) {
-    std::vector<DrawVertex> vertices = cleaned(line);
+    std::vector<DrawVertex> vertices;
+    cleanVertices(line, vertices);
     if (vertices.empty() || !(line.width > 0)) return;
     width_ = line.width;
-    if (isTranslucent(vertices)) giveMeanColour(vertices);
+    if (isTranslucent(vertices)) setMeanColour(vertices);
     open_ = false;
     if (vertices.size() == 1) begin(vertices[0].colour, {vertices[0].x, vertices[0].y});
     for (std::size_t i = 0; i + 1 < vertices.size(); ++i) addSegment(vertices[i], vertices[i + 1]);
@@ -62,7 +55,7 @@ class StrokeCollector {
     const float change = kColourSteps * std::max({std::abs(a.colour.r - b.colour.r),
                                                   std::abs(a.colour.g - b.colour.g),
                                                   std::abs(a.colour.b - b.colour.b)});
-    const auto steps = std::min(kMostSteps, static_cast<std::size_t>(change) + 1);
+    const auto steps = std::min(kMaxSteps, static_cast<std::size_t>(change) + 1);
     for (std::size_t k = 0; k < steps; ++k) {
       const auto at = [&](float stepsDone) {
         const float t = stepsDone / static_cast<float>(steps);
@@ -77,7 +70,7 @@ class StrokeCollector {
   }
 
   /// Begins a new polyline, with the last pen where the difference is invisible.
-  void begin(const Rgba& colour, const Place& at) {
+  void begin(const Rgba& colour, const DrawPoint& at) {
     const bool samePen = !strokes_.empty() && strokes_.back().width == width_ &&
                          sameColour(strokes_.back().colour, colour) && colour.a >= 1;
     if (!samePen) strokes_.push_back({colour, width_, {}});
@@ -95,7 +88,7 @@ class StrokeCollector {
 VectorLayer vectorized(const DrawLayer& layer) {
   VectorLayer vector;
   vector.clip = layer.clip;
-  vector.fills = fillsOf(layer.triangles);
+  vector.fills = vectorFills(layer.triangles);
   StrokeCollector strokes(vector.strokes);
   for (const DrawLine& line : layer.lines) strokes.add(line);
   return vector;
@@ -118,7 +111,7 @@ float areaOf(const Triangle& t) {
 }
 
 /// Returns the difference of two colours; a nearly transparent one may have any colour.
-float seenDistance(const Rgba& a, const Rgba& b) {
+float colourDistance(const Rgba& a, const Rgba& b) {
   const float opacity = std::max(a.a, b.a);
   return std::max({opacity * std::abs(a.r - b.r), opacity * std::abs(a.g - b.g),
                    opacity * std::abs(a.b - b.b), std::abs(a.a - b.a)});
@@ -132,8 +125,9 @@ Rgba meanOf(const Triangle& t) {
 }
 
 float variation(const Triangle& t) {
-  return std::max({seenDistance(t[0].colour, t[1].colour), seenDistance(t[1].colour, t[2].colour),
-                   seenDistance(t[2].colour, t[0].colour)});
+  return std::max({colourDistance(t[0].colour, t[1].colour),
+                   colourDistance(t[1].colour, t[2].colour),
+                   colourDistance(t[2].colour, t[0].colour)});
 }
 
 std::array<float, 4> channels(const Rgba& c) {
@@ -142,7 +136,7 @@ std::array<float, 4> channels(const Rgba& c) {
 
 /// The colour as a function of the distance in one direction.
 struct Shade {
-  Place origin;
+  DrawPoint origin;
   Rgba colour;                   // at the origin
   float x = 1, y = 0;            // unit vector
   std::array<float, 4> slope{};  // of the channels, per pixel
@@ -156,7 +150,7 @@ struct Shade {
   }
   bool describes(const Triangle& t) const {
     return std::all_of(t.begin(), t.end(), [&](const DrawVertex& v) {
-      return seenDistance(at(along(v)), v.colour) <= kSameShade;
+      return colourDistance(at(along(v)), v.colour) <= kSameShade;
     });
   }
 };
@@ -253,11 +247,11 @@ class FillCollector {
   void finish() {
     if (!corners_.empty()) {
       VectorFill fill;
-      fill.outlines = outlineOf(corners_);
+      fill.outlines = triangleOutlines(corners_);
       if (shade_) {
         const auto at = [&](float distance) {
-          return Place{shade_->origin.x + distance * shade_->x,
-                       shade_->origin.y + distance * shade_->y};
+          return DrawPoint{shade_->origin.x + distance * shade_->x,
+                           shade_->origin.y + distance * shade_->y};
         };
         fill.paint = {shade_->at(least_), shade_->at(most_), at(least_), at(most_), true};
       } else {
@@ -273,7 +267,7 @@ class FillCollector {
   }
 
   std::vector<VectorFill> fills_;
-  std::vector<Place> corners_;
+  std::vector<DrawPoint> corners_;
   std::optional<Shade> shade_;
   std::optional<Rgba> flat_;
   bool piece_ = false;
@@ -282,7 +276,7 @@ class FillCollector {
 
 }  // namespace
 
-std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles) {
+std::vector<VectorFill> vectorFills(const std::vector<DrawVertex>& triangles) {
   FillCollector fills;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
     if (isFinite(triangles[i]) && isFinite(triangles[i + 1]) && isFinite(triangles[i + 2]))
@@ -290,12 +284,12 @@ std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles) {
   return fills.take();
 }
 
-std::vector<Polyline> outlineOf(const std::vector<Place>& corners) {
+std::vector<Polyline> triangleOutlines(const std::vector<DrawPoint>& corners) {
   std::map<std::pair<Corner, Corner>, int> edges;  // count of an edge minus that of its reverse
   std::vector<std::pair<Corner, Corner>> order;
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Place &p = corners[i + k], &q = corners[i + (k + 1) % 3];
+      const DrawPoint &p = corners[i + k], &q = corners[i + (k + 1) % 3];
       const Corner a{p.x, p.y}, b{q.x, q.y};
       if (const auto reverse = edges.find({b, a}); reverse != edges.end() && reverse->second > 0) {
         --reverse->second;

@@ -1,4 +1,4 @@
-// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills.
+// The elements of vector files (SVG, PDF): paths of shapes, gradients and fills. Pure; any thread.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace asperity {
 
-/// One colour, or a linear change from `from` at `start` to `to` at `end`.
+/// A fill of one colour, or a linear gradient from `from` at `start` to `to` at `end`.
 struct VectorPaint {
   Rgba from, to;
-  Place start, end;
+  DrawPoint start, end;
   bool isGradient = false;
 };
 
@@ -19,11 +19,12 @@ struct VectorPaint {
 struct VectorFill {
   VectorPaint paint;
   std::vector<Polyline> outlines;
-  /// Whether this is one of many adjacent pieces, whose smooth edges would show what is below.
+  /// True for one of many adjacent pieces: antialiased edges between them would show the
+  /// background.
   bool isPieceOfMesh = false;
 };
 
-/// Polylines drawn by one pen; one of a single place is a round dot.
+/// Polylines drawn by one pen; one of a single point is a round dot.
 struct VectorStroke {
   Rgba colour;
   float width = 1;
@@ -43,9 +44,9 @@ VectorLayer vectorized(const DrawLayer& layer);
 
 /// Returns the outline of triangles of the same orientation: edges that two of them share are left
 /// out. Winding numbers do not change.
-std::vector<Polyline> outlineOf(const std::vector<Place>& corners);
+std::vector<Polyline> triangleOutlines(const std::vector<DrawPoint>& corners);
 
-std::vector<VectorFill> fillsOf(const std::vector<DrawVertex>& triangles);
+std::vector<VectorFill> vectorFills(const std::vector<DrawVertex>& triangles);
 
 /// Returns whether the colours agree in eight bits per channel.
 bool sameColour(const Rgba& a, const Rgba& b);

@@ -55,9 +55,9 @@ QString explanationHtml(const HoverExplanation& explanation, const QString& titl
   QString text;
   if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";
   if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
-  const QString said =
+  const QString body =
       sentence.isEmpty() ? translatedText(Message(explanation.sentence)) : sentence;
-  return text + "<p>" + said.toHtmlEscaped() + "</p>";
+  return text + "<p>" + body.toHtmlEscaped() + "</p>";
 }
 
 QString wrappedTip(const QString& text) {

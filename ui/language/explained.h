@@ -1,5 +1,5 @@
-// What core explains (core/chart/explanations.h), as text for people in the current language. Pure
-// once the language is chosen; any thread.
+// The explanations of core (core/chart/explanations.h) as texts in the current language. Pure once
+// the language is chosen; any thread.
 #pragma once
 
 #include <QString>
@@ -17,7 +17,7 @@ QString formulaHtml(std::string_view formula);
 QString formulaText(std::string_view formula);
 
 /// Returns title, formula and sentence as rich text for a tooltip; an empty title is left out.
-/// sentence: one that says more at this place than that of the explanation; may be empty.
+/// sentence: replaces the sentence of the explanation; may be empty.
 QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},
                         const QString& sentence = {});
 

@@ -68,18 +68,19 @@ const Loaded& languageOf(std::string_view code) {
 /// Sets the texts of its owner when the language changes.
 class Translating : public QObject {
  public:
-  Translating(QObject& owner, std::function<void()> say) : QObject(&owner), say_(std::move(say)) {
+  Translating(QObject& owner, std::function<void()> setTexts)
+      : QObject(&owner), setTexts_(std::move(setTexts)) {
     owner.installEventFilter(this);
   }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() == QEvent::LanguageChange) say_();
+    if (event->type() == QEvent::LanguageChange) setTexts_();
     return QObject::eventFilter(watched, event);
   }
 
  private:
-  std::function<void()> say_;
+  std::function<void()> setTexts_;
 };
 
 }  // namespace
@@ -113,9 +114,9 @@ void useLanguage(std::string_view code) {
     if (*translator) QCoreApplication::installTranslator(translator->get());
 }
 
-void keepTranslated(QObject& widget, std::function<void()> say) {
-  say();
-  new Translating(widget, std::move(say));
+void keepTranslated(QObject& widget, std::function<void()> setTexts) {
+  setTexts();
+  new Translating(widget, std::move(setTexts));
 }
 
 std::string_view presentLanguage() {

@@ -36,9 +36,9 @@ std::string_view languageFor(std::string_view locale);
 /// tr() and the texts of Qt's own dialogs follow, and every widget gets a QEvent::LanguageChange.
 void useLanguage(std::string_view code);
 
-/// Calls `say` now, and again whenever the language changes: `say` sets all texts of the widget
-/// that come from tr(). A child of a widget is allowed, too. GUI thread.
-void keepTranslated(QObject& widget, std::function<void()> say);
+/// Calls `setTexts` now, and again whenever the language changes: `setTexts` sets all texts of the
+/// widget that come from tr(). A child of a widget is allowed, too. GUI thread.
+void keepTranslated(QObject& widget, std::function<void()> setTexts);
 
 /// Returns the code of the current language.
 std::string_view presentLanguage();

@@ -11,8 +11,8 @@
 namespace asperity {
 namespace {
 
-constexpr double kLeastPlain = 1e-3, kMostPlain = 1e5;  // outside of this range, powers of ten
-constexpr const char* kScenes = "scenes";               // context of the texts in shipped scenes
+constexpr double kMinPlain = 1e-3, kMaxPlain = 1e5;  // outside of this range, powers of ten
+constexpr const char* kScenes = "scenes";            // context of the texts in shipped scenes
 
 /// Returns "1e-10" and "6.3e+02" in the style of all other numbers; formatted numbers are
 /// unchanged.
@@ -24,7 +24,7 @@ std::string shownNumber(const std::string& text) {
       std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e),
                     [](unsigned char letter) { return std::isdigit(letter) != 0; }));
   const double size = std::abs(value);
-  const bool isPlain = value == 0 || (size >= kLeastPlain && size < kMostPlain);
+  const bool isPlain = value == 0 || (size >= kMinPlain && size < kMaxPlain);
   return inLanguage(isPlain ? printedNumber(value, digits) : printedPower(value, digits));
 }
 
@@ -33,8 +33,8 @@ std::optional<QString> found(const std::string& form) {
   return text ? text : translationIn(kScenes, form.c_str());
 }
 
-/// Returns whether a template has only symbols and places, such as "%1 = %2", which is the same in
-/// every language. Words have two adjacent small letters.
+/// Returns whether a template has only symbols and placeholders, such as "%1 = %2", which is the
+/// same in every language. Words have two adjacent small letters.
 bool isFormula(std::string_view form) {
   const auto isSmall = [](char letter) { return letter >= 'a' && letter <= 'z'; };
   return std::ranges::adjacent_find(
@@ -58,7 +58,7 @@ std::string translate(const Message& english, bool& isWhole) {
 
 }  // namespace
 
-std::optional<std::string> translationOf(const Message& english) {
+std::optional<std::string> findTranslation(const Message& english) {
   bool isWhole = true;
   std::string text = translate(english, isWhole);
   return isWhole ? std::optional(std::move(text)) : std::nullopt;

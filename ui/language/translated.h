@@ -17,7 +17,7 @@
 namespace asperity {
 
 /// Returns the translation; nothing where one of its templates has words but no translation.
-std::optional<std::string> translationOf(const Message& english);
+std::optional<std::string> findTranslation(const Message& english);
 
 /// Returns the translation; a template without one stays in English.
 std::string translated(const Message& english);

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double kNextArm = 10;  // relative to the longest relaxation time
 
-NumberRule ruleOf(const ArmMember& member) {
+NumberRule numberRule(const ArmMember& member) {
   return {fromUtf8(member.unit), 0, member.most, false, false};
 }
 
 PairEditor::Pairs asPairs(const std::vector<Arm>& arms) {
-  return PairEditor::pairsOf(arms, &Arm::modulus, &Arm::relaxationTime);
+  return PairEditor::toPairs(arms, &Arm::modulus, &Arm::relaxationTime);
 }
 
 /// The columns of a table without names: the larger of two moduli is far above the longest time.
@@ -50,7 +50,7 @@ std::vector<Arm> armsFromTable(std::string_view text) {
   std::vector<Arm> arms;
   if (isNamed) {
     PronyChoices choices;
-    choices.isLiquid = true;  // the equilibrium modulus stands in the scene
+    choices.isLiquid = true;  // the equilibrium modulus is a value of the scene
     const auto series = readPronyFile({}, &table, name, choices);
     if (!series)
       throw InputError(
@@ -72,7 +72,7 @@ std::vector<Arm> armsFromTable(std::string_view text) {
 ArmsEditor::ArmsEditor(QWidget* parent)
     : PairEditor({"arm",
                   {"armModulus", "armTime"},
-                  {ruleOf(armMembers()[0]), ruleOf(armMembers()[1])},
+                  {numberRule(armMembers()[0]), numberRule(armMembers()[1])},
                   1,
                   kMostArms,
                   true},
@@ -108,7 +108,7 @@ PairEditor::Pairs ArmsEditor::fromTable(std::string_view text) const {
 }
 
 void ArmsEditor::give(const Pairs& pairs) {
-  emit armsGiven(itemsOf(pairs, &Arm::modulus, &Arm::relaxationTime));
+  emit armsGiven(fromPairs(pairs, &Arm::modulus, &Arm::relaxationTime));
 }
 
 void ArmsEditor::showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted,

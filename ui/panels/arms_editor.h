@@ -1,6 +1,6 @@
 // The arms of an elastomer as a table (pair_editor.h): modulus and relaxation time of each, sorted
 // by time. Object names: those of PairEditor with "arm", "armModulus" and "armTime". GUI thread;
-// belongs to its parent.
+// owned by its parent.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ class ArmsEditor : public PairEditor {
  public:
   explicit ArmsEditor(QWidget* parent = nullptr);
 
-  /// `wanted`: number of arms that the rheology prescribes, if any. `replace` also overwrites
-  /// refused input.
+  /// Shows the arms. `wanted`: the number of arms that the rheology prescribes, if any. `replace`
+  /// also overwrites refused input.
   void showArms(const std::vector<Arm>& arms, std::optional<std::size_t> wanted, bool replace);
 
  signals:

@@ -48,7 +48,7 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
   painter.drawText(rect().adjusted(9, 0, -22, 0), Qt::AlignVCenter | Qt::AlignLeft,
                    fontMetrics().elidedText(shownText(), Qt::ElideRight, width() - 31));
   if (!isEnabled()) return;
-  // Larger beside the large letters of a presentation, as far as its room allows.
+  // The arrow grows with the letters of a presentation, as far as it fits.
   const double size = std::clamp(fontMetrics().height() / 17.0, 1.0, 2.0);
   QPainterPath chevron;
   const QPointF centre(width() - 13.0, height() / 2.0 + 0.5);
@@ -63,7 +63,7 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
 
 namespace {
 
-constexpr int kFewestLines = 4, kMostLines = 10;
+constexpr int kFewestLines = 4, kMaxLines = 10;
 
 }  // namespace
 
@@ -93,7 +93,7 @@ QSize TextBox::sizeHint() const {
   // The height of a plain text's document counts lines, as they are broken at the present width.
   const int lines = static_cast<int>(document()->size().height());
   const double text =
-      std::clamp(lines, kFewestLines, kMostLines) * QFontMetricsF(font()).lineSpacing();
+      std::clamp(lines, kFewestLines, kMaxLines) * QFontMetricsF(font()).lineSpacing();
   return {120, static_cast<int>(std::ceil(text)) + kAround};
 }
 

@@ -1,4 +1,5 @@
-// Boxes of the panels for a choice and for a text, and the style that all controls share.
+// Boxes of the panels for a choice and for a text, and the style that all controls share. GUI
+// thread; owned by their parent. Cannot fail.
 #pragma once
 
 #include <QComboBox>
@@ -56,10 +57,10 @@ class TextBox : public QPlainTextEdit {
   QString accepted_;
 };
 
-/// Whether the windows of a palette are dark.
+/// Returns whether the windows of a palette are dark.
 bool isDark(const QPalette& palette);
 
-/// The colour of texts about a wrong value, legible on the palette's background.
+/// Returns the colour of error messages, legible on the palette's background.
 QColor faultColour(const QPalette& palette);
 
 QString panelStyleSheet(const QPalette& palette);

@@ -30,7 +30,7 @@ QStringList ListBox::names() const {
     for (const Theory theory : scene_.comparison.theory)
       names << translatedText(theoryEntry(theory).name);
   else
-    for (const DataFile& table : scene_.comparison.data) names << nameOf(table);
+    for (const DataFile& table : scene_.comparison.data) names << tableName(table);
   return names;
 }
 
@@ -59,8 +59,8 @@ void ListBox::addTheories(QMenu& menu) {
     action->setCheckable(true);
     const std::vector<Theory>& shown = scene_.comparison.theory;
     action->setChecked(std::ranges::find(shown, entry.theory) != shown.end());
-    connect(action, &QAction::triggered, this, [this, theory = entry.theory](bool isWanted) {
-      emit listGiven(listText(withTheory(scene_.comparison.theory, theory, isWanted)));
+    connect(action, &QAction::triggered, this, [this, theory = entry.theory](bool isSelected) {
+      emit listGiven(listText(withTheory(scene_.comparison.theory, theory, isSelected)));
     });
   }
 }
@@ -68,7 +68,7 @@ void ListBox::addTheories(QMenu& menu) {
 void ListBox::addTables(QMenu& menu) {
   for (std::size_t i = 0; i < scene_.comparison.data.size(); ++i) {
     const DataFile& table = scene_.comparison.data[i];
-    QAction* action = menu.addAction(nameOf(table));
+    QAction* action = menu.addAction(tableName(table));
     action->setObjectName(QStringLiteral("shown:%1").arg(i));
     action->setToolTip(fromUtf8((scene_.folder / table.file).string()));
     action->setCheckable(true);
@@ -80,17 +80,17 @@ void ListBox::addTables(QMenu& menu) {
     });
   }
   if (!menu.isEmpty()) menu.addSeparator();
-  menu.addAction(tr("Add a table…"), this, &ListBox::fileWanted)->setObjectName("addTable");
+  menu.addAction(tr("Add a table…"), this, &ListBox::fileRequested)->setObjectName("addTable");
 }
 
-std::vector<Theory> withTheory(std::vector<Theory> theories, Theory theory, bool isWanted) {
+std::vector<Theory> withTheory(std::vector<Theory> theories, Theory theory, bool isSelected) {
   std::erase(theories, theory);
-  if (isWanted) theories.push_back(theory);
+  if (isSelected) theories.push_back(theory);
   std::ranges::sort(theories);
   return theories;
 }
 
-QString nameOf(const DataFile& table) {
+QString tableName(const DataFile& table) {
   return fromUtf8(table.label.empty() ? table.file : table.label);
 }
 

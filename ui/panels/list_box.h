@@ -1,7 +1,7 @@
-// A box for what stands beside the friction curve: the theories, or the tables of measured
-// friction. It shows the name of one, the number of several; its list has a check at each one that
-// is shown. The list of tables has a last entry that asks for a file. Object names of the entries:
-// "shown:NUMBER", "addTable". GUI thread; belongs to its parent.
+// A box that selects what is drawn beside the friction curve: the theories, or the tables of
+// measured friction. It shows the name of one, the number of several; its list has a check mark at
+// each one that is shown. The last entry of the list of tables opens a file dialog. Object names of
+// the entries: "shown:NUMBER", "addTable". GUI thread; owned by its parent.
 #pragma once
 
 #include <string>
@@ -28,9 +28,9 @@ class ListBox : public ChoiceBox {
   void showPopup() override;
 
  signals:
-  /// The list without or with one more entry, as the scene's JSON text.
+  /// Emitted with the list after an entry was added or removed, as the scene's JSON text.
   void listGiven(const asperity::ParameterValue& json);
-  void fileWanted();
+  void fileRequested();
 
  private:
   bool hasTheories() const { return key_ == "comparison.theory"; }
@@ -43,9 +43,9 @@ class ListBox : public ChoiceBox {
 };
 
 /// Returns the theories with or without one of them, in their order.
-std::vector<Theory> withTheory(std::vector<Theory> theories, Theory theory, bool isWanted);
+std::vector<Theory> withTheory(std::vector<Theory> theories, Theory theory, bool isSelected);
 
 /// Returns the name of a table in legends and lists.
-QString nameOf(const DataFile& table);
+QString tableName(const DataFile& table);
 
 }  // namespace asperity

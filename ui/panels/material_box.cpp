@@ -150,7 +150,7 @@ void MaterialBox::pick(int index) {
   const QString name = itemData(index).toString();
   setCurrentIndex(findData(QString::fromStdString(elastomer_.material)));  // until it is taken
   if (asks)
-    emit fileWanted();
+    emit fileRequested();
   else
     emit nameGiven(name);
 }

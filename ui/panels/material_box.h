@@ -1,6 +1,6 @@
 // A box of materials: the values typed by hand, those that come with the program, the file that the
-// scene names, and a last entry that asks for a file. Each entry of the open list has a small
-// picture of its moduli G' and G'' over frequency. GUI thread; belongs to its parent.
+// scene names, and a last entry that opens a file dialog. Each entry of the open list has a small
+// picture of its moduli G' and G'' over frequency. GUI thread; owned by its parent.
 #pragma once
 
 #include "core/material/elastomer.h"
@@ -24,7 +24,7 @@ class MaterialBox : public ChoiceBox {
  signals:
   /// Emitted with a shipped material, a file as the scene names it, or an empty name.
   void nameGiven(const QString& name);
-  void fileWanted();
+  void fileRequested();
 
  private:
   void fill();

@@ -56,7 +56,7 @@ QString inQuotes(const QString& text) {
 
 namespace {
 
-/// The words of a choice as people say them, where those of the file are too short for that.
+/// The names of a choice for users, where the words of the scene file are too short.
 struct ChoiceName {
   std::string_view key;
   std::string_view word;
@@ -151,7 +151,7 @@ QString shifted(const QString& mantissa, int places) {
   return isNegative ? '-' + digits : digits;
 }
 
-constexpr int kMostPlaces = 5;  // zeros written out, before or after the point
+constexpr int kMaxDecimals = 5;  // zeros written out, before or after the point
 
 }  // namespace
 
@@ -174,8 +174,9 @@ UnitText inReadableUnit(double value, const QString& unit) {
   const int thousands = exponent >= 0 ? exponent / 3 : -((2 - exponent) / 3);
   const int prefix = std::clamp(3 * thousands, -12, largestExponent(unit));
   const int places = exponent - prefix;
-  const QString number = std::abs(places) <= kMostPlaces ? shifted(mantissa, places)
-                                                         : mantissa + 'e' + QString::number(places);
+  const QString number = std::abs(places) <= kMaxDecimals
+                             ? shifted(mantissa, places)
+                             : mantissa + 'e' + QString::number(places);
   return {number, prefixOf(prefix) + unit};
 }
 
@@ -199,7 +200,7 @@ TypedQuantity readQuantity(const QString& text, const NumberRule& rule) {
 
 }  // namespace
 
-NumberRule ruleOf(const Parameter& parameter) {
+NumberRule numberRule(const Parameter& parameter) {
   const AllowedRange range = allowedRange(parameter).value_or(AllowedRange{});
   const QuantityRule quantity = quantityRule(parameter);
   return {fromUtf8(quantity.unit), range.minimum, range.maximum, quantity.isWhole,
@@ -214,14 +215,14 @@ QString allowedInWords(const NumberRule& rule) {
   return ParameterRow::tr("%1 to %2").arg(from, to);
 }
 
-QString plainNumberOf(const QString& text, const NumberRule& rule) {
+QString toPlainNumber(const QString& text, const NumberRule& rule) {
   bool isPlain = false;
   text.toDouble(&isPlain);
   const auto value = isPlain ? std::nullopt : readQuantity(text, rule).value;
   return value ? numberText(*value) : text;
 }
 
-QString refusalOf(const QString& text, const NumberRule& rule) {
+QString validationError(const QString& text, const NumberRule& rule) {
   const QString typed = text.trimmed();
   const TypedQuantity quantity = readQuantity(typed, rule);
   const QString allowed = allowedInWords(rule);

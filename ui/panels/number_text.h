@@ -57,7 +57,7 @@ struct NumberRule {
 };
 
 /// Returns the rule of a row with a RealField or an IntegerField.
-NumberRule ruleOf(const Parameter& parameter);
+NumberRule numberRule(const Parameter& parameter);
 
 /// Returns "0 to 1", "1 nm to 1000 m" or "1 to 2000 K".
 QString allowedInWords(const NumberRule& rule);
@@ -65,10 +65,10 @@ QString allowedInWords(const NumberRule& rule);
 /// Returns the number in the plain unit as text, "1e7" for "10 MPa", "313.15" for "40 °C"; also for
 /// bar, min, h, km/h, poise and per cent. Prefixes from f to P. Any other text is unchanged; the
 /// parameter's own reader handles it.
-QString plainNumberOf(const QString& text, const NumberRule& rule);
+QString toPlainNumber(const QString& text, const NumberRule& rule);
 
 /// Returns why the text is refused: another dimension, an unknown unit, no number, outside the
 /// range. Empty where none of these applies.
-QString refusalOf(const QString& text, const NumberRule& rule);
+QString validationError(const QString& text, const NumberRule& rule);
 
 }  // namespace asperity

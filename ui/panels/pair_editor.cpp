@@ -108,7 +108,7 @@ class PairRow {
     QObject::connect(entry, &ValueEntry::unitShown, unit, &QLabel::setText);
     QObject::connect(entry, &ValueEntry::textCommitted, &editor_,
                      [this, k](const QString& text) { take(k, text); });
-    QObject::connect(entry, &ValueEntry::takenBack, &editor_,
+    QObject::connect(entry, &ValueEntry::entryRestored, &editor_,
                      [this, entry] { showError({}, entry); });
     grid.addWidget(entry, line, static_cast<int>(1 + 2 * k));
     grid.addWidget(unit, line, static_cast<int>(2 + 2 * k));
@@ -117,11 +117,11 @@ class PairRow {
   void take(std::size_t k, const QString& typed) {
     const NumberRule& rule = editor_.kind_.rules[k];
     const QString text = inShownUnit(withPoint(typed.trimmed()), entries_[k]->unit());
-    const QString refusal = refusalOf(text, rule);
+    const QString refusal = validationError(text, rule);
     showError(refusal, entries_[k]);
     if (!refusal.isEmpty()) return;
     PairEditor::Pair pair = editor_.pairs_[index_];
-    pair[k] = plainNumberOf(text, rule).toDouble();
+    pair[k] = toPlainNumber(text, rule).toDouble();
     editor_.change(index_, pair);
   }
 
@@ -226,16 +226,16 @@ PairEditor::~PairEditor() {
 
 void PairEditor::showPairs(Pairs pairs, std::optional<std::size_t> wanted, bool replace) {
   const Pairs next = sorted(std::move(pairs));
-  const bool isAnother = next != pairs_ || wanted != wanted_ || next.size() != rows_.size();
-  if (!isAnother && !replace) return;
-  if (isAnother) refusal_->hide();
+  const bool isNew = next != pairs_ || wanted != wanted_ || next.size() != rows_.size();
+  if (!isNew && !replace) return;
+  if (isNew) refusal_->hide();
   paste_->setEnabled(!wanted || *wanted > 1);
   pairs_ = next;
   wanted_ = wanted;
   makeRows(pairs_.size());
   const std::size_t least = wanted_.value_or(kind_.mayBeEmpty ? 0 : 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    rows_[i]->show(pairs_[i], replace || isAnother);
+    rows_[i]->show(pairs_[i], replace || isNew);
     rows_[i]->setRemovable(pairs_.size() > least);
   }
   add_->setEnabled(pairs_.size() < wanted_.value_or(kind_.most));

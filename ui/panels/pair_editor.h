@@ -4,7 +4,7 @@
 // accepted change passes on the whole list. A kind of list derives from it: arms_editor.h,
 // shift_editor.h. Object names, where the names of the kind are "arm" and "armTime", for example:
 // "armsFold", "armsAdd", "armsPaste", "armsRefusal", and from 0 "armTime:I", "armRemove:I",
-// "armError:I". GUI thread; belongs to its parent.
+// "armError:I". GUI thread; owned by its parent.
 #pragma once
 
 #include <QWidget>
@@ -35,13 +35,14 @@ class PairEditor : public QWidget {
 
   /// Returns a list as pairs of two members of its items, and pairs as such a list.
   template <class Item>
-  static Pairs pairsOf(const std::vector<Item>& items, double Item::*first, double Item::*second) {
+  static Pairs toPairs(const std::vector<Item>& items, double Item::*first, double Item::*second) {
     Pairs pairs;
     for (const Item& item : items) pairs.push_back({item.*first, item.*second});
     return pairs;
   }
   template <class Item>
-  static std::vector<Item> itemsOf(const Pairs& pairs, double Item::*first, double Item::*second) {
+  static std::vector<Item> fromPairs(const Pairs& pairs, double Item::*first,
+                                     double Item::*second) {
     std::vector<Item> items(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       items[i].*first = pairs[i][0];
@@ -54,7 +55,8 @@ class PairEditor : public QWidget {
   QToolButton& fold() { return *fold_; }
 
  protected:
-  /// What differs between the kinds of lists; the texts are asked for again in another language.
+  /// The differences between the kinds of lists; the texts are requested again after a change of
+  /// the language.
   struct Kind {
     const char* name;                    // "arm", of objects
     std::array<const char*, 2> columns;  // "armModulus", of objects
@@ -75,7 +77,8 @@ class PairEditor : public QWidget {
   /// calls it at its end.
   void begin();
 
-  /// `wanted`: number of rows that is prescribed, if any. `replace` also overwrites refused input.
+  /// Shows the pairs. `wanted`: the prescribed number of rows, if any. `replace` also overwrites
+  /// refused input.
   void showPairs(Pairs pairs, std::optional<std::size_t> wanted, bool replace);
 
   virtual Texts texts() const = 0;
@@ -86,7 +89,7 @@ class PairEditor : public QWidget {
   /// Passes on the list, in its order.
   virtual void give(const Pairs& pairs) = 0;
 
-  /// A table that is pasted into one of the entries replaces all rows.
+  /// Replaces all rows by a table that is pasted into one of the entries.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

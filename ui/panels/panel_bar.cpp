@@ -25,7 +25,7 @@ bool FilterLine::event(QEvent* event) {
   return QLineEdit::event(event);
 }
 
-/// Keeps room for the whole text that stands in the empty filter.
+/// Reserves the width of the placeholder text of the filter.
 QSize FilterLine::minimumSizeHint() const {
   constexpr int kAround = 24;  // pixels of the frame and the margins
   const QSize size = QLineEdit::minimumSizeHint();

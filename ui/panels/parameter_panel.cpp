@@ -27,7 +27,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kLeastWidth = 290, kUsualWidth = 380;  // pixels
+constexpr int kMinWidth = 290, kDefaultWidth = 380;  // pixels
 
 /// Returns the key's section; parameters of the averaging belong to the curve's section.
 QString sectionOf(const Parameter& parameter) {
@@ -107,10 +107,11 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
       sizes_(scene.surface),
       chooser_(askForTable),
       bar_(bar),
-      nothing_(new QLabel),
+      noMatch_(new QLabel),
       scroll_(new QScrollArea) {
-  // Set before there are rows: a style sheet is worked out anew for all widgets that are there, and
-  // for all that come to another parent. So the rows come into the panel last, too, all at once.
+  // The style sheet is set before there are rows, because Qt evaluates it again for all existing
+  // widgets and for all that get another parent. For the same reason the rows are added to the
+  // panel last, all at once.
   applyStyle();
   auto* content = new QWidget;
   content->setObjectName("parameterRows");
@@ -119,11 +120,11 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   column->setContentsMargins(14, 5, 8, 5);
   column->setSpacing(3);
   for (const ParameterGroup& group : groups) addGroup(*column, group);
-  nothing_->setObjectName("noParameterFound");
-  nothing_->setProperty("role", "unit");
-  nothing_->setWordWrap(true);
-  nothing_->hide();
-  column->addWidget(nothing_);
+  noMatch_->setObjectName("noParameterFound");
+  noMatch_->setProperty("role", "unit");
+  noMatch_->setWordWrap(true);
+  noMatch_->hide();
+  column->addWidget(noMatch_);
   column->addStretch(1);
 
   scroll_->setWidgetResizable(true);
@@ -149,10 +150,10 @@ ParameterPanel::ParameterPanel(const Scene& scene, const std::vector<ParameterGr
   }
   layout->addWidget(scroll_, 1);
   scroll_->setWidget(content);
-  setMinimumWidth(kLeastWidth);
+  setMinimumWidth(kMinWidth);
   content->installEventFilter(this);
   if (bar_) bar_->installEventFilter(this);
-  followAxis();
+  updateAxisRow();
   showTexts();
 }
 
@@ -160,9 +161,9 @@ void ParameterPanel::setScene(const Scene& scene) {
   if (!haveSameFile(scene, scene_)) line_ = {};
   scene_ = scene;
   passedOn_ = scene;
-  sizes_ = KeptSizes(scene.surface);
-  complaints_.clear();
-  followAxis();
+  sizes_ = RememberedSizes(scene.surface);
+  errorKeys_.clear();
+  updateAxisRow();
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, true);
   showNotes(notes_);
   showMissing();
@@ -173,12 +174,12 @@ void ParameterPanel::showError(const QString& key, const QString& text) {
   ParameterRow* row = rows_.value(whole);
   if (!row) return;
   row->showError(text);
-  complaints_.insert(whole);
+  errorKeys_.insert(whole);
   arrange();
 }
 
 void ParameterPanel::clearErrors() {
-  for (const QString& key : std::exchange(complaints_, {})) rows_.value(key)->showError({});
+  for (const QString& key : std::exchange(errorKeys_, {})) rows_.value(key)->showError({});
   arrange();
 }
 
@@ -193,7 +194,7 @@ void ParameterPanel::setFileChooser(FileChooser chooser) {
 }
 
 QSize ParameterPanel::sizeHint() const {
-  return {kUsualWidth, 640};
+  return {kDefaultWidth, 640};
 }
 
 /// Adds rows under their heading.
@@ -223,12 +224,12 @@ ParameterRow& ParameterPanel::addRow(QVBoxLayout& column, const Parameter& param
   rows_.insert(fromUtf8(parameter.key), row);
   column.addWidget(row);
   connect(row, &ParameterRow::valueGiven, this, [this, row](const ParameterValue& value) {
-    edit(*row, [&](Scene& scene) { giveValue(row->parameter(), scene, value); });
+    edit(*row, [&](Scene& scene) { assignValue(row->parameter(), scene, value); });
   });
   connect(row, &ParameterRow::textGiven, this,
           [this, row](const QString& text) { takeText(*row, text); });
-  connect(row, &ParameterRow::fileWanted, this, [this, row] { chooseFile(*row); });
-  connect(row, &ParameterRow::guideWanted, this, &ParameterPanel::guideWanted);
+  connect(row, &ParameterRow::fileRequested, this, [this, row] { chooseFile(*row); });
+  connect(row, &ParameterRow::guideRequested, this, &ParameterPanel::guideRequested);
   return *row;
 }
 
@@ -244,7 +245,7 @@ void ParameterPanel::showTexts() {
   showMissing();
 }
 
-// ---- Which rows are seen
+// ---- Which rows are visible
 
 PanelView ParameterPanel::defaultView() {
   return {false, {"interface", "sweep", "accuracy", "comparison", "texts"}};
@@ -270,12 +271,12 @@ bool ParameterPanel::showsAll() const {
 void ParameterPanel::setRowAccess(const std::map<std::string, RowAccess>& access) {
   access_ = access;
   for (ParameterRow* row : std::as_const(rows_))
-    row->setLocked(accessOf(row->parameter().key) == RowAccess::Locked);
+    row->setLocked(rowAccess(row->parameter().key) == RowAccess::Locked);
   arrange();
 }
 
 /// Returns the access by the longest name: the key, its sections, all.
-RowAccess ParameterPanel::accessOf(std::string_view key) const {
+RowAccess ParameterPanel::rowAccess(std::string_view key) const {
   std::string name(key);
   for (;;) {
     if (const auto found = access_.find(name); found != access_.end()) return found->second;
@@ -298,23 +299,24 @@ void ParameterPanel::arrange() {
   int found = 0;
   for (const Section& section : sections_) {
     const bool isOpen = !section.header || section.header->isOpen();
-    int here = 0, changed = 0;  // rows that could be seen, and those with another value
+    int here = 0, changed = 0;  // rows that can be visible, and those with a changed value
     for (ParameterRow* row : section.rows) {
       const std::string_view key = row->parameter().key;
       const bool isPossible =
-          isApplicable(row->parameter(), scene_) && accessOf(key) != RowAccess::Hidden;
-      bool isWanted = isFiltered ? row->matches(words) : isWhole;
-      if (isPossible && isWanted) ++here;
+          isApplicable(row->parameter(), scene_) && rowAccess(key) != RowAccess::Hidden;
+      bool isSelected = isFiltered ? row->matches(words) : isWhole;
+      if (isPossible && isSelected) ++here;
       // A scene's title differs from the default in any case.
-      if (isPossible && isWanted && row->isChanged() && !sectionOf(row->parameter()).isEmpty())
+      if (isPossible && isSelected && row->isChanged() && !sectionOf(row->parameter()).isEmpty())
         ++changed;
       if (!isFiltered)
-        isWanted = isWhole ? isOpen
-                           : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
+        isSelected = isWhole
+                         ? isOpen
+                         : std::ranges::find(essentials, key) != essentials.end() || isNamed(key);
       const bool isNeeded = row->hasRemark() || fromUtf8(key) == revealed_;
-      const bool isSeen = isPossible && (isWanted || isNeeded);
-      row->setVisible(isSeen);
-      if (isSeen) ++found;
+      const bool isVisible = isPossible && (isSelected || isNeeded);
+      row->setVisible(isVisible);
+      if (isVisible) ++found;
     }
     if (section.header) {
       section.header->setVisible((isWhole || isFiltered) && here > 0);
@@ -328,8 +330,8 @@ void ParameterPanel::arrange() {
         tr("No parameter of this scene has “%1”. Escape clears the filter.").arg(words.join(' '));
   else if (found == 0 && !access_.empty())
     nothing = tr("Nothing is changed here in this step.");
-  nothing_->setText(nothing);
-  nothing_->setVisible(!nothing.isEmpty());
+  noMatch_->setText(nothing);
+  noMatch_->setVisible(!nothing.isEmpty());
 }
 
 void ParameterPanel::showNotes(const NoteSet& notes) {
@@ -369,22 +371,22 @@ void ParameterPanel::focusFilter() {
 /// entry.
 void ParameterPanel::takeText(ParameterRow& row, const QString& text) {
   const Parameter& parameter = row.parameter();
-  const NumberRule rule = ruleOf(parameter);
-  const QString plain = isNumber(parameter) ? plainNumberOf(text.trimmed(), rule) : text.trimmed();
-  const QString refusal = isNumber(parameter) ? refusalOf(text, rule) : QString();
+  const NumberRule rule = numberRule(parameter);
+  const QString plain = isNumber(parameter) ? toPlainNumber(text.trimmed(), rule) : text.trimmed();
+  const QString refusal = isNumber(parameter) ? validationError(text, rule) : QString();
   edit(
-      row, [&](Scene& scene) { giveText(parameter, scene, plain.toStdString()); }, refusal);
+      row, [&](Scene& scene) { assignText(parameter, scene, plain.toStdString()); }, refusal);
 }
 
 void ParameterPanel::chooseFile(ParameterRow& row) {
-  if (isMaterial(row.parameter())) return emit materialWanted(scene_);
-  if (isList(row.parameter())) return emit frictionWanted();
-  if (scene_.surface.kind == SurfaceKind::Measured) return emit surfaceWanted(scene_);
+  if (isMaterial(row.parameter())) return emit materialRequested(scene_);
+  if (isList(row.parameter())) return emit frictionRequested();
+  if (scene_.surface.kind == SurfaceKind::Measured) return emit surfaceRequested(scene_);
   const std::filesystem::path present = scene_.folder / scene_.surface.file;
   const QString file = chooser_(this, QString::fromStdString(present.parent_path().string()));
   if (file.isEmpty()) return;
   edit(row, [&](Scene& scene) {
-    giveValue(row.parameter(), scene, nameInScene(scene, file.toStdString()));
+    assignValue(row.parameter(), scene, nameInScene(scene, file.toStdString()));
   });
 }
 
@@ -397,15 +399,15 @@ void ParameterPanel::edit(ParameterRow& row, Change&& change, const QString& ref
     row.showError(refusal.isEmpty() ? translatedText(error.message()) : refusal);
     return arrange();
   }
-  complaints_.remove(fromUtf8(row.parameter().key));
-  sizes_.follow(scene_.surface, next.surface);
-  followRealizations(scene_, next);
+  errorKeys_.remove(fromUtf8(row.parameter().key));
+  sizes_.update(scene_.surface, next.surface);
+  updateRealizations(scene_, next);
   if (!haveSameFile(scene_, next)) line_ = {};
   scene_ = std::move(next);
-  followAxis();
+  updateAxisRow();
   showRows(&row);
   showMissing();
-  if (!missingOf(scene_).text.isEmpty() || scene_ == passedOn_) return;
+  if (!missingValue(scene_).text.isEmpty() || scene_ == passedOn_) return;
   passedOn_ = scene_;
   emit sceneEdited(scene_);
 }
@@ -415,7 +417,7 @@ void ParameterPanel::showRows(const ParameterRow* edited) {
 }
 
 /// Gives the ends of the curve's axis the unit and the slider of its key.
-void ParameterPanel::followAxis() {
+void ParameterPanel::updateAxisRow() {
   if (axis_ == scene_.sweep.key) return;
   axis_ = scene_.sweep.key;
   for (ParameterRow* row : std::as_const(rows_)) {
@@ -425,7 +427,7 @@ void ParameterPanel::followAxis() {
 }
 
 void ParameterPanel::showMissing() {
-  const Missing missing = missingOf(scene_);
+  const Missing missing = missingValue(scene_);
   for (ParameterRow* row : std::as_const(rows_))
     row->showNote(row->parameter().key == missing.key ? missing.text : QString());
   arrange();
@@ -440,7 +442,7 @@ void ParameterPanel::changeEvent(QEvent* event) {
 /// Keeps the panel wide enough that rows are never cut at the side, also with a large font.
 bool ParameterPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::LayoutRequest)
-    setMinimumWidth(std::max({kLeastWidth,
+    setMinimumWidth(std::max({kMinWidth,
                               scroll_->widget()->layout()->minimumSize().width() +
                                   scroll_->verticalScrollBar()->sizeHint().width(),
                               bar_ ? bar_->minimumSizeHint().width() : 0}));

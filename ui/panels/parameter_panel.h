@@ -49,10 +49,10 @@ struct ParameterGroup {
 /// follow in the order of the table.
 std::vector<ParameterGroup> parameterSections();
 
-/// What a user may do with a row.
+/// The access of the user to a row.
 enum class RowAccess { Free, Locked, Hidden };
 
-/// How the panel is looked at; kept from one start to the next.
+/// The state of the panel that is kept from one start to the next.
 struct PanelView {
   bool showsAll = false;
   QStringList folded;  // names of groups
@@ -64,9 +64,9 @@ class ParameterPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// All rows of the table, by section.
+  /// Makes a panel of all rows of the table, by section.
   explicit ParameterPanel(const Scene& scene, QWidget* parent = nullptr);
-  /// Some rows of the table, all of them visible; without the bar.
+  /// Makes a panel of some rows of the table, all of them visible, without the bar.
   ParameterPanel(const Scene& scene, const std::vector<ParameterGroup>& groups,
                  QWidget* parent = nullptr);
 
@@ -92,7 +92,8 @@ class ParameterPanel : public QWidget {
   /// Shows each note as a warning at the row it is about, until the next call.
   void showNotes(const NoteSet& notes);
 
-  /// Shows a row, whatever is folded or filtered, and gives it the focus. Unknown keys are ignored.
+  /// Shows a row, even if it is folded or filtered out, and gives it the focus. Unknown keys are
+  /// ignored.
   void reveal(const QString& key);
 
   /// Puts the cursor into the filter.
@@ -110,13 +111,13 @@ class ParameterPanel : public QWidget {
 
  signals:
   void sceneEdited(const asperity::Scene& scene);
-  /// Emitted where the user wants to open a measured surface, or a material, for this scene.
-  void surfaceWanted(const asperity::Scene& scene);
-  void materialWanted(const asperity::Scene& scene);
-  /// Emitted where the user wants to add a table of measured friction.
-  void frictionWanted();
-  /// Emitted where the user wants to read about a parameter, at this place of the guide.
-  void guideWanted(const QString& anchor);
+  /// Emitted when the user requests to open a measured surface, or a material, for this scene.
+  void surfaceRequested(const asperity::Scene& scene);
+  void materialRequested(const asperity::Scene& scene);
+  /// Emitted when the user requests to add a table of measured friction.
+  void frictionRequested();
+  /// Emitted when the user requests the guide about a parameter, at this anchor.
+  void guideRequested(const QString& anchor);
   /// Emitted where the user chose other rows, or folded a section.
   void viewChanged();
 
@@ -140,10 +141,10 @@ class ParameterPanel : public QWidget {
   void edit(ParameterRow& row, Change&& change, const QString& refusal = {});
   void takeText(ParameterRow& row, const QString& text);
   void showRows(const ParameterRow* edited);
-  void followAxis();
+  void updateAxisRow();
   void arrange();
   bool showsAll() const;
-  RowAccess accessOf(std::string_view key) const;
+  RowAccess rowAccess(std::string_view key) const;
   bool isNamed(std::string_view key) const;
   void showMissing();
   void chooseFile(ParameterRow& row);
@@ -153,17 +154,17 @@ class ParameterPanel : public QWidget {
   Scene scene_;
   std::string axis_;  // the key whose values the ends of the axis are shown as
   Scene passedOn_;    // the newest scene that was set or passed on
-  KeptSizes sizes_;
+  RememberedSizes sizes_;
   LineSize line_;  // of the present line, if it belongs to the scene
   FileChooser chooser_;
-  QSet<QString> complaints_;           // keys of showError()
+  QSet<QString> errorKeys_;            // keys of showError()
   QMap<QString, ParameterRow*> rows_;  // by key
   std::vector<Section> sections_;
   std::map<std::string, RowAccess> access_;
   NoteSet notes_;
   QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
-  QLabel* nothing_;   // where no row passes the filter
+  QLabel* noMatch_;   // where no row passes the filter
   QScrollArea* scroll_;
 };
 

@@ -46,11 +46,11 @@ ParameterValue sliderValue(const Parameter& parameter, double value) {
 
 /// Returns "shear modulus G"; a label that ends with its symbol, "shift C1", has it once.
 QString labelWithSymbol(const Parameter& parameter) {
-  QString label = ParameterRow::labelOf(parameter);
+  QString label = ParameterRow::labelText(parameter);
   if (parameter.symbol.empty()) return label;
   const QString plain = fromUtf8(parameter.symbol).remove('_');
   if (label.endsWith(' ' + plain)) label.chop(plain.size() + 1);
-  // The symbol never stands alone on a second line.
+  // A line break never separates the symbol from its name.
   const bool hasWords = label.contains(' ');
   return label + (hasWords ? "&nbsp;&nbsp;" : "&nbsp; ") + symbolHtml(parameter.symbol);
 }
@@ -74,7 +74,7 @@ int labelWidth(const QFont& font) {
   const int longest = metrics.horizontalAdvance(QStringLiteral("relaxation time  T"));
   int width = 0;
   for (const Parameter& parameter : parameters()) {
-    if (allowedRange(parameter)) continue;  // a number has a line with room for its label
+    if (allowedRange(parameter)) continue;  // a number has its label in the same line
     const QString text = labelWithSymbol(parameter).remove(tag);
     const auto widthOf = [&metrics](QString part) {
       return metrics.horizontalAdvance(part.replace("&nbsp;", " "));
@@ -87,8 +87,8 @@ int labelWidth(const QFont& font) {
   return width + 4;
 }
 
-/// Whether a word is found: a long one anywhere in the text, a short one at the beginning of a
-/// word, because one or two letters are found nearly everywhere.
+/// Returns whether a word is found: a long one anywhere in the text, a short one at the beginning
+/// of a word, because one or two letters are found nearly everywhere.
 bool isWordIn(const QString& word, const QString& text) {
   if (word.size() > 2) return text.contains(word, Qt::CaseInsensitive);
   static const QRegularExpression between(QStringLiteral(R"([\s._-]+)"));
@@ -97,14 +97,14 @@ bool isWordIn(const QString& word, const QString& text) {
       parts, [&](const QString& part) { return part.startsWith(word, Qt::CaseInsensitive); });
 }
 
-/// Whether a word is a unit in which the parameter may be typed: "mN", "°C".
+/// Returns whether a word is a unit in which the parameter may be typed: "mN", "°C".
 bool isUnitOf(const QString& word, const Parameter& parameter) {
   return !parameter.unit.empty() && findUnit(word.toStdString(), parameter.unit).has_value();
 }
 
 /// Returns the allowed range in the notation of the entries.
 QString rangeText(const Parameter& parameter) {
-  if (allowedRange(parameter)) return allowedInWords(ruleOf(parameter));
+  if (allowedRange(parameter)) return allowedInWords(numberRule(parameter));
   QStringList words;
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     for (const std::string_view word : choice->choices) words += wordText(word, parameter.key);
@@ -112,7 +112,7 @@ QString rangeText(const Parameter& parameter) {
 }
 
 /// Returns the number of arms: a standard solid has one, a Prony series any number.
-std::optional<std::size_t> armsWanted(const Scene& scene) {
+std::optional<std::size_t> requestedArmCount(const Scene& scene) {
   return scene.elastomer.rheology == Rheology::StandardSolid ? std::optional<std::size_t>(1)
                                                              : std::nullopt;
 }
@@ -201,7 +201,7 @@ void ParameterRow::showTexts() {
     browse_->setToolTip(tr("Choose a file of this computer"));
     browse_->setAccessibleName(tr("choose file"));
   }
-  reset_->setAccessibleName(tr("reset %1").arg(labelOf(parameter_)));
+  reset_->setAccessibleName(tr("reset %1").arg(labelText(parameter_)));
   setWidths();
 }
 
@@ -211,7 +211,7 @@ void ParameterRow::setParameter(const Parameter& parameter) {
   showTexts();
 }
 
-QString ParameterRow::labelOf(const Parameter& parameter) {
+QString ParameterRow::labelText(const Parameter& parameter) {
   return translatedText(parameter.label);
 }
 
@@ -223,7 +223,7 @@ QString withLabels(const QString& text) {
     const QRegularExpressionMatch match = it.next();
     const Parameter* parameter = findParameter(match.captured().toStdString());
     labelled += text.mid(end, match.capturedStart() - end);
-    labelled += parameter ? inQuotes(ParameterRow::labelOf(*parameter)) : match.captured();
+    labelled += parameter ? inQuotes(ParameterRow::labelText(*parameter)) : match.captured();
     end = match.capturedEnd();
   }
   return labelled + text.mid(end);
@@ -238,13 +238,13 @@ void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool rep
     const QString text = shownText(parameter_, value).number;
     replace ? text_->replaceText(text) : text_->showText(text);
   }
-  if (arms_) arms_->showArms(scene.elastomer.arms, armsWanted(scene), replace);
+  if (arms_) arms_->showArms(scene.elastomer.arms, requestedArmCount(scene), replace);
   if (shifts_) shifts_->showShifts(scene.elastomer.shift.table, replace);
   if (material_) material_->showMaterial(scene.elastomer);
   if (list_) list_->showScene(scene);
   if (choice_) choice_->setCurrentIndex(std::get<ChoiceField>(parameter_.field).read(scene));
   if (replace) showError({});
-  showReset(value, restingValue(parameter_, scene));
+  showReset(value, resetValue(parameter_, scene));
   if (isChosenWhereOpen(parameter_))
     reset_->setToolTip(tr("Back to the default, chosen by the scene"));
   isFixed_ = placeholder && placeholder->isFixed;
@@ -270,11 +270,11 @@ void ParameterRow::showEntry(const ParameterValue& value,
   replace ? entry_->replaceText(text, unit) : entry_->showText(text, unit);
 }
 
-void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& resting) {
-  resting_ = resting;
-  reset_->setEnabled(value != resting);
-  reset_->setToolTip(resting == defaultValue(parameter_)
-                         ? resetText(parameter_, textWithUnit(parameter_, resting))
+void ParameterRow::showReset(const ParameterValue& value, const ParameterValue& initial) {
+  resetValue_ = initial;
+  reset_->setEnabled(value != initial);
+  reset_->setToolTip(initial == defaultValue(parameter_)
+                         ? resetText(parameter_, textWithUnit(parameter_, initial))
                          : tr("As the file says"));
 }
 
@@ -321,7 +321,7 @@ void ParameterRow::takeFocus() {
 
 bool ParameterRow::matches(const QStringList& words) const {
   const QString text =
-      labelOf(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);
+      labelText(parameter_) + ' ' + fromUtf8(parameter_.label) + ' ' + fromUtf8(parameter_.key);
   static const QRegularExpression tag(QStringLiteral("<[^>]*>"));
   const QString symbol = symbolHtml(parameter_.symbol).remove(tag);
   return std::ranges::all_of(words, [&](const QString& word) {
@@ -385,7 +385,7 @@ void ParameterRow::addLabel(QHBoxLayout& line) {
 void ParameterRow::addEntry() {
   entry_ = new ValueEntry;
   name(*entry_, "entry");
-  connect(entry_, &ValueEntry::takenBack, this, [this] { showError({}); });
+  connect(entry_, &ValueEntry::entryRestored, this, [this] { showError({}); });
 }
 
 /// Adds the entry to the line of the label, and below them the slider, which is as wide as the row.
@@ -414,8 +414,8 @@ void ParameterRow::addNumber(QHBoxLayout& line, QVBoxLayout& column) {
     QCoreApplication::sendEvent(slider_, &step);
   });
   column.addWidget(slider_);
-  // No place on a slider stands for "automatic" or "none"; the keys of its steps remain.
-  if (!meaningOfZero(parameter_).isEmpty()) slider_->hide();
+  // The slider has no position for "automatic" or "none"; the keys for its steps remain.
+  if (!zeroText(parameter_).isEmpty()) slider_->hide();
 }
 
 void ParameterRow::addChoice(QHBoxLayout& line, const ChoiceField& field) {
@@ -470,7 +470,7 @@ void ParameterRow::addMaterials(QHBoxLayout& line) {
   name(*material_, "material");
   connect(material_, &MaterialBox::nameGiven, this,
           [this](const QString& given) { emit valueGiven(given.toStdString()); });
-  connect(material_, &MaterialBox::fileWanted, this, &ParameterRow::fileWanted);
+  connect(material_, &MaterialBox::fileRequested, this, &ParameterRow::fileRequested);
   line.addWidget(material_, 1);
 }
 
@@ -478,7 +478,7 @@ void ParameterRow::addListBox(QHBoxLayout& line) {
   list_ = new ListBox(std::string(parameter_.key));
   name(*list_, "list");
   connect(list_, &ListBox::listGiven, this, &ParameterRow::valueGiven);
-  connect(list_, &ListBox::fileWanted, this, &ParameterRow::fileWanted);
+  connect(list_, &ListBox::fileRequested, this, &ParameterRow::fileRequested);
   line.addWidget(list_, 1);
 }
 
@@ -489,7 +489,7 @@ void ParameterRow::addBrowse(QHBoxLayout& line) {
   browse_->setObjectName("browse:" + fromUtf8(parameter_.key));
   browse_->setProperty("role", "browse");
   browse_->setFocusPolicy(Qt::TabFocus);
-  connect(browse_, &QToolButton::clicked, this, &ParameterRow::fileWanted);
+  connect(browse_, &QToolButton::clicked, this, &ParameterRow::fileRequested);
   line.addWidget(browse_);
 }
 
@@ -499,7 +499,7 @@ void ParameterRow::addReset(QHBoxLayout& line) {
   reset_->setObjectName("reset:" + fromUtf8(parameter_.key));
   reset_->setProperty("role", "reset");
   reset_->setFocusPolicy(Qt::NoFocus);
-  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resting_); });
+  connect(reset_, &QToolButton::clicked, this, [this] { emit valueGiven(resetValue_); });
   line.addWidget(reset_);
 }
 
@@ -516,8 +516,8 @@ void ParameterRow::describe(QWidget& control) {
 /// Returns "normal force (N)".
 QString ParameterRow::accessibleLabel() const {
   const QString unit = fromUtf8(parameter_.unit);
-  return unit.isEmpty() ? labelOf(parameter_)
-                        : QStringLiteral("%1 (%2)").arg(labelOf(parameter_), unit);
+  return unit.isEmpty() ? labelText(parameter_)
+                        : QStringLiteral("%1 (%2)").arg(labelText(parameter_), unit);
 }
 
 /// Returns what the parameter is: formula, sentence, key and range.
@@ -552,8 +552,9 @@ void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction(reset_->toolTip(), reset_, &QToolButton::click)->setEnabled(reset_->isEnabled());
   if (const auto explanation = findExplanation(parameter_.key))
-    menu.addAction(tr("Read about it in the guide"), this,
-                   [this, explanation] { emit guideWanted(fromUtf8(explanation->guideAnchor)); });
+    menu.addAction(tr("Read about it in the guide"), this, [this, explanation] {
+      emit guideRequested(fromUtf8(explanation->guideAnchor));
+    });
   menu.exec(event->globalPos());
 }
 

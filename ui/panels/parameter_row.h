@@ -33,13 +33,13 @@ class ParameterRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// The row has no texts until showTexts().
+  /// Makes a row without texts, which showTexts() sets.
   explicit ParameterRow(const Parameter& parameter, QWidget* parent = nullptr);
 
   const Parameter& parameter() const { return parameter_; }
 
   /// Returns the parameter's name in the language of the window.
-  static QString labelOf(const Parameter& parameter);
+  static QString labelText(const Parameter& parameter);
 
   /// Sets all texts in the language of the window.
   void showTexts();
@@ -61,7 +61,7 @@ class ParameterRow : public QWidget {
   /// Returns whether there is something to read below the controls.
   bool hasRemark() const;
 
-  /// A locked row shows its value and cannot be changed.
+  /// Locks the row: it shows its value and cannot be changed.
   void setLocked(bool locked);
 
   /// Gives its first control the focus.
@@ -76,9 +76,9 @@ class ParameterRow : public QWidget {
  signals:
   void valueGiven(const asperity::ParameterValue& value);
   void textGiven(const QString& text);
-  void fileWanted();
-  /// The user wants to read about the row, at this place of the guide.
-  void guideWanted(const QString& anchor);
+  void fileRequested();
+  /// Emitted when the user requests the guide about the row, at this anchor.
+  void guideRequested(const QString& anchor);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -103,7 +103,7 @@ class ParameterRow : public QWidget {
   void setWidths();
   void showEntry(const ParameterValue& value, const std::optional<Placeholder>& placeholder,
                  bool replace);
-  void showReset(const ParameterValue& value, const ParameterValue& resting);
+  void showReset(const ParameterValue& value, const ParameterValue& initial);
   void name(QWidget& control, const char* kind);
   void describe(QWidget& control);
   QString meaning() const;
@@ -124,13 +124,13 @@ class ParameterRow : public QWidget {
   QLabel* unit_ = nullptr;  // for numbers
   QToolButton* browse_ = nullptr;
   QToolButton* reset_ = nullptr;
-  ParameterValue resting_;  // value of the reset button
+  ParameterValue resetValue_;  // value of the reset button
   QLabel* note_ = nullptr;
   QLabel* warning_ = nullptr;
   QLabel* error_ = nullptr;
 };
 
-/// Returns a text with the quoted labels of parameters in place of their keys.
+/// Returns a text in which the keys of parameters are replaced by their quoted labels.
 QString withLabels(const QString& text);
 
 }  // namespace asperity

@@ -22,7 +22,7 @@ bool mayBeLeftOpen(const Parameter& parameter, const Scene& scene) {
   return isChosenWhereOpen(parameter) || isLeftToProfile(parameter, scene, 0);
 }
 
-void leaveOpen(const Parameter& parameter, Scene& scene) {
+void clearValue(const Parameter& parameter, Scene& scene) {
   if (parameter.key == kLength)
     scene.surface.length = 0;
   else if (parameter.key == kElements)
@@ -55,7 +55,7 @@ LineSize& sizeOf(SurfaceKind kind, LineSize& profile, LineSize& others) {
 
 }  // namespace
 
-QString meaningOfZero(const Parameter& parameter) {
+QString zeroText(const Parameter& parameter) {
   const auto is = [&](const char* key) { return parameter.key == key; };
   if (is("surface.position_column") || is("surface.height_column"))
     return ParameterPanel::tr("automatic");
@@ -75,7 +75,7 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
     return scene.ensemble.realizations == 0
                ? std::optional(Placeholder{ParameterPanel::tr("every row"), {}, false})
                : std::nullopt;
-  if (const QString meaning = meaningOfZero(parameter); !meaning.isEmpty()) {
+  if (const QString meaning = zeroText(parameter); !meaning.isEmpty()) {
     const ParameterValue value = parameterValue(parameter, scene);
     const bool isZero = value == ParameterValue(0.0) || value == ParameterValue(std::int64_t{0});
     return isZero ? std::optional(Placeholder{meaning, 0, false}) : std::nullopt;
@@ -92,27 +92,27 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
              : std::nullopt;
 }
 
-ParameterValue restingValue(const Parameter& parameter, const Scene& scene) {
+ParameterValue resetValue(const Parameter& parameter, const Scene& scene) {
   if (!mayBeLeftOpen(parameter, scene)) return defaultValue(parameter);
   if (parameter.key == kLength) return 0.0;
   return std::int64_t{0};
 }
 
-void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
+void assignValue(const Parameter& parameter, Scene& scene, const ParameterValue& value) {
   if (isMaterial(parameter) && std::holds_alternative<std::string>(value))
     useMaterial(scene, std::get<std::string>(value));
-  else if (mayBeLeftOpen(parameter, scene) && value == restingValue(parameter, scene))
-    leaveOpen(parameter, scene);
+  else if (mayBeLeftOpen(parameter, scene) && value == resetValue(parameter, scene))
+    clearValue(parameter, scene);
   else
     setValue(parameter, scene, value);
 }
 
-void giveText(const Parameter& parameter, Scene& scene, std::string_view text) {
+void assignText(const Parameter& parameter, Scene& scene, std::string_view text) {
   if (isMaterial(parameter))
     useMaterial(scene, std::string(text));
   else if (mayBeLeftOpen(parameter, scene) && (text.empty() || text == "0"))
-    leaveOpen(parameter, scene);
-  else if (text.empty() && !meaningOfZero(parameter).isEmpty())
+    clearValue(parameter, scene);
+  else if (text.empty() && !zeroText(parameter).isEmpty())
     setFromText(parameter, scene, "0");
   else
     setFromText(parameter, scene, text);
@@ -134,7 +134,7 @@ bool isLongText(const Parameter& parameter) {
   return parameter.key == "description";
 }
 
-Missing missingOf(const Scene& scene) {
+Missing missingValue(const Scene& scene) {
   if (scene.surface.kind == SurfaceKind::Profile && scene.surface.file.empty())
     return {kFile, ParameterPanel::tr("choose a profile file")};
   if (hasSurfaceFile(scene.surface) && scene.surface.file.empty())
@@ -145,11 +145,12 @@ Missing missingOf(const Scene& scene) {
   return {};
 }
 
-KeptSizes::KeptSizes(const Surface& surface) : others_{Surface{}.length, Surface{}.elements} {
+RememberedSizes::RememberedSizes(const Surface& surface)
+    : others_{Surface{}.length, Surface{}.elements} {
   sizeOf(surface.kind, profile_, others_) = {surface.length, surface.elements};
 }
 
-void KeptSizes::follow(const Surface& before, Surface& next) {
+void RememberedSizes::update(const Surface& before, Surface& next) {
   const bool wasProfile = hasSurfaceFile(before);
   const bool isProfile = hasSurfaceFile(next);
   if (wasProfile != isProfile) {
@@ -160,7 +161,7 @@ void KeptSizes::follow(const Surface& before, Surface& next) {
   }
 }
 
-void followRealizations(const Scene& before, Scene& next) {
+void updateRealizations(const Scene& before, Scene& next) {
   const Parameter& row = *findParameter(kRealizations);
   const bool wasOpen = isLeftToProfile(row, before, 0), isOpen = isLeftToProfile(row, next, 0);
   if (wasOpen == isOpen) return;

@@ -20,7 +20,7 @@ struct LineSize {
   bool operator==(const LineSize&) const = default;
 };
 
-/// Shown in place of a value of the scene.
+/// A text shown instead of a value of the scene.
 struct Placeholder {
   QString text;                 // in pale letters
   std::optional<double> value;  // position of a slider
@@ -32,18 +32,18 @@ std::optional<Placeholder> placeholderFor(const Parameter& parameter, const Scen
                                           const LineSize& known);
 
 /// Returns what an entry of 0 means, such as "automatic" or "none"; empty: the number itself.
-QString meaningOfZero(const Parameter& parameter);
+QString zeroText(const Parameter& parameter);
 
 /// Returns the reset button's value: the default, or 0 where a profile's file gives the value.
-ParameterValue restingValue(const Parameter& parameter, const Scene& scene);
+ParameterValue resetValue(const Parameter& parameter, const Scene& scene);
 
 /// Returns whether the scene chooses a value that is left open.
 bool isChosenWhereOpen(const Parameter& parameter);
 
 /// Call setValue() and setFromText(), and also accept values that are left open: 0, or no text. The
 /// name of a material brings all of its values (scene_files.h).
-void giveValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
-void giveText(const Parameter& parameter, Scene& scene, std::string_view text);
+void assignValue(const Parameter& parameter, Scene& scene, const ParameterValue& value);
+void assignText(const Parameter& parameter, Scene& scene, std::string_view text);
 
 /// Returns whether the parameter names a file.
 bool isFile(const Parameter& parameter);
@@ -54,21 +54,21 @@ bool isMaterial(const Parameter& parameter);
 /// Returns whether the parameter is a text of several sentences.
 bool isLongText(const Parameter& parameter);
 
-/// What is missing before the scene can run, and where; the text is empty where nothing is missing.
+/// The value that is missing before the scene can run; the text is empty where nothing is missing.
 struct Missing {
   std::string_view key;
   QString text;
 };
-Missing missingOf(const Scene& scene);
+Missing missingValue(const Scene& scene);
 
 /// Remembers length and elements of the surface kinds that are not shown: those with a file share
 /// theirs, all others share theirs, and both return with their kind.
-class KeptSizes {
+class RememberedSizes {
  public:
-  explicit KeptSizes(const Surface& surface);
+  explicit RememberedSizes(const Surface& surface);
 
   /// Updates the memory after `next` has replaced `before`.
-  void follow(const Surface& before, Surface& next);
+  void update(const Surface& before, Surface& next);
 
  private:
   LineSize profile_, others_;
@@ -76,6 +76,6 @@ class KeptSizes {
 
 /// Realizations mean every row where a surface becomes a measured one, and a number again where it
 /// becomes another one. `next` has followed `before`.
-void followRealizations(const Scene& before, Scene& next);
+void updateRealizations(const Scene& before, Scene& next);
 
 }  // namespace asperity

@@ -17,7 +17,8 @@ void useMaterial(Scene& scene, const std::string& name) {
     scene.elastomer.material.clear();
     return;
   }
-  // The reader of scenes puts the values in; nothing else of the scene can then be in its way.
+  // The scene reader sets the values in a new scene, so that no other value of the scene causes an
+  // error.
   Scene carrier;
   carrier.elastomer.temperature = scene.elastomer.temperature;
   Elastomer next =

@@ -18,8 +18,8 @@ std::string nameInScene(const Scene& scene, const std::filesystem::path& file);
 /// values. Throws InputError where there is no such material.
 void useMaterial(Scene& scene, const std::string& name);
 
-/// Makes a measured file the surface of the scene, to be read as it says; the period, the elements
-/// and the lines are those of the file. Choices that were made for the same file stay.
+/// Makes a measured file the surface of the scene, read with the metadata of the file, which also
+/// gives the period, the elements and the lines. Choices that were made for the same file stay.
 void useSurface(Scene& scene, const std::filesystem::path& file);
 
 }  // namespace asperity

@@ -54,8 +54,8 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(colours.color(QPalette::Mid), 1));
   painter.drawLine(QPointF(0, 1.5), QPointF(width(), 1.5));
 
-  const bool isHot = underMouse() || hasFocus();
-  const QColor ink = colours.color(isHot ? QPalette::Highlight : QPalette::WindowText);
+  const bool isHighlighted = underMouse() || hasFocus();
+  const QColor ink = colours.color(isHighlighted ? QPalette::Highlight : QPalette::WindowText);
   QPainterPath chevron;
   const QPointF centre(5, line.center().y() + 0.5);
   chevron.moveTo(centre + (isUnfolded_ ? QPointF(-3.5, -2) : QPointF(-2, -3.5)));

@@ -1,5 +1,6 @@
 // The title of a section of the panel, which opens and folds its rows: by mouse, space bar or the
-// arrows left and right. It says how many values are changed while they are not seen. GUI thread.
+// arrows left and right. While the section is folded it shows how many of its values are changed.
+// GUI thread.
 #pragma once
 
 #include <QAbstractButton>
@@ -15,8 +16,9 @@ class SectionHeader : public QAbstractButton {
   bool isOpen() const { return isChecked(); }
   void setOpen(bool open) { setChecked(open); }
 
-  /// `changed`: values of the section that are not the default. `isUnfolded`: its rows are seen,
-  /// as also those of a folded section are while the panel is filtered.
+  /// Shows the title and its state. `changed`: number of values of the section that are not the
+  /// default. `isUnfolded`: its rows are visible; rows of a folded section can also be visible
+  /// while the panel is filtered.
   void showState(const QString& title, int changed, bool isUnfolded);
 
   QSize sizeHint() const override;

@@ -16,15 +16,15 @@ namespace {
 constexpr double kNextTemperature = 10;  // K above the warmest
 constexpr double kColdest = 150;         // K; a lower number is meant in degrees Celsius
 
-NumberRule ruleOf(const ListMember<ShiftPoint>& member, bool isTemperature) {
+NumberRule numberRule(const ListMember<ShiftPoint>& member, bool isTemperature) {
   return {fromUtf8(member.unit), member.least, member.most, false, isTemperature};
 }
 
 PairEditor::Pairs asPairs(const std::vector<ShiftPoint>& table) {
-  return PairEditor::pairsOf(table, &ShiftPoint::temperature, &ShiftPoint::log10Shift);
+  return PairEditor::toPairs(table, &ShiftPoint::temperature, &ShiftPoint::log10Shift);
 }
 
-/// Whether the column holds a_T, not its logarithm: "aT", "a_T", "shift factor".
+/// Returns whether the column holds a_T, not its logarithm: "aT", "a_T", "shift factor".
 bool isFactor(const std::string& name) {
   const QString word = fromUtf8(name).toLower().remove(' ').remove('_');
   return !word.contains(QStringLiteral("log")) && !word.contains(QStringLiteral("lg")) &&
@@ -89,7 +89,7 @@ std::vector<ShiftPoint> shiftsFromTable(std::string_view text) {
 ShiftEditor::ShiftEditor(QWidget* parent)
     : PairEditor({"shift",
                   {"shiftTemperature", "shiftLog"},
-                  {ruleOf(shiftMembers()[0], true), ruleOf(shiftMembers()[1], false)},
+                  {numberRule(shiftMembers()[0], true), numberRule(shiftMembers()[1], false)},
                   0,
                   kMostShiftPoints,
                   false},
@@ -132,7 +132,7 @@ PairEditor::Pairs ShiftEditor::fromTable(std::string_view text) const {
 }
 
 void ShiftEditor::give(const Pairs& pairs) {
-  emit shiftsGiven(itemsOf(pairs, &ShiftPoint::temperature, &ShiftPoint::log10Shift));
+  emit shiftsGiven(fromPairs(pairs, &ShiftPoint::temperature, &ShiftPoint::log10Shift));
 }
 
 void ShiftEditor::showShifts(const std::vector<ShiftPoint>& table, bool replace) {

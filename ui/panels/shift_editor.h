@@ -1,6 +1,6 @@
 // The measured shifts of an elastomer as a table (pair_editor.h): temperature and log10 a_T, by
 // rising temperature. Object names: those of PairEditor with "shift", "shiftTemperature" and
-// "shiftLog". GUI thread; belongs to its parent.
+// "shiftLog". GUI thread; owned by its parent.
 #pragma once
 
 #include <string_view>
@@ -17,7 +17,7 @@ class ShiftEditor : public PairEditor {
  public:
   explicit ShiftEditor(QWidget* parent = nullptr);
 
-  /// `replace` also overwrites refused input.
+  /// Shows the table. `replace` also overwrites refused input.
   void showShifts(const std::vector<ShiftPoint>& table, bool replace);
 
  signals:

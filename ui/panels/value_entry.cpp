@@ -7,7 +7,7 @@ namespace asperity {
 
 ValueEntry::ValueEntry(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::editingFinished, this, [this] { commit(); });
-  connect(this, &QLineEdit::textEdited, this, [this] { mend(); });
+  connect(this, &QLineEdit::textEdited, this, [this] { correctText(); });
 }
 
 void ValueEntry::showText(const QString& text, const QString& unit) {
@@ -69,7 +69,7 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && (hasError() || isModified())) {
     replaceText(accepted_, acceptedUnit_);
     selectAll();
-    emit takenBack();
+    emit entryRestored();
     return;
   }
   const int key = event->key();
@@ -85,11 +85,11 @@ void ValueEntry::keyPressEvent(QKeyEvent* event) {
 }
 
 /// Removes the error where the text is again that of the accepted value.
-void ValueEntry::mend() {
+void ValueEntry::correctText() {
   if (!hasError() || text() != accepted_ || unit_ != acceptedUnit_) return;
   setModified(false);
   showError({});
-  emit takenBack();
+  emit entryRestored();
 }
 
 void ValueEntry::commit() {

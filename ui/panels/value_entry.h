@@ -36,7 +36,7 @@ class ValueEntry : public QLineEdit {
   /// Emitted for the arrows up and down, PageUp and PageDown, after typed text was passed on.
   void stepped(int key, Qt::KeyboardModifiers modifiers);
   /// Emitted when the input was discarded: by Escape, or because it is the accepted text again.
-  void takenBack();
+  void entryRestored();
 
  protected:
   /// Submits a refused text again, so that the reason appears in the new language.
@@ -46,7 +46,7 @@ class ValueEntry : public QLineEdit {
 
  private:
   void showUnit(const QString& unit);
-  void mend();
+  void correctText();
   void commit();
   bool hasOwn(const QKeyEvent& event) const;
 

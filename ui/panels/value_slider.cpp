@@ -64,7 +64,7 @@ double SliderScale::valueAt(int position) const {
   return values_[static_cast<std::size_t>(std::clamp(position, 0, count() - 1))];
 }
 
-int SliderScale::positionOf(double value) const {
+int SliderScale::sliderPosition(double value) const {
   const auto above = std::lower_bound(values_.begin(), values_.end(), value);
   if (above == values_.begin()) return 0;
   if (above == values_.end()) return count() - 1;
@@ -78,7 +78,7 @@ namespace {
 
 constexpr double kSmallestHandle = 6.5;  // radius, pixels
 constexpr double kGroove = 4;
-constexpr double kFinely = 0.1;  // of the pointer's way, with Shift
+constexpr double kFinely = 0.1;  // of the pointer's distance, with Shift
 
 }  // namespace
 
@@ -101,7 +101,7 @@ void ValueSlider::setScale(const SliderScale& scale) {
 void ValueSlider::showValue(double value) {
   if (isSliderDown()) return;  // the user is moving it
   const QSignalBlocker silent(this);
-  setValue(scale_.positionOf(value));
+  setValue(scale_.sliderPosition(value));
 }
 
 QSize ValueSlider::sizeHint() const {
@@ -117,14 +117,14 @@ double ValueSlider::radius() const {
 }
 
 double ValueSlider::handleX() const {
-  const double room = width() - 2 * radius() - 2;
-  return radius() + 1 + room * sliderPosition() / std::max(1, maximum());
+  const double available = width() - 2 * radius() - 2;
+  return radius() + 1 + available * sliderPosition() / std::max(1, maximum());
 }
 
 int ValueSlider::positionAt(double x) const {
-  const double room = width() - 2 * radius() - 2;
+  const double available = width() - 2 * radius() - 2;
   return QStyle::sliderValueFromPosition(minimum(), maximum(), static_cast<int>(x - radius() - 1),
-                                         static_cast<int>(room));
+                                         static_cast<int>(available));
 }
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
@@ -140,8 +140,8 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
   QSlider::mousePressEvent(event);
 }
 
-/// With Shift the handle moves on from where it is by a part of the pointer's way; without it the
-/// handle is under the pointer again.
+/// With Shift the handle moves from its present position by a part of the pointer's distance;
+/// without it the handle is under the pointer again.
 void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
   const bool isFine = isSliderDown() && event->modifiers().testFlag(Qt::ShiftModifier);
   if (!isFine) {
@@ -189,28 +189,28 @@ double handleRadius(const QFontMetrics& letters) {
   return std::max(kSmallestHandle, 0.36 * letters.height());
 }
 
-void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette& colours,
+void drawSlider(QPainter& painter, const QRectF& rect, double x, const QPalette& colours,
                 const SliderState& state) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const double middle = place.center().y();
-  const double radius = std::min(state.radius, place.height() / 2 - 1);
+  const double middle = rect.center().y();
+  const double radius = std::min(state.radius, rect.height() / 2 - 1);
   const QColor rim = colours.color(state.isEnabled ? QPalette::Highlight : QPalette::Mid);
   const auto bar = [&](double from, double to, const QColor& colour) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawRoundedRect(QRectF(from, middle - kGroove / 2, to - from, kGroove), 2, 2);
   };
-  bar(place.left() + 1, place.right() - 1, colours.color(QPalette::Mid));
-  bar(place.left() + 1, x, rim);
+  bar(rect.left() + 1, rect.right() - 1, colours.color(QPalette::Mid));
+  bar(rect.left() + 1, x, rim);
   if (state.hasFocus) {
     QColor halo = colours.color(QPalette::Highlight);
     halo.setAlphaF(0.25F);
     painter.setBrush(halo);
     painter.drawEllipse(QPointF(x, middle), radius + 3, radius + 3);
   }
-  const bool isHot = state.isUnderMouse || state.hasFocus || state.isDown;
-  painter.setPen(QPen(rim, isHot ? 2 : 1.5));
+  const bool isHighlighted = state.isUnderMouse || state.hasFocus || state.isDown;
+  painter.setPen(QPen(rim, isHighlighted ? 2 : 1.5));
   painter.setBrush(colours.color(state.isDown ? QPalette::Highlight : QPalette::Base));
   painter.drawEllipse(QPointF(x, middle), radius - 0.5, radius - 0.5);
   painter.restore();

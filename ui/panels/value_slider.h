@@ -31,7 +31,7 @@ class SliderScale {
   double valueAt(int position) const;
 
   /// Returns the position with the nearest value, on the row's own scale.
-  int positionOf(double value) const;
+  int sliderPosition(double value) const;
 
  private:
   double coordinate(double value) const;
@@ -73,7 +73,7 @@ class ValueSlider : public QSlider {
   int positionAt(double x) const;
 
   SliderScale scale_;
-  /// Where the handle and the pointer were when the fine part of a drag began.
+  /// The positions of handle and pointer at the beginning of the fine part of a drag.
   struct Grip {
     int position;
     double x;
@@ -81,7 +81,7 @@ class ValueSlider : public QSlider {
   std::optional<Grip> fine_;
 };
 
-/// Returns the radius of a handle beside such letters, pixels.
+/// Returns the radius of a handle beside letters of this font, pixels.
 double handleRadius(const QFontMetrics& letters);
 
 struct SliderState {
@@ -90,7 +90,7 @@ struct SliderState {
 };
 
 /// Draws a horizontal slider with its handle at x.
-void drawSlider(QPainter& painter, const QRectF& place, double x, const QPalette& colours,
+void drawSlider(QPainter& painter, const QRectF& rect, double x, const QPalette& colours,
                 const SliderState& state);
 
 }  // namespace asperity

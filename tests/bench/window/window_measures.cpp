@@ -286,7 +286,7 @@ void measureShares(const Frame& frame, bool isQuick, std::vector<WindowMeasure>&
       paintTexts(painter, list);
       return true;
     });
-    timed(encode, [&] { return pngOf(image, {}); });
+    timed(encode, [&] { return encodePng(image, {}); });
   }
   const double whole = compose + shapes + texts + encode;
   measures.push_back(

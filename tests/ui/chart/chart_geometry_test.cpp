@@ -39,14 +39,14 @@ ChartTarget targetAt(QPointF place) {
 }
 
 QPointF at(double x, double y) {
-  return {kMap.xOf(x), kMap.yOf(y)};
+  return {kMap.mapX(x), kMap.mapY(y)};
 }
 
 TEST(ChartGeometryTest, ValuesGoToPixelsAndBack) {
-  EXPECT_DOUBLE_EQ(kMap.xOf(1), 400);
-  EXPECT_DOUBLE_EQ(kMap.yOf(1e-4), 350);
+  EXPECT_DOUBLE_EQ(kMap.mapX(1), 400);
+  EXPECT_DOUBLE_EQ(kMap.mapY(1e-4), 350);
   for (const double value : {1e-3, 0.02, 7.0, 1e3})
-    EXPECT_NEAR(kMap.valueAt(kMap.xOf(value)) / value, 1, 1e-12);
+    EXPECT_NEAR(kMap.valueAt(kMap.mapX(value)) / value, 1, 1e-12);
 }
 
 TEST(ChartGeometryTest, FindsTheNearestPoint) {
@@ -64,10 +64,10 @@ TEST(ChartGeometryTest, FindsTheMarkerAtAnyHeight) {
 }
 
 TEST(ChartGeometryTest, FindsNamesAndStrip) {
-  EXPECT_EQ(targetAt(QPointF(kMap.xOf(5), 40)).span, 1);
-  EXPECT_EQ(targetAt(QPointF(kMap.xOf(0.01), 40)).span, 0);
-  EXPECT_EQ(targetAt(QPointF(kMap.xOf(1) + 4, 400)).diagram, 1);
-  EXPECT_EQ(targetAt(QPointF(kMap.xOf(1) + 4, 400)).point, 1);
+  EXPECT_EQ(targetAt(QPointF(kMap.mapX(5), 40)).span, 1);
+  EXPECT_EQ(targetAt(QPointF(kMap.mapX(0.01), 40)).span, 0);
+  EXPECT_EQ(targetAt(QPointF(kMap.mapX(1) + 4, 400)).diagram, 1);
+  EXPECT_EQ(targetAt(QPointF(kMap.mapX(1) + 4, 400)).point, 1);
   EXPECT_EQ(targetAt(QPointF(10, 10)), ChartTarget{});
 }
 
@@ -82,8 +82,8 @@ TEST(ChartGeometryTest, ZoomKeepsThePlaceUnderThePointer) {
   const QPointF place = at(0.3, 2e-3);
   const VisibleRange window = zoomed(kMap, place, 0.5, {true, true});
   const ChartGeometry next{kMap.area, window.x, window.y};
-  EXPECT_NEAR(next.xOf(0.3), place.x(), 1e-9);
-  EXPECT_NEAR(next.yOf(2e-3), place.y(), 1e-9);
+  EXPECT_NEAR(next.mapX(0.3), place.x(), 1e-9);
+  EXPECT_NEAR(next.mapY(2e-3), place.y(), 1e-9);
   EXPECT_NEAR(window.x.size(), 3, 1e-12);
   EXPECT_EQ(zoomed(kMap, place, 0.5, {true, false}).y, kMap.y);
   EXPECT_NEAR(zoomed(kMap, place, 1e-9, {true, true}).x.size(), 0.1, 1e-12) << "not endlessly";
@@ -92,8 +92,8 @@ TEST(ChartGeometryTest, ZoomKeepsThePlaceUnderThePointer) {
 TEST(ChartGeometryTest, PanningMovesWithThePointer) {
   const VisibleRange window = panned(kMap, {100, 100});
   const ChartGeometry next{kMap.area, window.x, window.y};
-  EXPECT_NEAR(next.xOf(1), kMap.xOf(1) + 100, 1e-9);
-  EXPECT_NEAR(next.yOf(1e-2), kMap.yOf(1e-2) + 100, 1e-9);
+  EXPECT_NEAR(next.mapX(1), kMap.mapX(1) + 100, 1e-9);
+  EXPECT_NEAR(next.mapY(1e-2), kMap.mapY(1e-2) + 100, 1e-9);
 }
 
 TEST(ChartGeometryTest, AWindowIsHeldWhereThereIsSomethingToShow) {

@@ -54,14 +54,14 @@ class ChartGestures : public testing::Test {
     QTest::qWait(1);  // the layout is made with the first events
   }
 
-  QPoint at(double x, double y) const { return view_->positionOf(x, y).toPoint(); }
+  QPoint at(double x, double y) const { return view_->mapToPosition(x, y).toPoint(); }
   void drag(QPoint from, QPoint to) {
     QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
     for (int i = 1; i <= 8; ++i) QTest::mouseMove(view_.get(), from + (to - from) * i / 8);
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to);
   }
   double pixelsPerDecade() const {
-    return view_->positionOf(10, 0.1).x() - view_->positionOf(1, 0.1).x();
+    return view_->mapToPosition(10, 0.1).x() - view_->mapToPosition(1, 0.1).x();
   }
   void turnWheel(QPoint place, int delta) {
     QWheelEvent event(place, view_->mapToGlobal(place), {}, {0, delta}, Qt::NoButton, {},
@@ -233,12 +233,12 @@ TEST_F(ChartGestures, WithControlArrowKeysGoFromPointToPoint) {
 }
 
 TEST_F(ChartGestures, TheWheelZoomsAboutThePointerAndADoubleClickFits) {
-  QSignalSpy fitted(view_.get(), &ChartView::fitWanted);
-  const QPointF before = view_->positionOf(0.1, 0.02);
+  QSignalSpy fitted(view_.get(), &ChartView::fitRequested);
+  const QPointF before = view_->mapToPosition(0.1, 0.02);
   turnWheel(before.toPoint(), 240);
   EXPECT_TRUE(view_->isZoomed());
-  EXPECT_LT((view_->positionOf(0.1, 0.02) - before).manhattanLength(), 2);
-  EXPECT_GT(view_->positionOf(1, 0.02).x() - view_->positionOf(0.1, 0.02).x(), 150);
+  EXPECT_LT((view_->mapToPosition(0.1, 0.02) - before).manhattanLength(), 2);
+  EXPECT_GT(view_->mapToPosition(1, 0.02).x() - view_->mapToPosition(0.1, 0.02).x(), 150);
   QTest::mouseDClick(view_.get(), Qt::LeftButton, {}, at(0.4, 0.1));
   EXPECT_FALSE(view_->isZoomed());
   EXPECT_EQ(fitted.count(), 1);
@@ -292,10 +292,10 @@ TEST_F(NamesOfShades, AreLeftOutOfLowFramesThatTheyWouldFill) {
 TEST_F(ChartGestures, DraggingBesideTheMarkerPans) {
   QSignalSpy moved(view_.get(), &ChartView::markerMoved);
   const QPoint from = at(0.03, 0.3), by(60, 25);
-  const QPointF before = view_->positionOf(0.1, 0.02);
+  const QPointF before = view_->mapToPosition(0.1, 0.02);
   drag(from, from + by);
   EXPECT_EQ(moved.count(), 0);
-  EXPECT_LT((view_->positionOf(0.1, 0.02) - before - by).manhattanLength(), 2);
+  EXPECT_LT((view_->mapToPosition(0.1, 0.02) - before - by).manhattanLength(), 2);
 }
 
 /// However far and often it is dragged, at any zoom.
@@ -339,13 +339,14 @@ TEST_F(ChartGestures, AZoomedViewStaysWhileTheCurveIsRefined) {
 }
 
 TEST_F(ChartGestures, ClickingItsEntryUnpinsACurve) {
-  QSignalSpy unpin(view_.get(), &ChartView::unpinWanted);
+  QSignalSpy unpin(view_.get(), &ChartView::unpinRequested);
   auto* legend = view_->findChild<ChartLegend*>("chartLegend");
   ASSERT_TRUE(legend);
-  ASSERT_FALSE(legend->placeOf(7).isEmpty());
-  QTest::mouseClick(legend, Qt::LeftButton, {}, legend->placeOf(kPresentCurve).center().toPoint());
+  ASSERT_FALSE(legend->entryRect(7).isEmpty());
+  QTest::mouseClick(legend, Qt::LeftButton, {},
+                    legend->entryRect(kPresentCurve).center().toPoint());
   EXPECT_EQ(unpin.count(), 0);
-  QTest::mouseClick(legend, Qt::LeftButton, {}, legend->placeOf(7).center().toPoint());
+  QTest::mouseClick(legend, Qt::LeftButton, {}, legend->entryRect(7).center().toPoint());
   ASSERT_EQ(unpin.count(), 1);
   EXPECT_EQ(unpin[0][0].toInt(), 7);
 }
@@ -363,8 +364,8 @@ TEST_F(ChartGestures, TheLegendTakesMoreRowsAndCountsWhatHasNoRoom) {
   QTest::qWait(1);
   EXPECT_GT(legend->height(), one);
   EXPECT_LT(legend->height(), 4 * one);
-  EXPECT_FALSE(legend->placeOf(10).isEmpty());
-  EXPECT_TRUE(legend->placeOf(39).isEmpty());
+  EXPECT_FALSE(legend->entryRect(10).isEmpty());
+  EXPECT_TRUE(legend->entryRect(39).isEmpty());
 }
 
 /// Rows that come and go with pinned curves leave room for the axis' labels and title below.
@@ -376,7 +377,7 @@ TEST_F(ChartGestures, TheChartGivesTheLegendItsRoomAtOnce) {
     diagram.series.back().id = id;
   }
   const double line = QFontMetricsF(view_->font()).height();
-  const auto bottom = [&] { return view_->positionOf(1, 1e-4).y(); };
+  const auto bottom = [&] { return view_->mapToPosition(1, 1e-4).y(); };
   const double before = bottom();
   view_->setSheet(sheet);
   QTest::qWait(1);
@@ -405,7 +406,7 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
   diagram.series[0].name = parts.join(", ").toStdString();
   view_->setSheet(sheet);
   EXPECT_NE(legend->linesOf(7).join(' ').toStdString(), diagram.series[0].name.text);
-  QTest::mouseMove(legend, legend->placeOf(7).center().toPoint());
+  QTest::mouseMove(legend, legend->entryRect(7).center().toPoint());
   EXPECT_TRUE(legend->toolTip().contains(QString::fromStdString(diagram.series[0].name.text)));
 }
 

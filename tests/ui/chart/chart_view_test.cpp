@@ -13,8 +13,8 @@
 namespace asperity {
 namespace {
 
-ChartLook look() {
-  ChartLook look;
+ChartStyle look() {
+  ChartStyle look;
   look.theme = printTheme();
   return look;
 }
@@ -29,7 +29,7 @@ DiagramSeries seriesWith(int id, int colour, std::vector<DiagramPoint> points) {
   return series;
 }
 
-QColor colourOf(int index) {
+QColor toQColor(int index) {
   return look().of(seriesWith(0, index, {}));
 }
 
@@ -78,7 +78,7 @@ class ChartViewTest : public testing::Test {
 
   QImage image() { return view_->grab().toImage(); }
 
-  QPoint at(double x, double y) const { return view_->positionOf(x, y).toPoint(); }
+  QPoint at(double x, double y) const { return view_->mapToPosition(x, y).toPoint(); }
 
   /// Whether the colour occurs within two pixels.
   bool has(const QColor& colour, QPoint place) {
@@ -98,15 +98,15 @@ class ChartViewTest : public testing::Test {
 };
 
 TEST_F(ChartViewTest, PaintsPointsWhereTheyBelong) {
-  EXPECT_TRUE(has(colourOf(0), at(0.03, 0.02)));
-  EXPECT_TRUE(has(colourOf(0), at(30, 0.1)));
+  EXPECT_TRUE(has(toQColor(0), at(0.03, 0.02)));
+  EXPECT_TRUE(has(toQColor(0), at(30, 0.1)));
   EXPECT_TRUE(has(look().text(), at(0.3, 1e-3)));
 }
 
 TEST_F(ChartViewTest, AxesAreLogarithmic) {
-  const QPointF a = view_->positionOf(1e-2, 1e-3);
-  const QPointF b = view_->positionOf(1e-1, 1e-2);
-  const QPointF c = view_->positionOf(1, 1e-1);
+  const QPointF a = view_->mapToPosition(1e-2, 1e-3);
+  const QPointF b = view_->mapToPosition(1e-1, 1e-2);
+  const QPointF c = view_->mapToPosition(1, 1e-1);
   EXPECT_NEAR(b.x() - a.x(), c.x() - b.x(), 1e-6);
   EXPECT_NEAR(b.y() - a.y(), c.y() - b.y(), 1e-6);
   EXPECT_GT(b.x() - a.x(), 50);
@@ -116,7 +116,7 @@ TEST_F(ChartViewTest, AxesAreLogarithmic) {
 TEST_F(ChartViewTest, GridLinesAreWholePixelsOfTheirColour) {
   const QImage picture = image();
   const auto colour = [&](double x, double y) {
-    const QPointF place = view_->positionOf(x, y);
+    const QPointF place = view_->mapToPosition(x, y);
     return picture.pixelColor(static_cast<int>(place.x()), static_cast<int>(place.y()));
   };
   for (const double x : {1e-2, 1e-1, 1.0, 1e2}) EXPECT_EQ(colour(x, 3.3e-4), look().grid()) << x;
@@ -126,15 +126,15 @@ TEST_F(ChartViewTest, GridLinesAreWholePixelsOfTheirColour) {
 }
 
 TEST_F(ChartViewTest, PaintsErrorBarsUpAndDown) {
-  EXPECT_TRUE(has(colourOf(0), at(0.03, 0.035)));
-  EXPECT_TRUE(has(colourOf(0), at(0.03, 0.005)));
-  EXPECT_TRUE(has(colourOf(0), at(0.03, 0.009)));
-  EXPECT_FALSE(has(colourOf(0), at(0.03, 0.09)));
-  EXPECT_FALSE(has(colourOf(0), at(30, 0.2)));  // an error that is not known has no bar
+  EXPECT_TRUE(has(toQColor(0), at(0.03, 0.035)));
+  EXPECT_TRUE(has(toQColor(0), at(0.03, 0.005)));
+  EXPECT_TRUE(has(toQColor(0), at(0.03, 0.009)));
+  EXPECT_FALSE(has(toQColor(0), at(0.03, 0.09)));
+  EXPECT_FALSE(has(toQColor(0), at(30, 0.2)));  // an error that is not known has no bar
 }
 
 TEST_F(ChartViewTest, SkipsNegativeValues) {
-  for (double y = 2e-4; y < 1; y *= 1.1) EXPECT_FALSE(has(colourOf(0), at(0.3, y)));
+  for (double y = 2e-4; y < 1; y *= 1.1) EXPECT_FALSE(has(toQColor(0), at(0.3, y)));
 }
 
 TEST_F(ChartViewTest, MarksTheVelocity) {
@@ -152,7 +152,7 @@ TEST_F(ChartViewTest, FadesWhatIsStale) {
   Diagram& diagram = sheet.diagrams[0];
   for (DiagramSeries& series : diagram.series) series.isFaded = true;
   view_->setSheet(sheet);
-  EXPECT_FALSE(has(colourOf(0), at(0.03, 0.02)));
+  EXPECT_FALSE(has(toQColor(0), at(0.03, 0.02)));
   EXPECT_TRUE(has(QColor(0xb3, 0xd5, 0xe8), at(0.03, 0.02)));
   EXPECT_FALSE(has(look().text(), at(0.3, 1e-3)));
 }
@@ -166,7 +166,7 @@ TEST_F(ChartViewTest, FollowsOtherRangesAndSizes) {
   view_->setSheet(sheet);
   view_->resize(500, 260);
   QTest::qWait(1);
-  EXPECT_TRUE(has(colourOf(0), at(0.03, 0.02)));
+  EXPECT_TRUE(has(toQColor(0), at(0.03, 0.02)));
   EXPECT_TRUE(has(look().text(), at(0.3, 1e-3)));
   EXPECT_TRUE(has(look().marker(), at(2, 1e-9)));
 }
@@ -207,9 +207,9 @@ TEST_F(ChartViewTest, PaintsPinnedCurvesInTheirColourOnALine) {
   pinned.stroke = SeriesStroke::Solid;
   diagram.series.push_back(pinned);
   view_->setSheet(sheet);
-  EXPECT_TRUE(has(colourOf(3), at(0.01, 0.3)));
-  EXPECT_TRUE(has(colourOf(3), at(0.03, 0.3)));
-  EXPECT_FALSE(has(colourOf(0), at(0.01, 0.3)));
+  EXPECT_TRUE(has(toQColor(3), at(0.01, 0.3)));
+  EXPECT_TRUE(has(toQColor(3), at(0.03, 0.3)));
+  EXPECT_FALSE(has(toQColor(0), at(0.01, 0.3)));
 }
 
 TEST_F(ChartViewTest, ShadesRegionsByTurns) {
@@ -227,13 +227,13 @@ TEST_F(ChartViewTest, ADiagramStandsBelowOverTheSameAxis) {
   DiagramSheet sheet = sheetWithStrip({{0.03, 4, 3, 5}, {30, 8}});
   view_->setSheet(sheet);
   QTest::qWait(1);
-  const QPointF zero = view_->positionOf(0.03, 0, 1);
-  EXPECT_EQ(zero.x(), view_->positionOf(0.03, 0.02).x());
-  EXPECT_GT(zero.y(), view_->positionOf(0.03, 1e-4).y());
-  EXPECT_TRUE(has(colourOf(3), view_->positionOf(0.03, 4, 1).toPoint()));
-  EXPECT_TRUE(has(colourOf(3), view_->positionOf(0.03, 4.9, 1).toPoint()));
-  EXPECT_FALSE(has(colourOf(3), view_->positionOf(0.03, -4, 1).toPoint()));
-  EXPECT_TRUE(has(colourOf(0), at(0.03, 0.02))) << "the curve is still there";
+  const QPointF zero = view_->mapToPosition(0.03, 0, 1);
+  EXPECT_EQ(zero.x(), view_->mapToPosition(0.03, 0.02).x());
+  EXPECT_GT(zero.y(), view_->mapToPosition(0.03, 1e-4).y());
+  EXPECT_TRUE(has(toQColor(3), view_->mapToPosition(0.03, 4, 1).toPoint()));
+  EXPECT_TRUE(has(toQColor(3), view_->mapToPosition(0.03, 4.9, 1).toPoint()));
+  EXPECT_FALSE(has(toQColor(3), view_->mapToPosition(0.03, -4, 1).toPoint()));
+  EXPECT_TRUE(has(toQColor(0), at(0.03, 0.02))) << "the curve is still there";
 }
 
 TEST_F(ChartViewTest, TheLowerDiagramIsNeverTallerThanTheUpperOne) {
@@ -245,8 +245,8 @@ TEST_F(ChartViewTest, TheLowerDiagramIsNeverTallerThanTheUpperOne) {
     for (const int height : {300, 400, 700}) {
       view_->resize(800, height);
       QTest::qWait(1);
-      const double strip = view_->positionOf(1, -10, 1).y() - view_->positionOf(1, 10, 1).y();
-      EXPECT_LT(strip, view_->positionOf(1, 1e-4).y() - view_->positionOf(1, 1).y())
+      const double strip = view_->mapToPosition(1, -10, 1).y() - view_->mapToPosition(1, 10, 1).y();
+      EXPECT_LT(strip, view_->mapToPosition(1, 1e-4).y() - view_->mapToPosition(1, 1).y())
           << height << ' ' << letters;
       EXPECT_GT(strip, 20);
     }
@@ -265,7 +265,7 @@ TEST_F(ChartViewTest, TheNameOfALowerSeriesHidesNoPoint) {
   sheet.diagrams[1].series[0].name = "linear ×4, minus the curve above";
   view_->setSheet(sheet);
   for (const DiagramPoint& point : points)
-    EXPECT_TRUE(has(colourOf(3), view_->positionOf(point.x, point.y, 1).toPoint())) << point.x;
+    EXPECT_TRUE(has(toQColor(3), view_->mapToPosition(point.x, point.y, 1).toPoint())) << point.x;
 }
 
 /// Marks at the ends of the axis are whole: the frame reaches beyond them.
@@ -274,8 +274,8 @@ TEST_F(ChartViewTest, MarksAtTheEndsOfTheAxisAreWhole) {
   sheet.diagrams[0].series[1].points = {{1e-3, 0.1}, {1e3, 0.1}};
   view_->setSheet(sheet);
   for (const int way : {-3, 3}) {
-    EXPECT_TRUE(has(colourOf(0), at(1e-3, 0.1) + QPoint(way, 0))) << way;
-    EXPECT_TRUE(has(colourOf(0), at(1e3, 0.1) + QPoint(way, 0))) << way;
+    EXPECT_TRUE(has(toQColor(0), at(1e-3, 0.1) + QPoint(way, 0))) << way;
+    EXPECT_TRUE(has(toQColor(0), at(1e3, 0.1) + QPoint(way, 0))) << way;
   }
 }
 

@@ -250,7 +250,7 @@ TEST(DiagramTexts, StayReadableInLowTabs) {
   for (const DiagramSheet& sheet : {spectrumSheet(scene), statisticsSheet(frame)})
     for (const Size& size : {Size{850, 210, 1}, {640, 200, 1}, {1700, 420, 2}, {2100, 600, 1}}) {
       DiagramOptions options{size.width, size.height, size.scale, darkTheme()};
-      options.leastText = 0.85F;
+      options.minTextSize = 0.85F;
       const DrawList list = composeDiagrams(sheet, options);
       expectTidy(list, sheet.note.english() + std::to_string(size.width));
       for (const DrawText& text : list.texts)  // exponents are smaller
@@ -280,7 +280,7 @@ TEST(DiagramTexts, OfLowStripsSayWhatAndHowMuch) {
   DiagramOptions options;
   options.width = 1280;
   options.height = 331;
-  options.leastText = 0.8F;
+  options.minTextSize = 0.8F;
   const DrawList list = composeDiagrams(sheet, options);
   std::string texts;
   int marks = 0;
@@ -342,11 +342,11 @@ TEST(DiagramTexts, OfStripsKeepUnitsAndPowersOfTenAtAnySize) {
 
 /// A low diagram has the symbol in place of a name that is too long.
 TEST(DiagramTexts, TheSymbolOfAnErrorIsNotThatOfTheQuantity) {
-  EXPECT_EQ(symbolOf("coefficient of friction \u03BC"), "\u03BC");
-  EXPECT_EQ(symbolOf("relative error of \u03BC"), "");
-  EXPECT_EQ(symbolOf("relativer Fehler von \u03BC"), "");
-  EXPECT_EQ(symbolOf("modulus G', G''"), "");
-  EXPECT_EQ(symbolOf("exponent d ln \u03BC / d ln x"), "");
+  EXPECT_EQ(trailingSymbol("coefficient of friction \u03BC"), "\u03BC");
+  EXPECT_EQ(trailingSymbol("relative error of \u03BC"), "");
+  EXPECT_EQ(trailingSymbol("relativer Fehler von \u03BC"), "");
+  EXPECT_EQ(trailingSymbol("modulus G', G''"), "");
+  EXPECT_EQ(trailingSymbol("exponent d ln \u03BC / d ln x"), "");
 }
 
 }  // namespace

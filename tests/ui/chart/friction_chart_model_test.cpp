@@ -65,7 +65,7 @@ std::vector<double> velocitiesOf(const FrictionChartModel& chart) {
   const Diagram diagram = diagramOf(chart);
   std::vector<double> velocities;
   for (const DiagramPoint& shown : seriesOf(chart, kPresentCurve).points)
-    if (hasPlace(diagram, shown)) velocities.push_back(shown.x);
+    if (hasPosition(diagram, shown)) velocities.push_back(shown.x);
   return velocities;
 }
 
@@ -291,7 +291,7 @@ TEST(FrictionChartModelTest, AnotherSceneBeginsTheAxesAnew) {
     Scene other;
     other.surface.hurst = 0.5;
     diagram.expect(other);
-    if (isOpened) diagram.beginAxesAnew();
+    if (isOpened) diagram.resetAxes();
     diagram.take(update(other, {point(1e-5, 3e-6), point(1e3, 2e-3)}));
     EXPECT_EQ(yRange(diagram).from, isOpened ? -6 : -7);
     // Also where the curve came before the first picture of the scene.

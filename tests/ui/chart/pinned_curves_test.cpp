@@ -100,18 +100,18 @@ TEST_F(PinnedCurves, KeepTheirColourWhenOthersGo) {
     show(scene);
     ids.push_back(diagram_.pin());
   }
-  const auto colourOf = [&](int id) { return seriesOf(diagram_.sheet(), id)->colour; };
-  EXPECT_THAT((std::vector{colourOf(ids[0]), colourOf(ids[1]), colourOf(ids[2])}),
+  const auto toQColor = [&](int id) { return seriesOf(diagram_.sheet(), id)->colour; };
+  EXPECT_THAT((std::vector{toQColor(ids[0]), toQColor(ids[1]), toQColor(ids[2])}),
               ElementsAre(pinColour(0), pinColour(1), pinColour(2)));
   diagram_.unpin(ids[1]);
   const DiagramSheet without = diagram_.sheet();
   EXPECT_FALSE(seriesOf(without, ids[1]));
-  EXPECT_EQ(colourOf(ids[2]), pinColour(2));
+  EXPECT_EQ(toQColor(ids[2]), pinColour(2));
   Scene next = smallScene();
   next.elastomer.shearModulus *= 5;
   show(next);
   const int again = diagram_.pin();
-  EXPECT_EQ(colourOf(again), pinColour(1)) << "the free place";
+  EXPECT_EQ(toQColor(again), pinColour(1)) << "the free place";
   EXPECT_GT(again, ids[2]) << "numbers are not used again";
   diagram_.unpinAll();
   EXPECT_TRUE(diagram_.pinned().empty());
@@ -150,9 +150,9 @@ TEST_F(PinnedCurves, APointHasExactlyItsVelocity) {
   const std::vector<double> velocities = sweepVelocities(smallScene().sweep);
   const DiagramSeries series = *seriesOf(diagram_.sheet(), kPresentCurve);
   for (const DiagramPoint& point : series.points)
-    EXPECT_EQ(diagram_.sweptOf(kPresentCurve, point.row),
+    EXPECT_EQ(diagram_.sweptValue(kPresentCurve, point.row),
               velocities[static_cast<std::size_t>(point.row)]);
-  EXPECT_EQ(diagram_.sweptOf(kPresentCurve, 99), std::nullopt);
+  EXPECT_EQ(diagram_.sweptValue(kPresentCurve, 99), std::nullopt);
 }
 
 TEST_F(PinnedCurves, DimensionlessAxesScaleEveryCurveByItsOwn) {
@@ -202,7 +202,7 @@ TEST_F(PinnedCurves, WithoutARelaxationTimeAxesSayWhyTheyAreEmpty) {
   const Diagram diagram = diagram_.sheet().diagrams[0];
   EXPECT_NE(diagram.blank.english().find("one relaxation time"), std::string::npos);
   const DiagramSeries present = *seriesOf(diagram_.sheet(), kPresentCurve);
-  for (const DiagramPoint& point : present.points) EXPECT_FALSE(hasPlace(diagram, point));
+  for (const DiagramPoint& point : present.points) EXPECT_FALSE(hasPosition(diagram, point));
 }
 
 TEST_F(PinnedCurves, ADifferenceStandsInTheStripWhileItIsOfThisCurve) {

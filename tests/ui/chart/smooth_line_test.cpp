@@ -63,7 +63,7 @@ TEST(SmoothLine, ManyNodesAreTakenAsTheyAre) {
 }
 
 TEST(Thinned, KeepsTheEndsAndTheExtremesOfEveryColumn) {
-  std::vector<Place> places;
+  std::vector<DrawPoint> places;
   for (int i = 0; i <= 100000; ++i)
     places.push_back({static_cast<float>(i) * 0.01F, static_cast<float>((i * 7919) % 1009)});
   const auto kept = thinned(places);
@@ -71,10 +71,10 @@ TEST(Thinned, KeepsTheEndsAndTheExtremesOfEveryColumn) {
   EXPECT_EQ(kept.front().x, places.front().x);
   EXPECT_EQ(kept.back().x, places.back().x);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end(), [](auto& a, auto& b) { return a.x < b.x; }));
-  const auto lower = [](const Place& a, const Place& b) { return a.y < b.y; };
+  const auto lower = [](const DrawPoint& a, const DrawPoint& b) { return a.y < b.y; };
   EXPECT_EQ(std::min_element(kept.begin(), kept.end(), lower)->y, 0);
   EXPECT_EQ(std::max_element(kept.begin(), kept.end(), lower)->y, 1008);
-  const std::vector<Place> few{{0, 1}, {5, 2}, {9, 0}};
+  const std::vector<DrawPoint> few{{0, 1}, {5, 2}, {9, 0}};
   EXPECT_EQ(thinned(few).size(), 3U);
   EXPECT_EQ(thinned({{1, 2}}).size(), 1U);
   EXPECT_TRUE(thinned({}).empty());

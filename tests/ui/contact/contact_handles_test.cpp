@@ -107,7 +107,7 @@ TEST(ContactHandles, LabelsAndArrowsAreWhereTheyAreDrawn) {
   };
   EXPECT_EQ(handleOf("v = "), ContactHandle::Velocity);
   EXPECT_EQ(handleOf(" = " + quantity(frame->normalForce, "N")), ContactHandle::Force);
-  for (const HandlePlace& place : contactHandles(*frame, options)) {
+  for (const HandlePosition& place : contactHandles(*frame, options)) {
     EXPECT_GE(place.box.width, 12);
     EXPECT_EQ(handleAt(*frame, options, place.box.x + place.box.width / 2,
                        place.box.y + place.box.height / 2),

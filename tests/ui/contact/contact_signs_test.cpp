@@ -37,7 +37,7 @@ TEST(ContactSigns, EachHasAnExplanationAndAPlaceInThePicture) {
     for (const ContactSign& sign : signs) {
       EXPECT_TRUE(findExplanation(sign.id)) << sign.name << ": " << sign.id;
       EXPECT_FALSE(sign.name.empty());
-      const Clip& place = sign.place;
+      const Clip& place = sign.box;
       EXPECT_GT(place.width, 4) << sign.name;
       EXPECT_GT(place.height, 4) << sign.name;
       EXPECT_TRUE(isIn({0, 0, 1280, 720}, place.x, place.y)) << sign.name;
@@ -61,7 +61,7 @@ TEST(ContactSigns, EveryWordOfThePictureIsCovered) {
       if (!hasWords || text.utf8.starts_with("Figure") || text.utf8.starts_with("t = ")) continue;
       const float inside = text.anchor == TextAnchor::Right ? -2.0F : 2.0F;
       const bool isCovered = std::ranges::any_of(signs, [&](const ContactSign& sign) {
-        return isIn(sign.place, text.x + (text.angle == 0 ? inside : -2.0F), text.y - 2);
+        return isIn(sign.box, text.x + (text.angle == 0 ? inside : -2.0F), text.y - 2);
       });
       EXPECT_TRUE(isCovered) << text.utf8 << " at " << width;
     }
@@ -81,7 +81,7 @@ TEST(ContactSigns, TheLegendExplainsTheColoursThatAreShown) {
     EXPECT_TRUE(idsOf(signs).contains(id)) << id;
     // The bar lies at the right below the axes, and its place is found again.
     const auto legend = std::ranges::find_if(signs, [&](const ContactSign& sign) {
-      return sign.id == id && sign.place.x + sign.place.width > 900;
+      return sign.id == id && sign.box.x + sign.box.width > 900;
     });
     ASSERT_NE(legend, signs.end()) << id;
     const auto found = contactSignAt(shown, options, legend->place.x + legend->place.width / 2,

@@ -335,7 +335,7 @@ TEST(ContactTexts, EveryReadingHasItsSentence) {
   const DrawList list = composeContact(frame, {});
   for (const ContactReading& reading : readings) {
     EXPECT_GT(reading.tip.size(), 20U) << reading.name;
-    const Clip& place = reading.place;
+    const Clip& place = reading.box;
     int texts = 0;  // the label and the value
     for (const DrawText& text : list.texts)
       if (text.x >= place.x - 1 && text.x < place.x + place.width && text.y > place.y &&
@@ -369,8 +369,8 @@ TEST(ContactTexts, ATitleThatIsTooLongIsToldWhereItStands) {
       list.texts, [&](const DrawText& text) { return text.utf8 == title.name; });
   ASSERT_NE(shown, list.texts.end());
   EXPECT_TRUE(shown->utf8.ends_with("\u2026"));
-  EXPECT_GT(shown->y, title.place.y);
-  EXPECT_LT(shown->y, title.place.y + title.place.height);
+  EXPECT_GT(shown->y, title.box.y);
+  EXPECT_LT(shown->y, title.box.y + title.box.height);
 }
 
 TEST(ContactTexts, NoColourBarWithoutAPressure) {

@@ -112,7 +112,7 @@ TEST(ContactViewer, NeverShowsLessThanAFewElements) {
 /// still in the picture, along with the line where that is followed.
 TEST(ContactViewer, CrosshairStaysUnderTheCursor) {
   ContactViewer viewer = viewerOf(frameAt(0));
-  viewer.pointAt(ViewPlace{0.3, 0.5});
+  viewer.pointAt(ViewPosition{0.3, 0.5});
   const double before = *viewer.pointer();
   viewer.setFrame(frameAt(1e-3));
   EXPECT_EQ(*viewer.pointer(), before);
@@ -158,7 +158,7 @@ TEST(ContactViewer, MagnifierFindsTheAsperityPressedMostAndGoesWithIt) {
 TEST(ContactViewer, MagnifierFollowsTheCrosshair) {
   ContactViewer viewer = viewerOf(frameAt(0));
   viewer.magnify(true);
-  viewer.pointAt(ViewPlace{0.25, 0.5});
+  viewer.pointAt(ViewPosition{0.25, 0.5});
   EXPECT_EQ(viewer.options().magnifier->position, *viewer.pointer());
 }
 
@@ -170,7 +170,7 @@ TEST(ContactViewer, BearsFramesWithoutPoints) {
   viewer.magnify(true);
   viewer.setFrame(std::make_shared<const Frame>());
   viewer.movePointer(2);
-  viewer.pointAt(ViewPlace{});
+  viewer.pointAt(ViewPosition{});
   EXPECT_GT(viewer.options().view.width, 0);
   EXPECT_FALSE(viewer.reading());
 }

@@ -68,7 +68,7 @@ TEST(Decimate, NeverLosesAContact) {
         frame.pressure[static_cast<std::size_t>(points / 3)] = 5;  // at least one
         const PointRange range = pointsWithin(frame, left, 1);
         const double pixels = 777;
-        const auto stretches = contactStretches(frame, range, {left, pixels});
+        const auto stretches = stretchesAbove(frame, range, {left, pixels}, frame.pressure, 0);
         EXPECT_LE(stretches.size(), 780U);
         double greatest = 0;
         for (const auto& stretch : stretches) {
@@ -87,7 +87,8 @@ TEST(Decimate, NeverLosesAContact) {
 
 TEST(Decimate, LightsOnlyPointsInContact) {
   const Frame frame = randomFrame(5000, 0.1, 7);
-  for (const auto& stretch : contactStretches(frame, pointsWithin(frame, 0, 1), {0, 640}))
+  for (const auto& stretch :
+       stretchesAbove(frame, pointsWithin(frame, 0, 1), {0, 640}, frame.pressure, 0))
     for (const CurveVertex& v : stretch) {
       EXPECT_GT(frame.pressure[wrapped(std::lround(v.x * 5000), 5000)], 0);
     }
@@ -96,7 +97,8 @@ TEST(Decimate, LightsOnlyPointsInContact) {
 TEST(Decimate, OnePointAloneIsAStretch) {
   Frame frame = randomFrame(5000, 0, 3);
   frame.pressure[4999] = 2;
-  const auto stretches = contactStretches(frame, pointsWithin(frame, 0.1, 1), {0.1, 1280});
+  const auto stretches =
+      stretchesAbove(frame, pointsWithin(frame, 0.1, 1), {0.1, 1280}, frame.pressure, 0);
   ASSERT_EQ(stretches.size(), 1U);
   EXPECT_EQ(stretches[0].size(), 1U);
   EXPECT_NEAR(stretches[0][0].x, 4999 / 5000.0, 1e-12);

@@ -12,7 +12,7 @@
 namespace asperity {
 
 QRectF inkOf(const DrawText& text) {
-  const QFontMetricsF metrics(fontOf(text));
+  const QFontMetricsF metrics(toQFont(text));
   const QString words = QString::fromStdString(text.utf8);
   const qreal advance = metrics.horizontalAdvance(words);
   const qreal left = text.anchor == TextAnchor::Left     ? 0

@@ -16,11 +16,11 @@ ContactView viewOf(const ViewNavigation& navigation, double distance = 0) {
   return navigation.applied(kFitted, kPeriod, distance);
 }
 
-double positionAt(const ContactView& view, const ViewPlace& place) {
+double positionAt(const ContactView& view, const ViewPosition& place) {
   return view.left + place.x * view.width;
 }
 
-double heightAt(const ContactView& view, const ViewPlace& place) {
+double heightAt(const ContactView& view, const ViewPosition& place) {
   return view.bottom + place.y * (view.top - view.bottom);
 }
 
@@ -41,7 +41,7 @@ TEST(ViewNavigation, BeginsFitted) {
 
 TEST(ViewNavigation, ZoomKeepsWhatIsUnderTheCursor) {
   ViewNavigation navigation;
-  const ViewPlace at{0.3, 0.6};
+  const ViewPosition at{0.3, 0.6};
   for (const double factor : {2.0, 3.0, 1.1, 0.7, 5.0}) {
     const ContactView before = viewOf(navigation);
     navigation = navigation.zoomed(at, factor, factor, kFinest);

@@ -29,7 +29,7 @@ TEST(OccupancyGrid, LinesTakeWhatTheyCross) {
 }
 
 TEST(FreestPlace, IsACornerWhereAllIsFree) {
-  const Box place = freestPlace(OccupancyGrid(kArea, 4), 60, 40, 10);
+  const Box place = freestBox(OccupancyGrid(kArea, 4), 60, 40, 10);
   EXPECT_EQ(place.x, 110);
   EXPECT_EQ(place.y, 60);
 }
@@ -38,11 +38,11 @@ TEST(FreestPlace, AvoidsWhatIsTaken) {
   OccupancyGrid map(kArea, 4);
   map.addBox({100, 50, 400, 120}, 1);  // above
   map.addBox({100, 50, 300, 200}, 1);  // left
-  const Box place = freestPlace(map, 60, 40, 10);
+  const Box place = freestBox(map, 60, 40, 10);
   EXPECT_EQ(map.under(place), 0);
   EXPECT_EQ(place.right(), 490);
   EXPECT_EQ(place.bottom(), 240);
-  EXPECT_EQ(freestPlace(map, 500, 40, 10).width, 0);  // too wide
+  EXPECT_EQ(freestBox(map, 500, 40, 10).width, 0);  // too wide
 }
 
 }  // namespace

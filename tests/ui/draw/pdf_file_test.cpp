@@ -71,14 +71,14 @@ TEST_F(PdfFile, IsOnePageOfThePicturesSizeAndSaysWhatItIs) {
   EXPECT_THAT(facts, HasSubstr("900 x 600 pts"));
   EXPECT_THAT(facts, HasSubstr("Pages:           1"));
   EXPECT_THAT(facts, Not(HasSubstr("CreationDate")));
-  EXPECT_THAT(pdfOf(list, {"", "<seed & scene>"}), HasSubstr("&lt;seed &amp; scene&gt;"));
+  EXPECT_THAT(pdfBytes(list, {"", "<seed & scene>"}), HasSubstr("&lt;seed &amp; scene&gt;"));
 }
 
 TEST_F(PdfFile, SamePictureSameBytes) {
   for (const DrawList& list : {composeDiagrams(figureSheets()[2].sheet, {}),
                                composeContact(*sampleFrame({.points = 300}), {})}) {
-    const std::string bytes = pdfOf(list, {"title", "metadata"});
-    EXPECT_EQ(pdfOf(list, {"title", "metadata"}), bytes);
+    const std::string bytes = pdfBytes(list, {"title", "metadata"});
+    EXPECT_EQ(pdfBytes(list, {"title", "metadata"}), bytes);
     // The date is the one thing that would differ a second later.
     EXPECT_THAT(bytes, Not(HasSubstr("(D:")));
     EXPECT_THAT(bytes, Not(HasSubstr("uuid:")));

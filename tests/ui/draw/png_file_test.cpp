@@ -91,7 +91,7 @@ TEST_F(PngFile, KeepsTransparencyTextsAndDensity) {
   QImage image = picture(30);
   image.setPixel(3, 4, 0x80402010U);
   const std::string metadata = "{\"title\": \"\u00B5 of a line\"}";
-  const std::string bytes = pngOf(image, {"A title", metadata, 192});
+  const std::string bytes = encodePng(image, {"A title", metadata, 192});
   EXPECT_EQ(pngMetadata(bytes), metadata);
   const QImage back = QImage::fromData(QByteArray::fromStdString(bytes), "PNG");
   EXPECT_EQ(back.convertToFormat(QImage::Format_ARGB32),
@@ -102,9 +102,9 @@ TEST_F(PngFile, KeepsTransparencyTextsAndDensity) {
 }
 
 TEST_F(PngFile, MetadataIsEmptyWhereThereIsNone) {
-  EXPECT_EQ(pngMetadata(pngOf(picture(3))), "");
+  EXPECT_EQ(pngMetadata(encodePng(picture(3))), "");
   EXPECT_EQ(pngMetadata("no picture"), "");
-  const std::string whole = pngOf(picture(3), {"t", "text"});
+  const std::string whole = encodePng(picture(3), {"t", "text"});
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_THAT(pngMetadata(whole.substr(0, size)), testing::AnyOf("", "text"));
 }

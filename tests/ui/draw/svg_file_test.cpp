@@ -58,7 +58,7 @@ TEST(SvgFile, IsWellFormedWithEveryText) {
   for (const std::vector<NamedSheet>& sheets : {figureSheets(), awkwardSheets()})
     for (const NamedSheet& named : sheets) lists.push_back(composeDiagrams(named.sheet, {}));
   for (const DrawList& list : lists) {
-    const SvgContent content = read(svgOf(list));
+    const SvgContent content = read(svgText(list));
     EXPECT_EQ(content.error, "");
     ASSERT_EQ(content.texts.size(), list.texts.size());
     for (std::size_t i = 0; i < list.texts.size(); ++i)
@@ -68,22 +68,22 @@ TEST(SvgFile, IsWellFormedWithEveryText) {
 
 TEST(SvgFile, SamePictureSameBytes) {
   const DrawList list = composeDiagrams(figureSheets()[0].sheet, {});
-  EXPECT_EQ(svgOf(list), svgOf(list));
+  EXPECT_EQ(svgText(list), svgText(list));
 }
 
 TEST(SvgFile, KeepsTitleAndMetadata) {
   const std::string metadata = "{\"scene\": \"a < b && c > 'd'\", \"µ\": \"\x01\xFF\"}";
-  const SvgContent content = read(svgOf(listOf({}), {"A <title>", metadata}));
+  const SvgContent content = read(svgText(listOf({}), {"A <title>", metadata}));
   EXPECT_EQ(content.error, "");
   EXPECT_EQ(content.title, "A <title>");
   EXPECT_THAT(content.metadata, HasSubstr("\"a < b && c > 'd'\", \"µ\": \""));
-  EXPECT_EQ(read(svgOf(listOf({}))).elements.count("metadata"), 0U);
+  EXPECT_EQ(read(svgText(listOf({}))).elements.count("metadata"), 0U);
 }
 
 TEST(SvgFile, EscapesTexts) {
   DrawText text;
   text.utf8 = "x < 3 & \"y\" > 4";
-  const SvgContent content = read(svgOf(listOf({text})));
+  const SvgContent content = read(svgText(listOf({text})));
   EXPECT_EQ(content.error, "");
   ASSERT_EQ(content.texts.size(), 1U);
   EXPECT_EQ(content.texts[0], text.utf8);
@@ -93,7 +93,7 @@ TEST(SvgFile, NumbersAreShortAndDoNotDrift) {
   DrawList list = listOf({});
   list.layers.emplace_back();
   addLine(list.layers[0], {{0.5F, 10}, {1.004F, 10.25F}, {-3, 9.999F}}, 1.5F, {1, 0, 0, 1});
-  const std::string svg = svgOf(list);
+  const std::string svg = svgText(list);
   EXPECT_THAT(svg, HasSubstr("d=\"M0.5 10l0.5 0.25-4-0.25\"")) << svg;
   EXPECT_THAT(svg, HasSubstr("stroke=\"#ff0000\" stroke-width=\"1.5\""));
   EXPECT_THAT(svg, Not(HasSubstr("stroke-opacity")));
@@ -106,7 +106,7 @@ TEST(SvgFile, ClipsWhatTheLayerClips) {
     list.layers.back().clip = {10, 10, 50.5F, 40};
     addRectangle(list.layers.back(), {0, 0, 100, 100}, Rgba{0, 0, 1, 0.5F});
   }
-  const std::string svg = svgOf(list);
+  const std::string svg = svgText(list);
   EXPECT_EQ(read(svg).elements["clipPath"], 1);  // the same one for both
   EXPECT_THAT(svg, HasSubstr("<rect x=\"10\" y=\"10\" width=\"50.5\" height=\"40\"/>"));
   EXPECT_THAT(svg, HasSubstr("fill=\"#0000ff\" fill-opacity=\"0.5\""));
@@ -121,7 +121,7 @@ TEST(SvgFile, TextsHaveAnchorAngleAndWeight) {
   text.angle = 1.57079633F;
   text.anchor = TextAnchor::Centre;
   text.bold = true;
-  const std::string svg = svgOf(listOf({text}));
+  const std::string svg = svgText(listOf({text}));
   EXPECT_THAT(svg, HasSubstr("transform=\"translate(12 34) rotate(-90)\" font-size=\"13\" "
                              "font-weight=\"bold\" text-anchor=\"middle\""));
 }
@@ -132,7 +132,7 @@ TEST(SvgFile, EmbedsTheGlyphsInUse) {
   for (const bool bold : {false, true}) {
     const QByteArray part = fontSubset(bold, charactersIn(list, bold));
     EXPECT_LT(part.size(), fontFile(bold).size() / 10);
-    EXPECT_THAT(svgOf(list), HasSubstr(part.toBase64().toStdString()));
+    EXPECT_THAT(svgText(list), HasSubstr(part.toBase64().toStdString()));
     const QRawFont font(part, 20), whole(fontFile(bold), 20);
     ASSERT_TRUE(font.isValid());
     for (const char32_t c : charactersIn(list, bold)) {
@@ -143,7 +143,7 @@ TEST(SvgFile, EmbedsTheGlyphsInUse) {
       EXPECT_NEAR(advance(font).x(), advance(whole).x(), 0.01) << static_cast<unsigned>(c);
     }
   }
-  EXPECT_THAT(svgOf(list, {"", "", false}), Not(HasSubstr("base64")));
+  EXPECT_THAT(svgText(list, {"", "", false}), Not(HasSubstr("base64")));
 }
 
 }  // namespace

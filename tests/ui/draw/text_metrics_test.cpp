@@ -20,7 +20,7 @@ TEST(TextMetrics, AgreeWithThePaintedFont) {
         text.size = size;
         text.bold = bold;
         const double painted =
-            QFontMetricsF(fontOf(text)).horizontalAdvance(QString::fromUtf8(words));
+            QFontMetricsF(toQFont(text)).horizontalAdvance(QString::fromUtf8(words));
         EXPECT_GT(textWidth(words, size, bold), painted - 0.02 * size) << words << " " << size;
         // Ligatures ("ffi") are a little narrower than their letters.
         EXPECT_LT(textWidth(words, size, bold), painted + 0.15 * size) << words << " " << size;

@@ -15,7 +15,7 @@ constexpr Rgba kRed{1, 0, 0, 1}, kBlue{0, 0, 1, 1}, kClear{1, 0, 0, 0};
 double areaOf(const Polyline& outline) {
   double area = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Place &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    const DrawPoint &a = outline[i], &b = outline[(i + 1) % outline.size()];
     area += (static_cast<double>(a.x) * b.y - static_cast<double>(b.x) * a.y) / 2;
   }
   return area;
@@ -92,7 +92,7 @@ TEST(VectorShapes, AnyOtherChangeIsPieces) {
   for (const VectorFill& fill : vector.fills) {
     EXPECT_TRUE(fill.isPieceOfMesh);
     area += areaOf(fill.outlines);
-    const Place& corner = fill.outlines[0][0];
+    const DrawPoint& corner = fill.outlines[0][0];
     EXPECT_NEAR(fill.paint.from.g, corner.x / 80, 0.1);
     EXPECT_NEAR(fill.paint.from.b, corner.y / 80, 0.1);
   }

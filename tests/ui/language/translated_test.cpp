@@ -67,7 +67,7 @@ TEST_F(Translated, AnErrorKeepsItsFileAndItsKeys) {
 TEST_F(Translated, OnlyAShippedSceneSpeaksGerman) {
   EXPECT_EQ(sceneText("Motions"), "Bewegungen");
   for (const char* own : {"linear", "velocity sweep"}) {
-    EXPECT_TRUE(translationOf(own)) << own;
+    EXPECT_TRUE(findTranslation(own)) << own;
     EXPECT_FALSE(isTranslatedScene(own));
     EXPECT_EQ(sceneText(own), own);
   }
@@ -94,7 +94,7 @@ TEST_F(Translated, ListsAreSetApartBySemicolons) {
 
 TEST_F(Translated, WhatNobodyTranslatedStaysAsItIs) {
   EXPECT_EQ(translated("My tyre, 12.5 psi"), "My tyre, 12.5 psi");
-  EXPECT_FALSE(translationOf("My tyre, 12.5 psi"));
+  EXPECT_FALSE(findTranslation("My tyre, 12.5 psi"));
   EXPECT_EQ(translated(Message::name("seed")), "seed");
 }
 

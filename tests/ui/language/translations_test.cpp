@@ -63,7 +63,7 @@ class German : public testing::Test {
     EXPECT_GT(texts.size(), 20U);
     std::string lines;
     for (const Message& text : texts)
-      if (!translationOf(text)) lines += text.english() + "\n";
+      if (!findTranslation(text)) lines += text.english() + "\n";
     return lines;
   }
 };
@@ -129,7 +129,7 @@ TEST_F(German, HasEveryTemplateOfTheSources) {
       ASSERT_TRUE(file.open(QIODevice::ReadOnly));
       for (const QString& text : templatesIn(QString::fromUtf8(file.readAll()))) {
         ++count;
-        if (!translationOf(text.toStdString())) lines += text.toStdString() + "\n";
+        if (!findTranslation(text.toStdString())) lines += text.toStdString() + "\n";
       }
     }
   }

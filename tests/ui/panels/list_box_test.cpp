@@ -51,7 +51,7 @@ TEST_F(ListBoxTest, TablesAreTakenAwayAndAskedFor) {
   EXPECT_EQ(press("comparison.data", "shown:0"), "second.csv");
   EXPECT_EQ(panel_.scene().comparison.data, (std::vector<DataFile>{{"second.csv", {}}}));
 
-  QSignalSpy asked(&panel_, &ParameterPanel::frictionWanted);
+  QSignalSpy asked(&panel_, &ParameterPanel::frictionRequested);
   press("comparison.data", "addTable");
   EXPECT_EQ(asked.count(), 1);
 }

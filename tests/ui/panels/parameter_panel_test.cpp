@@ -47,7 +47,7 @@ TEST_F(ParameterPanelTest, EveryApplicableRowHasItsControlsForEveryKind) {
         const bool applies = isApplicable(row, scene);
         EXPECT_EQ(isShown(controlOf(row) + key), applies) << row.key;
         if (isNumber(row)) {
-          const bool hasSlider = meaningOfZero(row).isEmpty();
+          const bool hasSlider = zeroText(row).isEmpty();
           EXPECT_EQ(isShown("slider:" + key), applies && hasSlider) << row.key;
         }
       }
@@ -85,7 +85,7 @@ TEST_F(ParameterPanelTest, KeysOnASliderChangeTheScene) {
     EXPECT_GT(after, before) << key;
     const QString unit = control<QLabel>("unit:" + QString(key))->text();
     const QString text = inShownUnit(entry(key).text(), unit);
-    EXPECT_EQ(plainNumberOf(text, ruleOf(row)), valueText(after)) << key;
+    EXPECT_EQ(toPlainNumber(text, numberRule(row)), valueText(after)) << key;
     EXPECT_EQ(spy_.back().front().value<Scene>(), panel_.scene());
   }
 }

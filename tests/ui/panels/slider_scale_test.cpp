@@ -17,7 +17,7 @@ TEST(SliderScale, EveryPositionIsAnotherValueThatTheSceneAccepts) {
     ASSERT_GT(scale.count(), 1) << parameter.key;
     Scene scene;
     for (int i = 0; i < scale.count(); ++i) {
-      EXPECT_EQ(scale.positionOf(scale.valueAt(i)), i) << parameter.key;
+      EXPECT_EQ(scale.sliderPosition(scale.valueAt(i)), i) << parameter.key;
       EXPECT_NO_THROW(setValue(parameter, scene, scale.valueAt(i))) << parameter.key;
       if (i > 0) {
         EXPECT_GT(scale.valueAt(i), scale.valueAt(i - 1));
@@ -32,8 +32,8 @@ TEST(SliderScale, EndsAreTheRowsEnds) {
   const SliderScale scale(force);
   EXPECT_EQ(scale.valueAt(0), field.sliderFrom);
   EXPECT_EQ(scale.valueAt(scale.count() - 1), field.sliderTo);
-  EXPECT_EQ(scale.positionOf(field.sliderFrom / 10), 0);
-  EXPECT_EQ(scale.positionOf(field.sliderTo * 10), scale.count() - 1);
+  EXPECT_EQ(scale.sliderPosition(field.sliderFrom / 10), 0);
+  EXPECT_EQ(scale.sliderPosition(field.sliderTo * 10), scale.count() - 1);
 }
 
 TEST(SliderScale, MiddleOfALogarithmicSliderIsTheGeometricMean) {
@@ -50,10 +50,10 @@ TEST(SliderScale, ALogarithmicSliderMayBeginWithNone) {
   const SliderScale scale(viscosity);
   EXPECT_EQ(scale.valueAt(0), 0);
   EXPECT_EQ(scale.valueAt(1), std::get<RealField>(viscosity.field).sliderFrom);
-  EXPECT_EQ(scale.positionOf(0), 0);
-  EXPECT_EQ(scale.positionOf(1e-3), 1);
+  EXPECT_EQ(scale.sliderPosition(0), 0);
+  EXPECT_EQ(scale.sliderPosition(1e-3), 1);
   const Elastomer usual;
-  EXPECT_NEAR(scale.positionOf(usual.shearModulus * usual.relaxationTime), scale.count() / 2,
+  EXPECT_NEAR(scale.sliderPosition(usual.shearModulus * usual.relaxationTime), scale.count() / 2,
               0.01 * scale.count());
 }
 

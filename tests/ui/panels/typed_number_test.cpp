@@ -9,20 +9,22 @@ namespace {
 
 using testing::HasSubstr;
 
-NumberRule ruleOf(const char* key) {
-  return ruleOf(*findParameter(key));
+NumberRule numberRule(const char* key) {
+  return numberRule(*findParameter(key));
 }
 
 std::string refusal(const char* key, const char* text) {
-  return refusalOf(QString::fromUtf8(text), ruleOf(key)).toStdString();
+  return validationError(QString::fromUtf8(text), numberRule(key)).toStdString();
 }
 
 double plain(const char* key, const char* text) {
-  return plainNumberOf(QString::fromUtf8(text), ruleOf(key)).toDouble();
+  return toPlainNumber(QString::fromUtf8(text), numberRule(key)).toDouble();
 }
 
 TEST(TypedNumber, RangesAreInReadableUnits) {
-  const auto allowed = [](const char* key) { return allowedInWords(ruleOf(key)).toStdString(); };
+  const auto allowed = [](const char* key) {
+    return allowedInWords(numberRule(key)).toStdString();
+  };
   EXPECT_EQ(allowed("elastomer.shear_modulus"), "1 \u00B5Pa to 1 PPa");
   EXPECT_EQ(allowed("surface.length"), "1 nm to 1000 m");
   EXPECT_EQ(allowed("surface.hurst"), "0 to 1");
@@ -36,7 +38,7 @@ TEST(TypedNumber, WhatIsRefusedIsWhatTheTableRefuses) {
   for (const Parameter& row : parameters()) {
     const auto range = allowedRange(row);
     if (!range) continue;
-    const NumberRule rule = ruleOf(row);
+    const NumberRule rule = numberRule(row);
     for (const double value :
          {range->minimum, range->maximum, 2 * range->maximum + 1, range->minimum - 1}) {
       Scene scene;
@@ -47,9 +49,9 @@ TEST(TypedNumber, WhatIsRefusedIsWhatTheTableRefuses) {
         taken = false;
       }
       const QString text = QString::number(value, 'g', 17);
-      EXPECT_EQ(refusalOf(text, rule).isEmpty(), taken) << row.key << " " << value;
+      EXPECT_EQ(validationError(text, rule).isEmpty(), taken) << row.key << " " << value;
       if (!taken) {
-        EXPECT_THAT(refusalOf(text, rule).toStdString(),
+        EXPECT_THAT(validationError(text, rule).toStdString(),
                     HasSubstr(allowedInWords(rule).toStdString()));
       }
     }

@@ -6,7 +6,7 @@ namespace asperity {
 namespace {
 
 QString plain(const QString& text, const char* unit) {
-  return plainNumberOf(text, NumberRule{unit});
+  return toPlainNumber(text, NumberRule{unit});
 }
 
 TEST(UnitText, EngineeringUnitsBecomePlainOnes) {

@@ -48,7 +48,8 @@ class AccuracyPanelTest : public testing::Test {
 TEST(AccuracyScale, GoesFromQuickToExactAndBack) {
   EXPECT_EQ(targetAt(0), 0.2);
   EXPECT_EQ(targetAt(kAccuracySteps), 0.002);
-  for (int place = 0; place <= kAccuracySteps; ++place) EXPECT_EQ(placeOf(targetAt(place)), place);
+  for (int place = 0; place <= kAccuracySteps; ++place)
+    EXPECT_EQ(sliderPosition(targetAt(place)), place);
   for (int place = 1; place <= kAccuracySteps; ++place)
     EXPECT_LT(targetAt(place), targetAt(place - 1));
 }

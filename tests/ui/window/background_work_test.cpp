@@ -68,7 +68,7 @@ TEST(BackgroundWork, TheNewestWinsAndTheRunningIsAskedToStop) {
 TEST(BackgroundWork, PicturesThatAreOvertakenAreFinishedAndShown) {
   std::promise<void> begun, go;
   std::vector<int> taken;
-  BackgroundWork work(Overtaking::SkipsTheWaiting);
+  BackgroundWork work(RequestPolicy::ReplaceWaiting);
   work.request(
       [&](const BackgroundWork::Run& run) {
         begun.set_value();
@@ -89,7 +89,7 @@ TEST(BackgroundWork, PicturesThatAreOvertakenAreFinishedAndShown) {
 TEST(BackgroundWork, EveryFileIsWrittenEvenAtTheEnd) {
   std::vector<int> done;
   {
-    BackgroundWork work(Overtaking::WaitsForItsTurn);
+    BackgroundWork work(RequestPolicy::RunInOrder);
     for (const int number : {1, 2, 3})
       work.request([&done, number](const BackgroundWork::Run&) { done.push_back(number); }, [] {});
   }
@@ -102,10 +102,10 @@ TEST(BackgroundWork, WhatWasCancelledTellsNothingAndTheNextGoesOn) {
   BackgroundWork work;
   work.request(
       [&](const BackgroundWork::Run& run) {
-        run.tell([&] { ++told; });
+        run.post([&] { ++told; });
         begun.set_value();
         waitForStop(run);
-        run.tell([&] { ++told; });
+        run.post([&] { ++told; });
       },
       [&] { ++told; }, [&](const QString&) { ++told; });
   begun.get_future().wait();
@@ -121,7 +121,7 @@ TEST(BackgroundWork, ItTellsHowFarItIs) {
   BackgroundWork work;
   work.request(
       [&](const BackgroundWork::Run& run) {
-        for (const int part : {1, 2, 3}) run.tell([&parts, part] { parts.push_back(part); });
+        for (const int part : {1, 2, 3}) run.post([&parts, part] { parts.push_back(part); });
       },
       [&] { isDone = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return isDone; }, kPatience));
@@ -145,7 +145,7 @@ TEST(BackgroundWork, AFailureIsOneSentenceAndTheThreadGoesOn) {
 TEST(BackgroundWork, WorkThatWasStoppedIsNoFailure) {
   int told = 0;
   bool isDone = false;
-  BackgroundWork work(Overtaking::WaitsForItsTurn);
+  BackgroundWork work(RequestPolicy::RunInOrder);
   work.request([](const BackgroundWork::Run&) { throw StopRequested{}; }, [&] { ++told; },
                [&](const QString&) { ++told; });
   work.request([](const BackgroundWork::Run&) {}, [&] { isDone = true; });

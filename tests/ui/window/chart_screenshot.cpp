@@ -78,7 +78,7 @@ class Walk {
   /// The pointer over a point of the plot's series.
   void hover(std::size_t series, std::size_t point) {
     const DiagramPoint& at = plot().sheet().diagrams[0].series[series].points[point];
-    pointer(plot().positionOf(at.x, at.y));
+    pointer(plot().mapToPosition(at.x, at.y));
   }
   void pointer(QPointF place) { QTest::mouseMove(&plot(), place.toPoint()); }
   ChartView& plot() { return window_.plotView(); }
@@ -96,7 +96,8 @@ void walk(Walk& walk) {
   const auto& span = walk.plot().sheet().diagrams[0].spans;
   if (!span.empty()) {
     const double top = walk.plot().visibleRange().y.to;
-    walk.pointer(walk.plot().positionOf(1.5 * span.back().from, std::pow(10, top)) - QPointF(0, 8));
+    walk.pointer(walk.plot().mapToPosition(1.5 * span.back().from, std::pow(10, top)) -
+                 QPointF(0, 8));
     walk.save("3_region");
   }
   walk.pointer({2, 2});

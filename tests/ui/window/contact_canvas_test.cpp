@@ -180,7 +180,7 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
   options.width = canvas_.width();
   options.height = canvas_.height();
   for (const ContactReading& reading : contactReadings(*canvas_.frame(), options)) {
-    const Clip& box = reading.place;
+    const Clip& box = reading.box;
     const QString tip = tipAt({box.x + 0.5 * box.width, box.y + 0.5 * box.height});
     const QString said = keptTogether(QString::fromStdString(reading.tip)).toHtmlEscaped();
     EXPECT_TRUE(tip.contains(said)) << reading.name;
@@ -193,13 +193,13 @@ TEST_F(ContactCanvasTest, ReadingsExplainThemselves) {
 TEST_F(ContactCanvasTest, SignsExplainThemselvesAndLeadToTheGuide) {
   const ContactPictureOptions options = shownOptions(canvas_);
   QStringList read;
-  QObject::connect(&canvas_, &ContactCanvas::guideWanted, &canvas_,
+  QObject::connect(&canvas_, &ContactCanvas::guideRequested, &canvas_,
                    [&](const QString& anchor) { read += anchor; });
   int count = 0;
   for (const ContactSign& sign : contactSigns(*canvas_.frame(), options)) {
     if (sign.id != "contact pressure" && sign.id != "rigid body") continue;
     ++count;
-    const QPoint at = middleOf(sign.place);
+    const QPoint at = middleOf(sign.box);
     QHelpEvent help(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
     QApplication::sendEvent(&canvas_, &help);
     const HoverExplanation explanation = *findExplanation(sign.id);
@@ -222,7 +222,7 @@ TEST_F(ContactCanvasTest, DoubleClickShowsAll) {
 }
 
 TEST_F(ContactCanvasTest, CursorReadsAndLeavingEndsIt) {
-  QSignalSpy wanted(&canvas_, &ContactCanvas::fieldsWanted);
+  QSignalSpy wanted(&canvas_, &ContactCanvas::fieldsChanged);
   QTest::mouseMove(&canvas_, place(0.25, 0.5).toPoint());
   ASSERT_TRUE(canvas_.viewer().reading());
   EXPECT_NEAR(*canvas_.viewer().pointer(), 0.25 * frameOf()->length, 0.002 * frameOf()->length);
@@ -270,7 +270,7 @@ TEST_F(ContactCanvasTest, CommandsSwitchAndShowWhatIsOn) {
 }
 
 TEST_F(ContactCanvasTest, ColoursAskForTheirFields) {
-  QSignalSpy wanted(&canvas_, &ContactCanvas::fieldsWanted);
+  QSignalSpy wanted(&canvas_, &ContactCanvas::fieldsChanged);
   menu_.findChild<QAction*>();
   const auto trigger = [this](const char* name) {
     for (QAction* one : canvas_.findChildren<QAction*>(name)) one->trigger();

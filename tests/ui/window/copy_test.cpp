@@ -289,7 +289,7 @@ TEST_F(CallTest, DrawsTheMomentOfAMotion) {
 
 TEST_F(CallTest, AStillSaysNothingOfItsMovingOnTheScreen) {
   ASSERT_TRUE(waitFor([&] { return frame() && frame()->timeScale > 0; }));
-  const auto still = stillOf(*frame());
+  const auto still = stillCopy(*frame());
   EXPECT_EQ(still->timeScale, 0);
   EXPECT_EQ(still->time, frame()->time);
 }

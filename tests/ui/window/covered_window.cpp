@@ -25,7 +25,7 @@ std::uint64_t stepOf(MainWindow& window) {
 }
 
 bool waitForSight(MainWindow& window, bool seen) {
-  return QTest::qWaitFor([&] { return window.session().isSeen() == seen; }, kPatience);
+  return QTest::qWaitFor([&] { return window.session().isVisible() == seen; }, kPatience);
 }
 
 bool waitForSteps(MainWindow& window) {
@@ -37,7 +37,7 @@ bool waitForSteps(MainWindow& window) {
 std::uint64_t answeredStep(MainWindow& window, bool slopes) {
   FrameFields fields;
   fields.lineSlope = slopes;
-  window.session().wantFields(fields);
+  window.session().requestFields(fields);
   (void)QTest::qWaitFor([&] { return window.session().frame()->lineSlope.empty() != slopes; },
                         kPatience);
   return stepOf(window);

@@ -42,7 +42,7 @@ class CurveCommandsTest : public MainWindowTest {
   }
   ChartView& plot() { return window_.plotView(); }
   double velocity() { return session().scene().sliding.velocity; }
-  QPoint at(double x, double y) { return plot().positionOf(x, y).toPoint(); }
+  QPoint at(double x, double y) { return plot().mapToPosition(x, y).toPoint(); }
   double middle() {
     return std::pow(10, 0.5 * (plot().visibleRange().y.from + plot().visibleRange().y.to));
   }

@@ -483,13 +483,13 @@ TEST_F(DocumentTest, RecentFilesAreOfferedWhileTheyAreThere) {
   clearRecentFiles();
   const QTemporaryDir folder;
   auto& menu = control<QMenu>("recentMenu");
-  for (int i = 0; i < kMostRecentFiles + 2; ++i)
+  for (int i = 0; i < kMaxRecentFiles + 2; ++i)
     ASSERT_TRUE(
         window_.documentCommands().saveTo(folder.filePath(QStringLiteral("%1.json").arg(i))));
-  EXPECT_EQ(recentFiles().size(), kMostRecentFiles);
+  EXPECT_EQ(recentFiles().size(), kMaxRecentFiles);
   EXPECT_EQ(menu.actions().first()->text(), "9.json");
   ASSERT_TRUE(QFile::remove(folder.filePath("9.json")));
-  EXPECT_EQ(recentFiles().size(), kMostRecentFiles - 1);
+  EXPECT_EQ(recentFiles().size(), kMaxRecentFiles - 1);
   ASSERT_TRUE(open(folder.filePath("5.json")));
   EXPECT_EQ(menu.actions().first()->text(), "5.json");
   menu.actions().at(1)->trigger();

@@ -93,7 +93,7 @@ TEST_F(FitPageTest, FindsTheValuesAndTheSceneTakesThemInOneStep) {
   tick(page, "surface.rms_height");
   tick(page, "elastomer.relaxation_time");
   ASSERT_TRUE(fit(page));
-  ASSERT_TRUE(page.fitted()) << page.complaint().toStdString();
+  ASSERT_TRUE(page.fitted()) << page.errorText().toStdString();
   // The same lines made the data: what is left is the rounding of the table.
   const Scene before = smallScene();
   const Fit& found = page.fitted()->fit;
@@ -122,7 +122,7 @@ TEST_F(FitPageTest, TheReportIsThatOfTheCommand) {
   page.setFolderChooser([&](QWidget*, const QString&) { return folder; });
   QSignalSpy saved(&page, &FitPage::reportSaved);
   button(page, "fitSave").click();
-  ASSERT_TRUE(waitFor([&] { return !saved.isEmpty(); })) << page.complaint().toStdString();
+  ASSERT_TRUE(waitFor([&] { return !saved.isEmpty(); })) << page.errorText().toStdString();
   QFile scene(folder_.filePath("s.json"));
   ASSERT_TRUE(scene.open(QIODevice::WriteOnly));
   scene.write(QByteArray::fromStdString(writeScene(withData())));
@@ -158,11 +158,11 @@ TEST_F(FitPageTest, IsStoppedAtOnceAndBeginsAgain) {
   button(page, "fitRun").click();
   EXPECT_FALSE(page.isFitting());
   EXPECT_LT(time.elapsed(), 50);
-  EXPECT_FALSE(page.complaint().isEmpty());
+  EXPECT_FALSE(page.errorText().isEmpty());
   EXPECT_FALSE(page.fitted());
   page.findChild<QSpinBox*>("fitLines")->setValue(3);
   ASSERT_TRUE(fit(page));
-  EXPECT_TRUE(page.fitted()) << page.complaint().toStdString();
+  EXPECT_TRUE(page.fitted()) << page.errorText().toStdString();
   EXPECT_EQ(page.fitted()->fit.scene.ensemble.realizations, 3);
 }
 
@@ -183,7 +183,7 @@ TEST_F(FitPageTest, ARefusedLimitIsSaidAndNothingRuns) {
   tick(page, "surface.rms_height");
   const int row = rowOf(keysOf(page), "surface.rms_height");
   keysOf(page).item(row, 2)->setText("3 kg");
-  EXPECT_FALSE(page.complaint().isEmpty());
+  EXPECT_FALSE(page.errorText().isEmpty());
   button(page, "fitRun").click();
   EXPECT_FALSE(page.isFitting());
   // The scene's own value lies outside of these.
@@ -191,7 +191,7 @@ TEST_F(FitPageTest, ARefusedLimitIsSaidAndNothingRuns) {
   keysOf(page).item(row, 3)->setText("2 m");
   button(page, "fitRun").click();
   EXPECT_FALSE(page.isFitting());
-  EXPECT_FALSE(page.complaint().isEmpty());
+  EXPECT_FALSE(page.errorText().isEmpty());
 }
 
 TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {
@@ -206,8 +206,8 @@ TEST_F(FitPageTest, WhatCannotBeFittedIsSaidOnThePage) {
   tick(page, "elastomer.relaxation_time");
   ASSERT_TRUE(fit(page));
   EXPECT_FALSE(page.fitted());
-  EXPECT_TRUE(page.complaint().contains("2 points")) << page.complaint().toStdString();
-  EXPECT_FALSE(page.complaint().contains("--data"));
+  EXPECT_TRUE(page.errorText().contains("2 points")) << page.errorText().toStdString();
+  EXPECT_FALSE(page.errorText().contains("--data"));
 }
 
 TEST_F(FitPageTest, TheoriesAreChosenByNameAndUndone) {

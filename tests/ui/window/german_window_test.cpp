@@ -271,7 +271,7 @@ Texts textsWith(std::string_view code, Page& (*open)(MainWindow&, const QString&
   Page& page = open(*window, file);
   page.resize(984, 660);  // as on a small screen
   EXPECT_TRUE(QTest::qWaitFor([&] { return !page.isReading(); }, kWindowPatience));
-  EXPECT_TRUE(page.isReady()) << page.complaint().toStdString();
+  EXPECT_TRUE(page.isReady()) << page.errorText().toStdString();
   cutOff = cutOffIn(page);
   return textsOf(*window);
 }

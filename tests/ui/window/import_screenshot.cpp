@@ -88,7 +88,7 @@ class Photographer {
     waitFor([&] { return !page.isReading(); });
     auto* sheet = page.findChild<DiagramView*>(view);
     if (page.isReady()) waitFor([&] { return sheet->isPainted(); });
-    std::printf("%s\n", qPrintable(page.complaint()));
+    std::printf("%s\n", qPrintable(page.errorText()));
   }
   void surface(const QString& file) {
     auto& watched = static_cast<WatchedApplication&>(*qApp);
@@ -166,7 +166,7 @@ class Photographer {
     QTest::qWait(900);
     save(page, "fit_running");
     waitFor([&] { return !page.isFitting(); });
-    std::printf("%s\n", qPrintable(page.complaint()));
+    std::printf("%s\n", qPrintable(page.errorText()));
     auto& sheet = *page.findChild<DiagramView*>("fitSheet");
     for (int i = 0; i < 3; ++i) {
       page.findChild<QTabBar*>("fitSheets")->setCurrentIndex(i);

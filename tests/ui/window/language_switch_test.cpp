@@ -238,7 +238,7 @@ TEST(LanguageSwitch, KeepsAMessageThatIsNotAboutTheScene) {
 TEST(LanguageSwitch, KeepsTheMeasuredComparisonOfMethods) {
   WindowIn window("en");
   auto* panel = window->findChild<AccuracyPanel*>("accuracyPanel");
-  auto made = std::make_shared<MadeFigure>();
+  auto made = std::make_shared<ComputedFigure>();
   made->figure.sheet.diagrams.resize(2);
   made->figure.sheet.diagrams[0].title = "region I: here";
   made->figure.sheet.diagrams[1].title = "region II: there";

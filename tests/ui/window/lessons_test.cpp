@@ -254,7 +254,7 @@ TEST_F(LessonsTest, APointIsDraggedOrMovedByKeysOverTheHiddenCurve) {
     }));
     EXPECT_FALSE(showsCurve());
     EXPECT_FALSE(button("lessonNext").isEnabled());
-    const QPoint place = window_.plotView().positionOf(0.1, 1e-3).toPoint();
+    const QPoint place = window_.plotView().mapToPosition(0.1, 1e-3).toPoint();
     QTest::mousePress(&point, Qt::LeftButton, {}, place + QPoint(20, 30));
     QTest::mouseMove(&point, place + QPoint(10, 5));
     QTest::mouseRelease(&point, Qt::LeftButton, {}, place);
@@ -311,7 +311,7 @@ TEST_F(LessonsTest, EveryShippedLessonIsWalkedThrough) {
     for (int step = 0; step < steps; ++step) {
       EXPECT_EQ(lessons().step(), step);
       ASSERT_TRUE(waitForFrame());
-      EXPECT_EQ(troubleOf(*frame()), QString()) << step;
+      EXPECT_EQ(frameError(*frame()), QString()) << step;
       if (!lessons().isRevealed()) {
         click("lessonShow");
         ASSERT_TRUE(waitForAnswer()) << step;
@@ -395,7 +395,7 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   TemporaryFolder folder;
   type("load.normal_force", "5 mN");
   LessonEditor& editor = lessons().showEditor({}, {});
-  EXPECT_FALSE(editor.complaint().isEmpty());  // there is no step yet
+  EXPECT_FALSE(editor.errorText().isEmpty());  // there is no step yet
   EXPECT_FALSE(editor.findChild<QPushButton*>("editorSave")->isEnabled());
   auto& title = *editor.findChild<QLineEdit*>("editorTitle");
   QTest::keyClicks(&title, "Mine");
@@ -404,7 +404,7 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   text.setPlainText("Look at this.");
   type("load.normal_force", "7 mN");
   editor.addShownStep();
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   ASSERT_EQ(editor.lesson().steps.size(), 2U);
   EXPECT_EQ(editor.lesson().steps[1].set, std::vector<std::string>{"load.normal_force=0.007"});
   const std::string file = (folder / "mine.json").string();
@@ -414,7 +414,7 @@ TEST_F(LessonsTest, ATeacherAddsAStepFromWhatIsShown) {
   EXPECT_EQ(read.steps[0].text.english, "Look at this.");
   EXPECT_EQ(read.steps[0].scene.load.normalForce, 0.005);
   EXPECT_EQ(read.steps[1].scene.load.normalForce, 0.007);
-  EXPECT_TRUE(editor.mayClose());
+  EXPECT_TRUE(editor.canClose());
 }
 
 /// By mouse and keys alone, as a teacher who has never seen a lesson's file.
@@ -459,7 +459,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   table.setFocus();
   table.setCurrentCell(0, 1);
   QTest::keyClick(&table, Qt::Key_Space);
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
 
   type("load.normal_force", "5 mN");
   press("editorAdd");
@@ -469,14 +469,14 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
   change("editorValueSet", "load.normal_force", "10 mN");
   change("editorAfter", "load.normal_force", "10 mN");
   write("editorQuestion", "How many times as large is friction?");
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
 
   press("editorAdd");
   QTest::keyClicks(editor.focusWidget(), "The whole curve.");
   choose("editorKind", 3);
   write("editorQuestion", "How large is friction at 0.1 m/s?");
   write("editorX", "100 mm/s");
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
 
   const std::string file = (folder / "mine.json").string();
   ASSERT_TRUE(editor.saveTo(QString::fromStdString(file)));
@@ -504,7 +504,7 @@ TEST_F(LessonsTest, ATeacherWritesALessonOfThreeStepsAndTriesIt) {
 
 TEST_F(LessonsTest, TheEditorStepsAsideForAStepThatIsTried) {
   LessonEditor& editor = lessons().showEditor(lessonOf(sampleLesson()), {});
-  emit editor.tryWanted(lessonOf(sampleLesson()), 1);
+  emit editor.trialRequested(lessonOf(sampleLesson()), 1);
   EXPECT_EQ(lessons().step(), 1);
   EXPECT_FALSE(editor.isVisible());
   lessons().end();
@@ -518,7 +518,7 @@ TEST_F(LessonsTest, StepsKeepTheirScenesWhereTheyAreMovedAndRemoved) {
   auto& steps = *editor.findChild<QListWidget*>("editorSteps");
   steps.setCurrentRow(2);
   editor.moveStep(-1);
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   EXPECT_EQ(editor.lesson().steps[0].scene.load.normalForce, 0.02);
   EXPECT_EQ(editor.lesson().steps[1].scene.load.normalForce,
             lesson.steps[0].scene.load.normalForce);
@@ -537,19 +537,19 @@ TEST_F(LessonsTest, TheEditorSaysWhatIsWrongAndWhere) {
   EXPECT_EQ(force.text(), "20 mN");
   force.selectAll();
   QTest::keyClicks(&force, "much");
-  EXPECT_TRUE(editor.complaint().startsWith("Step 2, changed, “normal force”: "))
-      << editor.complaint().toStdString();
+  EXPECT_TRUE(editor.errorText().startsWith("Step 2, changed, “normal force”: "))
+      << editor.errorText().toStdString();
   EXPECT_FALSE(editor.findChild<QPushButton*>("editorTry")->isEnabled());
   EXPECT_FALSE(editor.findChild<QPushButton*>("editorHandout")->isEnabled());
   force.selectAll();
   QTest::keyClicks(&force, "30");  // in the unit that was shown
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   EXPECT_EQ(editor.lesson().steps[1].scene.load.normalForce, 0.03);
   auto& question = *editor.findChild<QPlainTextEdit*>("editorQuestion");
   question.selectAll();
   QTest::keyClick(&question, Qt::Key_Delete);
-  EXPECT_TRUE(editor.complaint().startsWith("Step 2, question: "))
-      << editor.complaint().toStdString();
+  EXPECT_TRUE(editor.errorText().startsWith("Step 2, question: "))
+      << editor.errorText().toStdString();
   QTest::keyClicks(&question, "How deep?");
   QTest::mouseClick(editor.findChild<QPushButton*>("editorTry"), Qt::LeftButton);
   EXPECT_EQ(lessons().step(), 1);
@@ -577,7 +577,7 @@ TEST_F(LessonsTest, TheEditorChangesParametersInPlainWords) {
   scheme.setCurrentIndex(scheme.findText("nodal"));
   emit scheme.activated(scheme.currentIndex());
   EXPECT_EQ(editor.lesson().steps[1].after, std::vector<std::string>{"accuracy.scheme=nodal"});
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   editor.findChild<QToolButton*>("editorSetWithout:load.normal_force")->click();
   EXPECT_EQ(editor.lesson().steps[1].set, std::vector<std::string>{"sliding.velocity=0.003"});
   EXPECT_EQ(editor.findChild<QLineEdit*>("editorSet:sliding.velocity")->text(), "3 mm/s");
@@ -601,7 +601,7 @@ TEST_F(LessonsTest, TheEditorSpeaksNoJson) {
       for (const QString& text : said)
         EXPECT_FALSE(code.match(text).hasMatch()) << shipped.name << row << text.toStdString();
     }
-    EXPECT_TRUE(editor.mayClose());
+    EXPECT_TRUE(editor.canClose());
   }
 }
 
@@ -624,7 +624,7 @@ TEST_F(LessonsTest, TheEditorSaysWhatTheStepShowsAndLocks) {
   tolerance.selectAll();
   QTest::keyClicks(&tolerance, "15 %");
   EXPECT_DOUBLE_EQ(editor.lesson().steps[1].prediction->tolerance, 0.15);
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
 }
 
 /// What the editor does not show (values, hidden ranges, other curves) is kept.
@@ -635,7 +635,7 @@ TEST_F(LessonsTest, TheEditorLosesNothingOfALesson) {
     auto& steps = *editor.findChild<QListWidget*>("editorSteps");
     for (int row = 0; row < steps.count(); ++row) steps.setCurrentRow(row);
     EXPECT_EQ(writeLesson(editor.lesson()), writeLesson(lesson)) << shipped.name;
-    EXPECT_TRUE(editor.mayClose());
+    EXPECT_TRUE(editor.canClose());
   }
 }
 
@@ -663,28 +663,28 @@ TEST_F(LessonsTest, TheEditorWritesExponents) {
   QTest::keyClicks(&from, "5 mN");
   EXPECT_EQ(value().from, 0.005);
   EXPECT_EQ(value().to, asks->prediction->answer->to);
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   from.selectAll();
   QTest::keyClicks(&from, "5 kg");
-  EXPECT_TRUE(editor.complaint().contains("from and to")) << editor.complaint().toStdString();
+  EXPECT_TRUE(editor.errorText().contains("from and to")) << editor.errorText().toStdString();
 
   const auto choose = [](QComboBox& box, int index) {
     box.setCurrentIndex(index);
     emit box.activated(index);
   };
   choose(key, key.findData("sliding.velocity"));
-  EXPECT_EQ(editor.complaint(), QString());  // two values of it are proposed
+  EXPECT_EQ(editor.errorText(), QString());  // two values of it are proposed
   EXPECT_NEAR(value().to / value().from, 10, 1e-9);
   from.selectAll();
   QTest::keyClicks(&from, "1e-3");
   EXPECT_EQ(value().key, "sliding.velocity");
   EXPECT_EQ(value().from, 1e-3);
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   choose(kind, 0);
   EXPECT_EQ(value().kind, LessonValue::Kind::State);
   EXPECT_TRUE(value().key.empty());
   EXPECT_FALSE(from.isVisibleTo(&editor));
-  EXPECT_EQ(editor.complaint(), QString());
+  EXPECT_EQ(editor.errorText(), QString());
   delete &editor;
 }
 

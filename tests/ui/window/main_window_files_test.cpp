@@ -132,7 +132,7 @@ TEST_F(MainWindowTest, APipeKeepsNothingWaiting) {
   scene.folder = folder.path().toStdString();
   scene.surface.kind = SurfaceKind::Profile;
   scene.surface.file = "pipe.png";
-  QSignalSpy complaints(&session(), &Session::complained);
+  QSignalSpy complaints(&session(), &Session::errorOccurred);
   window_.document().open(scene);
   EXPECT_TRUE(waitFor([&] { return !complaints.isEmpty(); }));
   EXPECT_TRUE(window_.messages().text().contains("only regular files"));

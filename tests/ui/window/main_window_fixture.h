@@ -87,7 +87,7 @@ class MainWindowTest : public testing::Test {
     const auto answered = [this](bool slopes) {
       FrameFields fields = window_.canvas().fields();
       fields.lineSlope = slopes;
-      session().wantFields(fields);
+      session().requestFields(fields);
       return waitFor([&] { return frame() && frame()->lineSlope.empty() != slopes; });
     };
     const bool had = window_.canvas().fields().lineSlope;

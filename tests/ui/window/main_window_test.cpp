@@ -172,21 +172,21 @@ TEST_F(MainWindowTest, NothingIsSteppedWhereNobodySeesIt) {
     EXPECT_TRUE(session().isPlaying()) << where;
   };
   window_.showMinimized();
-  ASSERT_TRUE(waitFor([&] { return !session().isSeen(); }));
+  ASSERT_TRUE(waitFor([&] { return !session().isVisible(); }));
   expectRest("minimized");
   type("elastomer.shear_modulus", "20 MPa");
   ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
   EXPECT_EQ(session().curve()->scene->elastomer.shearModulus, 2e7);
   window_.showNormal();
-  ASSERT_TRUE(waitFor([&] { return session().isSeen(); }));
+  ASSERT_TRUE(waitFor([&] { return session().isVisible(); }));
   const std::uint64_t step = frame()->step;
   ASSERT_TRUE(waitFor([&] { return frame()->step > step + 3; }));
 
   action("figures").trigger();
-  ASSERT_FALSE(session().isSeen());
+  ASSERT_FALSE(session().isVisible());
   expectRest("behind the figures");
   action("figures").trigger();
-  ASSERT_TRUE(session().isSeen());
+  ASSERT_TRUE(session().isVisible());
   const std::uint64_t behind = frame()->step;
   ASSERT_TRUE(waitFor([&] { return frame()->step > behind + 3; }));
 }
@@ -280,12 +280,12 @@ TEST(Trouble, IsSaidOfFramesThatCannotBeBelieved) {
   Frame frame;
   frame.length = 1;
   frame.muSteady = 0;
-  EXPECT_EQ(troubleOf(frame), QString());
+  EXPECT_EQ(frameError(frame), QString());
   frame.muSteady = kNotApplicable;
-  EXPECT_TRUE(troubleOf(frame).contains("steady"));
+  EXPECT_TRUE(frameError(frame).contains("steady"));
   frame.surfaceHeight = {0, kNotApplicable};
-  EXPECT_TRUE(troubleOf(frame).contains("numbers"));
-  EXPECT_LT(troubleOf(frame).size(), 100);
+  EXPECT_TRUE(frameError(frame).contains("numbers"));
+  EXPECT_LT(frameError(frame).size(), 100);
 }
 
 TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
@@ -303,7 +303,7 @@ TEST_F(MainWindowTest, AMotionThatIsNotSteadyIsShownInTime) {
   EXPECT_TRUE(strips.sheet().status.text.starts_with("a dashed line will"));
   const QImage image = strips.grab().toImage();
   const QColor line =
-      colourOf(seriesColour(0, window_.appearance().isDark() ? darkTheme() : lightTheme()));
+      toQColor(seriesColour(0, window_.appearance().isDark() ? darkTheme() : lightTheme()));
   int drawn = 0;  // pixels of the line's colour, or nearly: it is smooth
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x) {

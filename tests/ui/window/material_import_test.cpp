@@ -61,7 +61,7 @@ TEST_F(MaterialImportTest, WritesTheMaterialAndMakesItThatOfTheScene) {
   const Scene before = scene();
   openPage();
   ASSERT_TRUE(waitForPage());
-  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_EQ(inPage<QTabBar>("dmaSheets").count(), 4);
   EXPECT_FALSE(inPage<QLabel>("dmaSummary").text().isEmpty());
   auto& sheet = inPage<DiagramView>("dmaSheet");
@@ -90,21 +90,21 @@ TEST_F(MaterialImportTest, ChoicesMakeItAnew) {
   EXPECT_EQ(page_->material()->series.terms, 7);
   enter("dmaReference", "15 °C");
   ASSERT_TRUE(waitForPage());
-  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->material()->referenceTemperature, 288.15, 1e-9);
   EXPECT_EQ(page_->material()->options.size(), 2U);  // as the command would note them
   enter("dmaReference", "warm");
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_TRUE(page_->complaint().contains("warm"));
+  EXPECT_TRUE(page_->errorText().contains("warm"));
   EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
   enter("dmaReference", "20.5");  // kelvins or degrees?
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->complaint().contains("has no unit")) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->errorText().contains("has no unit")) << page_->errorText().toStdString();
   enter("dmaReference", "300 °C");  // outside of what was measured
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_FALSE(page_->complaint().contains('\n'));
+  EXPECT_FALSE(page_->errorText().contains('\n'));
 }
 
 TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
@@ -115,8 +115,8 @@ TEST_F(MaterialImportTest, SaysWhatIsWrongWithAFile) {
   openPage(file.fileName());
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_FALSE(page_->complaint().isEmpty());
-  EXPECT_FALSE(page_->complaint().contains('\n'));
+  EXPECT_FALSE(page_->errorText().isEmpty());
+  EXPECT_FALSE(page_->errorText().contains('\n'));
 }
 
 /// Core speaks of options of the command; the page names its own controls.
@@ -128,15 +128,15 @@ TEST_F(MaterialImportTest, AComplaintNamesTheControlThatHelps) {
   openPage(file.fileName());
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_TRUE(page_->complaint().contains("instantaneous modulus G₀”"))
-      << page_->complaint().toStdString();
-  EXPECT_FALSE(page_->complaint().contains("--")) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->errorText().contains("instantaneous modulus G₀”"))
+      << page_->errorText().toStdString();
+  EXPECT_FALSE(page_->errorText().contains("--")) << page_->errorText().toStdString();
   enter("dmaInstantaneous", "10 MPa");
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->complaint().contains("test temperature”")) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->errorText().contains("test temperature”")) << page_->errorText().toStdString();
   enter("dmaTemperature", "20 °C");
   ASSERT_TRUE(waitForPage());
-  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->material()->series.equilibriumModulus, 0.5 * 10e6, 1);
 }
 
@@ -151,9 +151,9 @@ TEST_F(MaterialImportTest, ColumnsCanBeSaid) {
   file.close();
   openPage(file.fileName());
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->complaint().contains("“frequency column”"))
-      << page_->complaint().toStdString();
-  EXPECT_TRUE(page_->complaint().startsWith("mine.csv")) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->errorText().contains("“frequency column”"))
+      << page_->errorText().toStdString();
+  EXPECT_TRUE(page_->errorText().startsWith("mine.csv")) << page_->errorText().toStdString();
   // The names stand where they are asked for.
   auto& beginning = inPage<QPlainTextEdit>("importBeginning");
   EXPECT_TRUE(beginning.isVisibleTo(page_));
@@ -175,7 +175,7 @@ TEST_F(MaterialImportTest, ColumnsCanBeSaid) {
     emit choice.activated(choice.currentIndex());
     ASSERT_TRUE(waitForPage());
   }
-  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
 }
 
 TEST_F(MaterialImportTest, DroppedFilesAreOpenedAsWhatTheyAre) {

@@ -232,7 +232,7 @@ void checkText(const QWidget& widget, QStringList& faults) {
 // --------------------------------------------------------------------------------------
 
 /// What is scrolled out of sight can be scrolled back, but only in the directions that scroll.
-void checkPlace(const QWidget& widget, QStringList& faults) {
+void checkPosition(const QWidget& widget, QStringList& faults) {
   const QWidget* parent = widget.parentWidget();
   if (!parent || widget.isWindow() || widget.size().isEmpty()) return;
   const auto* area = qobject_cast<const QScrollArea*>(parent->parentWidget());
@@ -289,7 +289,7 @@ QStringList faultsNow(QWidget& window) {
     if (widget->isVisible() && widget->window() == window.window()) widgets += widget;
   for (const QWidget* widget : widgets) {
     checkText(*widget, faults);
-    checkPlace(*widget, faults);
+    checkPosition(*widget, faults);
     if (!isPart(*widget) || widget == &window) checkOverlaps(*widget, faults);
     // The rows of a scrolled form are children of what a viewport shows.
     else if (const auto* area = qobject_cast<const QScrollArea*>(widget->parentWidget()))

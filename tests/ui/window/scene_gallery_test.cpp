@@ -39,14 +39,14 @@ TEST(SceneCards, EveryShippedSceneHasOneWithASentence) {
     EXPECT_LE(sentence.size(), 110) << card.scene;
   }
   EXPECT_EQ(cards, scenes);
-  EXPECT_EQ(cardOf("no such scene"), nullptr);
+  EXPECT_EQ(findCard("no such scene"), nullptr);
 }
 
 TEST(ScenePicture, EverySceneHasOneInBothThemes) {
   std::set<QByteArray> all;
   for (const LibraryScene& entry : libraryScenes())
     for (const Theme& theme : {lightTheme(), darkTheme()}) {
-      const QImage image = drawScenePicture(entry.scene, cardOf(entry.name)->view, theme);
+      const QImage image = drawScenePicture(entry.scene, findCard(entry.name)->view, theme);
       EXPECT_EQ(image.size(), kScenePicture) << entry.name.toStdString();
       EXPECT_GE(colours(image), 8) << entry.name.toStdString();
       const bool isNew = all.insert(QByteArray(reinterpret_cast<const char*>(image.constBits()),
@@ -96,7 +96,7 @@ TEST_F(Thumbnails, AreDrawnOnceAndThenComeFromTheCache) {
 TEST_F(Thumbnails, ADamagedFileIsDrawnAgainAndAFolderThatCannotBeWrittenIsPassedOver) {
   const LibraryScene& scene = libraryScenes().front();
   const QString file =
-      folder_.filePath(thumbnailName(scene.scene, cardOf(scene.name)->view, lightTheme()));
+      folder_.filePath(thumbnailName(scene.scene, findCard(scene.name)->view, lightTheme()));
   QFile damaged(file);
   ASSERT_TRUE(damaged.open(QIODevice::WriteOnly));
   damaged.write("no picture");

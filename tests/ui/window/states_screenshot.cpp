@@ -203,10 +203,9 @@ void shootTips(MainWindow& window, Camera& camera) {
   for (const ContactSign& sign : signs()) {
     // Labels move with the line: the pointer goes where this one is by now.
     const std::vector<ContactSign> now = signs();
-    const auto same = std::ranges::find_if(now, [&](const ContactSign& one) {
-      return one.id == sign.id && one.place.y == sign.place.y;
-    });
-    point(window.canvas(), middleOf(same == now.end() ? sign.place : same->place));
+    const auto same = std::ranges::find_if(
+        now, [&](const ContactSign& one) { return one.id == sign.id && one.box.y == sign.box.y; });
+    point(window.canvas(), middleOf(same == now.end() ? sign.box : same->box));
     camera.shoot("tip_contact_" + std::to_string(++number));
   }
   for (const char* row :

@@ -281,13 +281,13 @@ TEST(StatusLine, WhatIsSaidIsSeenWholeOrInItsTooltip) {
   line.resize(1280, 30);
   line.show();
   const QString text = "On the clipboard: asperity render figure_1.json …";
-  line.say(text);
+  line.showMessage(text);
   QTest::qWait(1);  // the layout is made with the first events
   auto* said = line.findChild<ElidedLabel*>("said");
   ASSERT_TRUE(said);
   EXPECT_EQ(said->shownText(), text);
   EXPECT_FALSE(line.findChild<QLabel*>("factBackend")->isVisible());
-  line.say(text + text + text + text);
+  line.showMessage(text + text + text + text);
   QTest::qWait(1);
   EXPECT_NE(said->shownText(), said->text());
   EXPECT_LE(said->fontMetrics().horizontalAdvance(said->shownText()), said->width());
@@ -319,7 +319,7 @@ TEST_F(StatusTest, WhatIsOfTheSceneBeforeSaysSo) {
 TEST(StatusLine, WaitingCanBeLeft) {
   StatusLine line;
   int back = 0;
-  QObject::connect(&line, &StatusLine::backWanted, [&] { ++back; });
+  QObject::connect(&line, &StatusLine::backRequested, [&] { ++back; });
   line.showWork({Work::State::Waiting, 0, 0});
   auto* button = line.findChild<QToolButton*>("workStop");
   EXPECT_FALSE(button->isHidden());

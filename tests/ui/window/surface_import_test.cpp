@@ -89,7 +89,7 @@ TEST_F(SurfaceImportTest, MakesTheFileTheSceneInOneStep) {
   const Scene before = scene();
   openPage(sineFile());
   ASSERT_TRUE(waitForPage());
-  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   // A whole number of waves: Pq is the amplitude over sqrt 2, up to the line that is removed and
   // the six decimals of the file.
   EXPECT_NEAR(page_->summary()->used.pq, kAmplitude / std::sqrt(2), 0.02 * kAmplitude);
@@ -225,14 +225,14 @@ TEST_F(SurfaceImportTest, AsksForAUnitThatIsMissing) {
   openPage(write("plain.txt", text));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_FALSE(page_->complaint().isEmpty());
-  EXPECT_FALSE(page_->complaint().contains('\n'));
+  EXPECT_FALSE(page_->errorText().isEmpty());
+  EXPECT_FALSE(page_->errorText().contains('\n'));
   EXPECT_FALSE(inPage<QPushButton>("importAccept").isEnabled());
   choose("surface.position_unit", "um");
   ASSERT_TRUE(waitForPage());
   choose("surface.height_unit", "nm");
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->summary()->spacing, 1e-6, 1e-12);
 }
 
@@ -262,8 +262,8 @@ TEST_F(SurfaceImportTest, SaysWhatIsWrongInOneLine) {
   openPage(write("nothing.csv", "these are words and no numbers\n"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_FALSE(page_->complaint().isEmpty());
-  EXPECT_FALSE(page_->complaint().contains('\n'));
+  EXPECT_FALSE(page_->errorText().isEmpty());
+  EXPECT_FALSE(page_->errorText().contains('\n'));
   openPage(folder_.filePath("gone.sdf"));
   ASSERT_TRUE(waitForPage());
   EXPECT_FALSE(page_->isReady());
@@ -277,7 +277,7 @@ TEST_F(SurfaceImportTest, ShowsATopographyAndItsRows) {
               std::to_string(100 * std::sin(0.7 * column + row)) + "\n";
   openPage(write("points.txt", text));
   ASSERT_TRUE(waitForPage());
-  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_TRUE(inPage<QWidget>("topographyPicture").isVisible());
   EXPECT_EQ(page_->summary()->rowsUsed, 8);
   auto& entry = inPage<ValueEntry>("entry:surface.row");
@@ -290,7 +290,7 @@ TEST_F(SurfaceImportTest, ShowsATopographyAndItsRows) {
   EXPECT_EQ(page_->summary()->rowInFile, 3);
   choose("surface.direction", "along_y");
   ASSERT_TRUE(waitForPage());
-  ASSERT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  ASSERT_TRUE(page_->isReady()) << page_->errorText().toStdString();
   EXPECT_NEAR(page_->summary()->spacing, 2e-6, 1e-12);
 }
 
@@ -304,10 +304,10 @@ TEST_F(SurfaceImportTest, ReadingCanBeStopped) {
   click("importStop");
   EXPECT_FALSE(page_->isReading());
   EXPECT_FALSE(page_->isReady());
-  EXPECT_FALSE(page_->complaint().isEmpty());
+  EXPECT_FALSE(page_->errorText().isEmpty());
   click("importStop");  // reads it again
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
 }
 
 /// Counts how often each widget's style is worked out, which is most of what a page costs to build.
@@ -375,7 +375,7 @@ double longestWorkFor(const QString& file) {
   const LongestWork work;
   const auto& spectrum = *page.findChild<DiagramView*>("surfaceSpectrum");
   EXPECT_TRUE(QTest::qWaitFor([&] { return page.isReady() && spectrum.isPainted(); }, 60000))
-      << page.complaint().toStdString();
+      << page.errorText().toStdString();
   return work.seconds();
 }
 
@@ -447,7 +447,7 @@ TEST_F(SurfaceImportTest, ADroppedFileOpensThePage) {
   ASSERT_TRUE(waitFor([&] { return window_.findChild<SurfaceImport*>() != nullptr; }));
   page_ = window_.findChild<SurfaceImport*>();
   ASSERT_TRUE(waitForPage());
-  EXPECT_TRUE(page_->isReady()) << page_->complaint().toStdString();
+  EXPECT_TRUE(page_->isReady()) << page_->errorText().toStdString();
 }
 
 /// The same file again begins with the choices that were made for it.

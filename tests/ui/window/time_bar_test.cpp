@@ -113,7 +113,7 @@ TEST_F(TimeBarTest, OnlyAMotionHasAMoment) {
   scene_.sliding.duration = 0.04;
   show();
   EXPECT_FALSE(part<QSlider>("moment").isHidden());
-  QSignalSpy moments(&bar_, &TimeBar::momentWanted);
+  QSignalSpy moments(&bar_, &TimeBar::seekRequested);
   frame_.transient = std::make_shared<const std::vector<TransientSample>>();
   frame_.time = 0.01;
   bar_.showFrame(frame_);
@@ -174,7 +174,7 @@ TEST_F(TimeInTheWindow, StripsAndLoopReadMomentsAndSaveThem) {
   const std::vector<TransientSample>& samples = *frame()->transient;
   const TransientSample& one = samples[samples.size() / 2];
   const DiagramAxis& y = motion.strips().sheet().diagrams[0].y;
-  const QPointF at = motion.strips().positionOf(one.time, (y.from + y.to) / 2);
+  const QPointF at = motion.strips().mapToPosition(one.time, (y.from + y.to) / 2);
   const TransientSample* found = motion.sampleAt(motion.strips(), at);
   ASSERT_TRUE(found);
   EXPECT_DOUBLE_EQ(found->time, one.time);
@@ -208,7 +208,7 @@ TEST_F(TimeInTheWindow, AClickOnAStripGoesToItsMoment) {
   ChartView& strips = window_.tabs().motion().strips();
   const TransientSample wanted = (*frame()->transient)[20];
   const DiagramAxis& y = strips.sheet().diagrams[0].y;
-  const QPoint at = strips.positionOf(wanted.time, (y.from + y.to) / 2).toPoint();
+  const QPoint at = strips.mapToPosition(wanted.time, (y.from + y.to) / 2).toPoint();
   QTest::mouseClick(&strips, Qt::LeftButton, {}, at);
   EXPECT_TRUE(waitFor([&] {
     return std::abs(frame()->time - wanted.time) <
@@ -253,13 +253,13 @@ TEST_F(TimeInTheWindow, ADragInThePictureIsOneStepBack) {
 TEST_F(TimeInTheWindow, AWindowAtRestAnswersOrders) {
   ASSERT_TRUE(waitForFrame());
   session().setPlaying(false);
-  ASSERT_TRUE(waitFor([&] { return session().isResting(); }));
+  ASSERT_TRUE(waitFor([&] { return session().isIdle(); }));
   const double before = frame()->distance;
   session().singleStep(0.01);
-  EXPECT_FALSE(session().isResting());
+  EXPECT_FALSE(session().isIdle());
   EXPECT_TRUE(waitFor([&] { return frame()->distance > before; }));
   session().setPlaying(true);
-  EXPECT_FALSE(session().isResting());
+  EXPECT_FALSE(session().isIdle());
 }
 
 }  // namespace

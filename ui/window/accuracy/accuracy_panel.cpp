@@ -95,13 +95,13 @@ FigureMaker comparisonOf(const Scene& scene) {
 
 }  // namespace
 
-double targetAt(int place) {
-  return roundedToDigits(kQuick * std::pow(10, -kDecades * place / kAccuracySteps), 2);
+double targetAt(int position) {
+  return roundedToDigits(kQuick * std::pow(10, -kDecades * position / kAccuracySteps), 2);
 }
 
-int placeOf(double target) {
-  const double place = std::log10(kQuick / target) / kDecades * kAccuracySteps;
-  return static_cast<int>(std::lround(std::clamp(place, 0.0, 1.0 * kAccuracySteps)));
+int sliderPosition(double target) {
+  const double position = std::log10(kQuick / target) / kDecades * kAccuracySteps;
+  return static_cast<int>(std::lround(std::clamp(position, 0.0, 1.0 * kAccuracySteps)));
 }
 
 AccuracyPanel::AccuracyPanel(QWidget* parent)
@@ -113,7 +113,8 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   slider_->setObjectName("accuracySlider");
   slider_->setOrientation(Qt::Horizontal);
   slider_->setRange(0, kAccuracySteps);
-  connect(slider_, &QSlider::valueChanged, this, [this](int place) { setTarget(targetAt(place)); });
+  connect(slider_, &QSlider::valueChanged, this,
+          [this](int position) { setTarget(targetAt(position)); });
   auto* targets = new QHBoxLayout;
   targets->addWidget(quick_);
   targets->addWidget(slider_, 1);
@@ -189,7 +190,7 @@ void AccuracyPanel::showScene(const Scene& scene) {
 void AccuracyPanel::showTarget() {
   const double target = scene_.accuracy.targetRelativeError;
   const QSignalBlocker quiet(slider_);
-  slider_->setValue(target > 0 ? placeOf(target) : 0);
+  slider_->setValue(target > 0 ? sliderPosition(target) : 0);
   target_->setText(target > 0 ? tr("target: %1 of μ at every velocity").arg(percent(target))
                               : tr("no target: scheme and realizations as set"));
   free_->setEnabled(target > 0);
@@ -268,7 +269,8 @@ void AccuracyPanel::showPrediction(const Prediction& prediction) {
                                percent(prediction.error.standardError)));
 }
 
-/// Drops the diagram of another scene. A different way to compute the curve does not matter to it.
+/// Drops the diagram of another scene. The diagram does not depend on the method that computes the
+/// curve.
 void AccuracyPanel::dropOldPicture() {
   if (!pictured_ || isComparing_) return;
   Scene same = *pictured_;
@@ -299,9 +301,9 @@ void AccuracyPanel::compareMethods() {
   };
   comparison_.request(
       [scene = scene_, progressed](const BackgroundWork::Run& run) {
-        return makeFigureBeside(run, comparisonOf(scene), {}, 0, progressed);
+        return computeFigure(run, comparisonOf(scene), {}, 0, progressed);
       },
-      [this](std::shared_ptr<const MadeFigure> made) {
+      [this](std::shared_ptr<const ComputedFigure> made) {
         endComparison();
         picture_->showFigure(std::move(made));
         dropOldPicture();  // the scene may have changed meanwhile

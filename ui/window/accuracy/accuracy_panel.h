@@ -1,7 +1,7 @@
 // The cost of accuracy: a slider from quick to exact, which sets the target for the error of the
 // friction curve, with the predicted time and error, and the measured ones beside them; the
 // work-precision diagram of the present scene on demand; and the setting with which the curve is
-// compared. It predicts in the background, and only while it is visible. GUI thread; belongs to its
+// compared. It predicts in the background, and only while it is visible. GUI thread; owned by its
 // parent. Failure: a line of the panel gives the reason.
 #pragma once
 
@@ -13,7 +13,7 @@
 #include "core/friction/curve_difference.h"
 #include "core/scene/scene.h"
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/made_figure.h"
+#include "ui/window/figures/computed_figure.h"
 #include "ui/window/tasks/background_work.h"
 
 class QLabel;
@@ -27,14 +27,14 @@ class RegionPictures;
 
 /// The slider's positions: target 20 % at 0 (quick), 0.2 % at kAccuracySteps (exact).
 inline constexpr int kAccuracySteps = 20;
-double targetAt(int place);
+double targetAt(int position);
 /// Returns the slider position nearest to a target (> 0).
-int placeOf(double target);
+int sliderPosition(double target);
 
 /// The error versus run time of every method on the lines of a scene.
 struct ComparedMethods {
   Scene scene;
-  std::shared_ptr<const MadeFigure> figure;
+  std::shared_ptr<const ComputedFigure> figure;
   int diagram = 0;  // index of the visible diagram
 };
 

@@ -1,5 +1,5 @@
 // The plan of a scene as a list: each stage in order, whether it runs, and why. Effects that
-// exclude each other are reported in a single line. GUI thread; belongs to its parent.
+// exclude each other are reported in a single line. GUI thread; owned by its parent.
 #pragma once
 
 #include <QTreeWidget>

@@ -160,7 +160,7 @@ class SoftwareCanvas : public QWidget, public CanvasBackend {
   bool isNew_ = false;  // not painted yet
   bool hasFailed_ = false;
   // Last: its thread ends before other members are destroyed.
-  BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
+  BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Two ways to draw contact pictures on the screen, and the request for a picture. One uses OpenGL
-// in a QOpenGLWidget, whose context is current only inside its overridden functions and its
-// destructor, on the GUI thread. The other shows images that the program's own rasterizer draws in
-// the background. GUI thread; the widgets belong to their parent.
+// The two backends that draw contact pictures on the screen, and the request for a picture. One
+// uses OpenGL in a QOpenGLWidget, whose context is current only inside its overridden functions and
+// its destructor, on the GUI thread. The other shows images that the program's own rasterizer draws
+// in the background. GUI thread; the widgets belong to their parent.
 #pragma once
 
 #include <QSize>
@@ -16,7 +16,7 @@ class QWidget;
 
 namespace asperity {
 
-/// What a canvas shows. Plain values; any thread.
+/// The content of a canvas. Plain values; any thread.
 struct PictureRequest {
   std::shared_ptr<const Frame> frame;  // never null
   ContactPictureOptions options;       // without size and scale, which the canvas knows

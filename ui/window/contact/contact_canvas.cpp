@@ -26,18 +26,18 @@ constexpr double kWheelStep = 120;     // of angleDelta per step of a usual whee
 constexpr double kKeyPan = 0.1;        // part of the plot per key press
 constexpr double kZoomPerStep = 1.25;  // the same as the viewer's
 constexpr int kManyElements = 10;
-constexpr double kDecides = 5;       // pixels after which a drag of the body has its direction
-constexpr double kNudge = 1 / 80.0;  // part of the plot by which a key drags
+constexpr double kDragThreshold = 5;  // pixels after which a drag of the body has its direction
+constexpr double kNudge = 1 / 80.0;   // part of the plot by which a key drags
 
 double stepsOf(double factor) {
   return factor > 0 ? std::log(factor) / std::log(kZoomPerStep) : 0;
 }
 
 bool prefersOpenGl() {
-  const QString wish = qEnvironmentVariable("ASPERITY_CANVAS");
-  if (wish == QStringLiteral("software")) return false;
+  const QString choice = qEnvironmentVariable("ASPERITY_CANVAS");
+  if (choice == QStringLiteral("software")) return false;
   const OpenGlSupport support = openGlSupport();
-  if (wish == QStringLiteral("opengl")) return support != OpenGlSupport::None;
+  if (choice == QStringLiteral("opengl")) return support != OpenGlSupport::None;
   return support == OpenGlSupport::Hardware;
 }
 
@@ -63,7 +63,7 @@ ContactCanvas::ContactCanvas(QWidget* parent)
     useSoftware();
   keepTranslated(*this, [this] {
     setAccessibleName(tr("contact view"));
-    setAccessibleDescription({});  // what was said last, in the language of before
+    setAccessibleDescription({});  // the last description, in the previous language
     refresh();                     // the picture contains texts
   });
 }
@@ -86,10 +86,10 @@ void ContactCanvas::setVeil(const QString& reason) {
 
 /// Gives the veil the colour of the background, so that half of the picture shines through.
 void ContactCanvas::paintVeil() {
-  QColor background = colourOf(theme_.background);
+  QColor background = toQColor(theme_.background);
   background.setAlphaF(0.7F);
   veil_->setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; }")
-                           .arg(background.name(QColor::HexArgb), colourOf(theme_.text).name()));
+                           .arg(background.name(QColor::HexArgb), toQColor(theme_.text).name()));
 }
 
 void ContactCanvas::resizeEvent(QResizeEvent* event) {
@@ -115,17 +115,17 @@ void ContactCanvas::useOpenGl() {
   CanvasEvents events;
   events.painted = [this] { countPicture(); };
   events.failed = [this](const QString&) { useSoftware(); };
-  place(makeOpenGlCanvas(std::move(events), this));
+  setBackend(makeOpenGlCanvas(std::move(events), this));
 }
 
 void ContactCanvas::useSoftware() {
   CanvasEvents events;
   events.painted = [this] { countPicture(); };
-  events.failed = [this](const QString& reason) { giveUp(reason); };
-  place(makeSoftwareCanvas(std::move(events), this));
+  events.failed = [this](const QString& reason) { fallBack(reason); };
+  setBackend(makeSoftwareCanvas(std::move(events), this));
 }
 
-void ContactCanvas::place(CanvasBackend* backend) {
+void ContactCanvas::setBackend(CanvasBackend* backend) {
   if (backend_) {
     backend_->widget()->hide();
     backend_->widget()->deleteLater();
@@ -137,7 +137,7 @@ void ContactCanvas::place(CanvasBackend* backend) {
   refresh();
 }
 
-void ContactCanvas::giveUp(const QString& reason) {
+void ContactCanvas::fallBack(const QString& reason) {
   backend_->widget()->hide();
   backend_->widget()->deleteLater();
   backend_ = nullptr;
@@ -179,15 +179,16 @@ QRectF ContactCanvas::plotArea() const {
                 plot.height / shown.scale);
 }
 
-std::optional<ViewPlace> ContactCanvas::placeAt(const QPointF& position) const {
+std::optional<ViewPosition> ContactCanvas::viewPositionAt(const QPointF& position) const {
   const QRectF plot = plotArea();
   if (plot.isEmpty() || !plot.contains(position)) return std::nullopt;
-  return ViewPlace{(position.x() - plot.left()) / plot.width(),
-                   (plot.bottom() - position.y()) / plot.height()};
+  return ViewPosition{(position.x() - plot.left()) / plot.width(),
+                      (plot.bottom() - position.y()) / plot.height()};
 }
 
-/// Returns where keys zoom: at the crosshair's element and the surface there, else in the middle.
-ViewPlace ContactCanvas::focusPlace() const {
+/// Returns the centre of a zoom by keys: the crosshair's element and the surface there, otherwise
+/// the middle.
+ViewPosition ContactCanvas::zoomCentre() const {
   const auto reading = viewer_.reading();
   if (!reading) return {};
   const ContactView view = viewer_.options().view;
@@ -200,19 +201,19 @@ ViewPlace ContactCanvas::focusPlace() const {
 void ContactCanvas::changed() {
   if (const FrameFields fields = viewer_.fields(); fields != wanted_) {
     wanted_ = fields;
-    emit fieldsWanted(fields);
+    emit fieldsChanged(fields);
   }
   refresh();
   emit viewChanged();
 }
 
 void ContactCanvas::zoom(double steps) {
-  viewer_.zoom(focusPlace(), steps);
+  viewer_.zoom(zoomCentre(), steps);
   changed();
 }
 
 void ContactCanvas::exaggerate(double steps) {
-  viewer_.exaggerate(focusPlace(), steps);
+  viewer_.exaggerate(zoomCentre(), steps);
   changed();
 }
 
@@ -247,11 +248,12 @@ void ContactCanvas::setNavigation(const ViewNavigation& navigation) {
 }
 
 void ContactCanvas::showCrosshair(const QPointF& position) {
-  viewer_.pointAt(placeAt(position));
+  viewer_.pointAt(viewPositionAt(position));
   changed();
 }
 
-/// Moves the crosshair. A screen reader speaks the reading, because the picture itself has no text.
+/// Moves the crosshair. The reading is the accessible description, because the picture itself has
+/// no text for screen readers.
 void ContactCanvas::movePointer(int elements) {
   viewer_.movePointer(elements);
   QStringList words;
@@ -263,23 +265,24 @@ void ContactCanvas::movePointer(int elements) {
 }
 
 void ContactCanvas::wheelEvent(QWheelEvent* event) {
-  const auto place = placeAt(event->position());
-  if (!place) return event->ignore();
+  const auto position = viewPositionAt(event->position());
+  if (!position) return event->ignore();
   event->accept();
   const QPointF turned = QPointF(event->angleDelta()) / kWheelStep;
   // Some systems turn the wheel sideways themselves while a modifier is held.
   const double steps = turned.y() != 0 ? turned.y() : turned.x();
   if (event->modifiers() & Qt::ControlModifier)
-    viewer_.exaggerate(*place, steps);
+    viewer_.exaggerate(*position, steps);
   else if ((event->modifiers() & Qt::ShiftModifier) || turned.y() == 0)
     viewer_.pan(kKeyPan * steps, 0);
   else
-    viewer_.zoom(*place, steps);
+    viewer_.zoom(*position, steps);
   changed();
 }
 
 void ContactCanvas::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || !placeAt(event->position())) return event->ignore();
+  if (event->button() != Qt::LeftButton || !viewPositionAt(event->position()))
+    return event->ignore();
   startDrag(event->position());
 }
 
@@ -324,7 +327,7 @@ void ContactCanvas::continueDrag(const QPointF& position) {
   const QRectF plot = plotArea();
   if (grip_ && !grip_->isDecided) {
     const QPointF moved = position - grip_->from;
-    if (moved.manhattanLength() < kDecides) return;
+    if (moved.manhattanLength() < kDragThreshold) return;
     grip_->isDecided = true;
     if (std::abs(moved.x()) > std::abs(moved.y())) {
       grip_.reset();
@@ -407,11 +410,11 @@ ContactTip ContactCanvas::tipAt(const QPointF& position) const {
 }
 
 void ContactCanvas::readAbout() {
-  emit guideWanted(guideAnchor_.isEmpty() ? QStringLiteral("foundation") : guideAnchor_);
+  emit guideRequested(guideAnchor_.isEmpty() ? QStringLiteral("foundation") : guideAnchor_);
 }
 
 void ContactCanvas::pinch(const QPointF& position, double factor) {
-  viewer_.zoom(placeAt(position).value_or(ViewPlace{}), stepsOf(factor));
+  viewer_.zoom(viewPositionAt(position).value_or(ViewPosition{}), stepsOf(factor));
   changed();
 }
 

@@ -1,16 +1,15 @@
 // The contact view. It draws frames with OpenGL where the graphics hardware supports it in a
-// window, else with images of the program's own
-// rasterizer: OpenGL in software draws the same pictures for five times the processor time. It
-// switches at run time if OpenGL does not work. The environment variable ASPERITY_CANVAS ("opengl",
-// "software") overrides this choice. Wheel and pinch zoom at the cursor; with Ctrl they change the
-// vertical exaggeration, with Shift they move the view in x. Dragging moves the view; the rigid
-// body dragged up or down, the force's arrow and the velocity's change the scene
-// (ui/contact/contact_handles.h): shape of the cursor and a tip say so before and during the drag,
-// and Escape undoes it. The cursor is a crosshair with a readout. Keys while it has the focus:
-// arrows move the view, with Ctrl they move the crosshair by an element (with Shift by ten), with
-// Shift the up and down arrows change the exaggeration; contact_view_actions.h has the other keys.
-// GUI thread; owned by its parent. Failure: where nothing can draw, it shows a message and stays
-// empty.
+// window, otherwise with images of the program's own rasterizer: OpenGL in software draws the same
+// pictures for five times the processor time. It switches at run time if OpenGL does not work. The
+// environment variable ASPERITY_CANVAS ("opengl", "software") overrides this choice. Wheel and
+// pinch zoom at the cursor; with Ctrl they change the vertical exaggeration, with Shift they move
+// the view in x. Dragging moves the view; the rigid body dragged up or down, the force's arrow and
+// the velocity's change the scene (ui/contact/contact_handles.h): the shape of the cursor and a tip
+// show this before and during the drag, and Escape undoes it. The cursor is a crosshair with a
+// readout. Keys while it has the focus: arrows move the view, with Ctrl they move the crosshair by
+// an element (with Shift by ten), with Shift the up and down arrows change the exaggeration;
+// contact_view_actions.h has the other keys. GUI thread; owned by its parent. Failure: where
+// nothing can draw, it shows a message and stays empty.
 #pragma once
 
 #include <QElapsedTimer>
@@ -81,17 +80,17 @@ class ContactCanvas : public QWidget {
   /// Returns the plot's area in the widget's pixels; empty before the first frame.
   QRectF plotArea() const;
 
-  /// Opens the guide at what was under the pointer when the menu was asked for.
+  /// Opens the guide at the object that was under the pointer when the menu was opened.
   void readAbout();
 
  signals:
   void painted();
   void failed(const QString& reason);
   void viewChanged();
-  void fieldsWanted(const asperity::FrameFields& fields);
+  void fieldsChanged(const asperity::FrameFields& fields);
   /// Emitted at each step of a drag that changes the scene.
   void sceneEdited(const asperity::Scene& scene);
-  void guideWanted(const QString& anchor);
+  void guideRequested(const QString& anchor);
 
  protected:
   bool event(QEvent* event) override;
@@ -107,15 +106,15 @@ class ContactCanvas : public QWidget {
  private:
   void useOpenGl();
   void useSoftware();
-  void place(CanvasBackend* backend);
-  void giveUp(const QString& reason);
+  void setBackend(CanvasBackend* backend);
+  void fallBack(const QString& reason);
   void countPicture();
   void refresh();
   void paintVeil();
   PictureRequest request() const;
 
-  std::optional<ViewPlace> placeAt(const QPointF& position) const;
-  ViewPlace focusPlace() const;
+  std::optional<ViewPosition> viewPositionAt(const QPointF& position) const;
+  ViewPosition zoomCentre() const;
   void showCrosshair(const QPointF& position);
   void movePointer(int elements);
   ContactTip tipAt(const QPointF& position) const;
@@ -136,8 +135,8 @@ class ContactCanvas : public QWidget {
   double textScale_ = 1;
   std::optional<QPointF> dragged_;  // last position of the cursor while a button is down
   std::optional<Scene> scene_;
-  /// What the pressed button may change, from which scene and heights (m) on; a drag of the body
-  /// sideways moves the view, as its first pixels decide.
+  /// The handle that the drag moves, and the scene and the heights (m) at its beginning. The first
+  /// pixels decide whether a drag of the body moves the body or, sideways, the view.
   struct Grip {
     ContactHandle handle;
     QPointF from;
@@ -147,7 +146,7 @@ class ContactCanvas : public QWidget {
   };
   std::optional<Grip> grip_;
   bool isPinching_ = false;
-  QString guideAnchor_;  // of what was under the pointer when the menu was asked for
+  QString guideAnchor_;  // of the object that was under the pointer when the menu was opened
   QElapsedTimer clock_;
   mutable std::deque<qint64> pictures_;  // the times when they were shown, ms
 };

@@ -14,7 +14,7 @@ namespace asperity {
 namespace {
 
 /// Returns one sentence on a drag of this handle.
-QString whatADragDoes(ContactHandle handle, const Scene& scene) {
+QString dragHint(ContactHandle handle, const Scene& scene) {
   if (handle == ContactHandle::Velocity)
     return ContactCanvas::tr("Drag to the right to slide faster, to the left to slide slower.");
   if (handle == ContactHandle::Force)
@@ -28,7 +28,7 @@ QString whatADragDoes(ContactHandle handle, const Scene& scene) {
                    "view.");
 }
 
-/// Returns what a sign means: its explanation, or what it says where it has none.
+/// Returns the explanation of a sign, or its text where it has none.
 ContactTip tipOf(const ContactSign& sign) {
   const QString sentence = keptTogether(QString::fromStdString(sign.tip));
   const auto explanation = findExplanation(sign.id);
@@ -42,7 +42,7 @@ ContactTip tipOf(const ContactSign& sign) {
 QString draggedText(ContactHandle handle, const Scene& scene) {
   const Parameter& parameter = knownParameter(draggedKey(handle, scene));
   const double value = std::get<double>(parameterValue(parameter, scene));
-  return ParameterRow::labelOf(parameter) + ": " +
+  return ParameterRow::labelText(parameter) + ": " +
          QString::fromStdString(quantity(value, parameter.unit, 4));
 }
 
@@ -62,7 +62,7 @@ ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options
     tip = tipOf(*sign);
   if (const ContactHandle handle = contactHandleAt(frame, options, pixel, scene);
       handle != ContactHandle::None)
-    tip.html += wrappedTip(whatADragDoes(handle, *scene)) + wrappedTip(draggedText(handle, *scene));
+    tip.html += wrappedTip(dragHint(handle, *scene)) + wrappedTip(draggedText(handle, *scene));
   return tip;
 }
 

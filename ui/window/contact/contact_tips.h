@@ -1,5 +1,5 @@
-// What the picture of the contact says under the pointer: what a word or a sign means
-// (ui/contact/contact_signs.h), with its formula and its place in the guide, and what a drag from
+// The tips of the picture of the contact: the explanation of the text or symbol under the pointer
+// (ui/contact/contact_signs.h), with its formula and its anchor in the guide, and what a drag from
 // here changes. GUI thread.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace asperity {
 
 struct ContactTip {
-  QString html;         // rich text; empty: nothing is said here
+  QString html;         // rich text; empty: no tip here
   QString guideAnchor;  // empty: nothing is explained here
 };
 

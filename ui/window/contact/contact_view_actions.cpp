@@ -202,7 +202,7 @@ void addColours(ContactCanvas& canvas, QMenu& menu) {
       });
 }
 
-/// Adds to the picture's own menu what leads to the guide: it speaks of what is under the pointer.
+/// Adds the entry of the context menu that opens the guide at the object under the pointer.
 void addGuide(ContactCanvas& canvas) {
   auto* separator = new QAction(&canvas);
   separator->setSeparator(true);

@@ -20,7 +20,7 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(600, 260);  // pixels
+constexpr QSize kDefault(600, 260);  // pixels
 
 /// Returns the sentences on the present frame. A curve that is to be guessed is not spoken of.
 QStringList sentencesOf(const Session& session) {
@@ -31,18 +31,19 @@ QStringList sentencesOf(const Session& session) {
     curve = {reading.mu, reading.error, reading.lines, reading.region, reading.notes};
   }
   curve.notes.add(Note::SlopeAbove, frame.rmsSlope > kSmallSlope);
-  QStringList said;
-  for (const Message& sentence : describeContact(frame, curve)) said += translatedText(sentence);
-  return said;
+  QStringList sentences;
+  for (const Message& sentence : describeContact(frame, curve))
+    sentences += translatedText(sentence);
+  return sentences;
 }
 
 }  // namespace
 
-void ContactWords::speak(const Session& session, ContactCanvas& canvas, QWidget& window) {
+void ContactWords::showFor(const Session& session, ContactCanvas& canvas, QWidget& window) {
   if (!session.frame()) return;
   auto* words = window.findChild<ContactWords*>("contactWords", Qt::FindDirectChildrenOnly);
   if (!words) words = new ContactWords(session, canvas, &window);
-  words->renew();
+  words->refresh();
   words->show();
   words->raise();
   words->activateWindow();
@@ -68,9 +69,9 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   copy->setObjectName("contactWordsCopy");
   auto* close = new QPushButton(tr("C&lose"));
   close->setObjectName("contactWordsClose");
-  connect(again, &QPushButton::clicked, this, &ContactWords::renew);
+  connect(again, &QPushButton::clicked, this, &ContactWords::refresh);
   connect(new QShortcut(Qt::CTRL | Qt::Key_D, this), &QShortcut::activated, this,
-          &ContactWords::renew);
+          &ContactWords::refresh);
   connect(copy, &QPushButton::clicked, this,
           [this] { QGuiApplication::clipboard()->setText(text()); });
   connect(close, &QPushButton::clicked, this, &QDialog::close);
@@ -83,7 +84,7 @@ ContactWords::ContactWords(const Session& session, ContactCanvas& canvas, QWidge
   auto* column = new QVBoxLayout(this);
   column->addWidget(text_, 1);
   column->addLayout(foot);
-  resize(kUsual);
+  resize(kDefault);
   text_->setFocus();
 }
 
@@ -91,11 +92,11 @@ QString ContactWords::text() const {
   return text_->toPlainText();
 }
 
-void ContactWords::renew() {
-  const QStringList said = sentencesOf(session_);
-  text_->setPlainText(said.join('\n'));
-  setAccessibleDescription(said.join(' '));
-  canvas_.setAccessibleDescription(said.join(' '));
+void ContactWords::refresh() {
+  const QStringList sentences = sentencesOf(session_);
+  text_->setPlainText(sentences.join('\n'));
+  setAccessibleDescription(sentences.join(' '));
+  canvas_.setAccessibleDescription(sentences.join(' '));
   text_->setFocus();
 }
 

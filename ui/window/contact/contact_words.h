@@ -1,7 +1,7 @@
-// The state of the contact in words (core/run/contact_state.h) in a small window: a screen reader
-// speaks it when it opens, and anybody can copy it. It belongs to the moment at which it was asked
-// for; asking again renews it. Qt 6.4 has no announcements of its own, so the words are also the
-// description of the picture. GUI thread; belongs to its parent.
+// The state of the contact in words (core/run/contact_state.h) in a small window: screen readers
+// read it when it opens, and it can be copied. It describes the moment at which it was requested;
+// another request updates it. Qt 6.4 has no accessible announcements, so the text is also the
+// accessible description of the picture. GUI thread; owned by its parent.
 #pragma once
 
 #include <QDialog>
@@ -20,14 +20,14 @@ class ContactWords : public QDialog {
  public:
   /// Shows the state of the present frame over `window`, in the window that is open or a new one;
   /// nothing before the first frame.
-  static void speak(const Session& session, ContactCanvas& canvas, QWidget& window);
+  static void showFor(const Session& session, ContactCanvas& canvas, QWidget& window);
 
   /// Returns one sentence in each line.
   QString text() const;
 
  private:
   ContactWords(const Session& session, ContactCanvas& canvas, QWidget* parent);
-  void renew();
+  void refresh();
 
   const Session& session_;
   ContactCanvas& canvas_;

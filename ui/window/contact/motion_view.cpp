@@ -121,7 +121,7 @@ void MotionView::saveLoop(const QString& file) {
   loopFiles_->save(file);
 }
 
-const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF place) const {
+const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF position) const {
   if (!samples_ || samples_->empty() || chart.sheet().diagrams.empty()) return nullptr;
   const bool isLoop = &chart == loop_;
   double nearest = isLoop ? kReach : std::numeric_limits<double>::infinity();
@@ -130,19 +130,20 @@ const TransientSample* MotionView::sampleAt(const ChartView& chart, QPointF plac
   const double height = 0.5 * (y.from + y.to);
   if (!isLoop) {
     // Only over the strips, not over their titles.
-    const double left = chart.positionOf(0, height).x(),
-                 right = chart.positionOf(duration_, height).x();
-    if (place.x() < left - 1 || place.x() > right + 1) return nullptr;
+    const double left = chart.mapToPosition(0, height).x(),
+                 right = chart.mapToPosition(duration_, height).x();
+    if (position.x() < left - 1 || position.x() > right + 1) return nullptr;
   }
   for (const TransientSample& sample : *samples_) {
     double away = 0;
     if (isLoop) {
       if (!(sample.normalForce > 0)) continue;
       const QPointF at =
-          chart.positionOf(sample.velocity, sample.tangentialForce / sample.normalForce) - place;
+          chart.mapToPosition(sample.velocity, sample.tangentialForce / sample.normalForce) -
+          position;
       away = std::hypot(at.x(), at.y());
     } else {
-      away = std::abs(chart.positionOf(sample.time, height).x() - place.x());
+      away = std::abs(chart.mapToPosition(sample.time, height).x() - position.x());
     }
     if (!(away < nearest)) continue;
     nearest = away;
@@ -180,7 +181,7 @@ bool MotionView::eventFilter(QObject* watched, QEvent* event) {
     const bool isClick = (mouse->position() - *pressed_).manhattanLength() < 4;
     pressed_.reset();
     if (const TransientSample* sample = sampleAt(*chart, mouse->position()); isClick && sample)
-      emit momentWanted(sample->time);
+      emit seekRequested(sample->time);
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -1,7 +1,7 @@
 // A motion in time: velocity, friction, indentation and length per contact as strips below each
 // other and, for an oscillation, the loop of friction over velocity beside them. The pointer reads
 // the nearest moment; a click on a strip goes there; a menu copies or saves each of both. GUI
-// thread; belongs to its parent.
+// thread; owned by its parent.
 #pragma once
 
 #include <QWidget>
@@ -30,9 +30,9 @@ class MotionView : public QWidget {
 
   ChartView& strips() { return *strips_; }
   ChartView& loop() { return *loop_; }
-  /// Returns the sample at a place of the strips or the loop, in the pixels of that widget; none
+  /// Returns the sample at a position of the strips or the loop, in the pixels of that widget; none
   /// where the pointer is not near one.
-  const TransientSample* sampleAt(const ChartView& chart, QPointF place) const;
+  const TransientSample* sampleAt(const ChartView& chart, QPointF position) const;
 
   /// Writes the strips or the loop: .png, .svg, .pdf, or .csv with all samples. saved() or failed()
   /// follows.
@@ -41,7 +41,7 @@ class MotionView : public QWidget {
 
  signals:
   /// Emitted when a moment of the strips is clicked, s.
-  void momentWanted(double time);
+  void seekRequested(double time);
   /// Emitted when a picture or table was saved, or put on the clipboard (no file), or could not be.
   void saved(const QString& file);
   void failed(const QString& reason);

@@ -26,10 +26,10 @@ namespace {
 constexpr double kFastest = 2, kSlowest = 600;  // s on the screen for a period
 constexpr int kPositions = 240;                 // of the slider of the pace
 constexpr int kMoments = 1000;                  // of the slider of the moment
-constexpr int kEntryAir = 16;                   // pixels around the text of an entry
+constexpr int kEntryMargin = 16;                // pixels around the text of an entry
 
-/// A pace's position on the slider: to the right slower.
-int positionOf(double pace) {
+/// Returns the position of a pace on the slider: slower to the right.
+int sliderPosition(double pace) {
   return static_cast<int>(
       std::lround(kPositions * std::log(pace / kFastest) / std::log(kSlowest / kFastest)));
 }
@@ -93,7 +93,7 @@ TimeBar::TimeBar(QWidget* parent)
   row->addSpacing(8);
   row->addWidget(name_);
   row->addWidget(slider_);
-  factor_->setTextMargins(4, 0, 4, 0);  // within kEntryAir, as in entries of the panel
+  factor_->setTextMargins(4, 0, 4, 0);  // within kEntryMargin, as in entries of the panel
   row->addWidget(factor_);
   row->addWidget(keep_);
   name_->setBuddy(slider_);
@@ -102,12 +102,12 @@ TimeBar::TimeBar(QWidget* parent)
           [this](int position) { setPace(paceAt(position)); });
   connect(factor_, &QLineEdit::editingFinished, this, &TimeBar::readFactor);
   connect(moment_, &QSlider::valueChanged, this, [this](int position) {
-    if (duration_ > 0) emit momentWanted(duration_ * position / kMoments);
+    if (duration_ > 0) emit seekRequested(duration_ * position / kMoments);
   });
   moment_->installEventFilter(this);
   connect(moment_, &QSlider::sliderPressed, this, [this] {
     emit scrubbing(true);
-    emit momentWanted(duration_ * moment_->value() / kMoments);
+    emit seekRequested(duration_ * moment_->value() / kMoments);
   });
   connect(moment_, &QSlider::sliderReleased, this, [this] { emit scrubbing(false); });
   keepTranslated(*this, [this] { showTexts(); });
@@ -117,7 +117,7 @@ bool TimeBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched == moment_ && event->type() == QEvent::MouseButtonPress) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const int handle = moment_->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, moment_);
-    const QSignalBlocker quiet(moment_);  // the press itself asks for the moment
+    const QSignalBlocker quiet(moment_);  // the press itself requests the moment
     if (mouse->button() == Qt::LeftButton)
       moment_->setValue(QStyle::sliderValueFromPosition(
           0, kMoments, qRound(mouse->position().x()) - handle / 2, moment_->width() - handle));
@@ -151,7 +151,7 @@ void TimeBar::setWidths() {
   };
   const QString widest = QStringLiteral("0000.00");
   factor_->setFixedWidth(std::max(widthOf(slowerText(widest)), widthOf(fasterText(widest))) +
-                         kEntryAir);
+                         kEntryMargin);
   // The numbers change without moving what is beside them.
   momentText_->setMinimumWidth(
       widthOf(momentText(QStringLiteral("000.0 ms"), quantityText(duration_))));
@@ -220,14 +220,14 @@ void TimeBar::setSlowMotion(double factor) {
 
 void TimeBar::showPace() {
   const QSignalBlocker quiet(slider_);
-  slider_->setValue(positionOf(pace_));
+  slider_->setValue(sliderPosition(pace_));
   const double factor = slowMotion();
   factor_->setEnabled(factor > 0);
   factor_->setText(factor > 0 ? paceText(factor) : QStringLiteral("–"));
   factor_->setCursorPosition(0);
 }
 
-/// Takes what was typed, "600", "1e3 x slower" or "20× faster"; anything else leaves the pace.
+/// Reads the typed pace, "600", "1e3 x slower" or "20× faster"; any other text leaves the pace.
 void TimeBar::readFactor() {
   static const QRegularExpression form(
       QStringLiteral("^\\s*([0-9.,eE+]+|[0-9.,]+[eE]-[0-9]+)\\s*[×x]?\\s*(\\p{L}*)\\s*$"));

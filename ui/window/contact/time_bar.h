@@ -1,9 +1,9 @@
-// The bar below the contact: the moment of a motion, to be dragged, and the slow motion.
-// The pace is the time on the screen in which the line moves by one period, or a motion takes
-// place; slow motion is this time over the simulated one. Where the velocity changes, either the
-// pace stays, so that the picture moves as before, or the slow motion, so that twice the velocity
-// looks twice as fast. GUI thread; belongs to its parent. Cannot fail: a pace too fast or too slow
-// becomes the nearest possible one.
+// The bar below the contact: the moment of a motion, to be dragged, and the slow motion. The pace
+// is the time on the screen in which the line moves by one period, or a motion takes place; slow
+// motion is this time over the simulated one. When the velocity changes, either the pace stays, so
+// that the picture moves as before, or the slow motion, so that twice the velocity looks twice as
+// fast. GUI thread; owned by its parent. Cannot fail: a pace too fast or too slow becomes the
+// nearest possible one.
 #pragma once
 
 #include <QWidget>
@@ -39,12 +39,12 @@ class TimeBar : public QWidget {
  signals:
   void paceChanged(double secondsPerPeriod);
   /// Emitted while the moment is dragged, and for its keys: s, of a motion.
-  void momentWanted(double time);
+  void seekRequested(double time);
   /// Emitted at the beginning and the end of a drag of the moment.
   void scrubbing(bool isOn);
 
  protected:
-  /// A press anywhere on the slider of the moment grips it there.
+  /// Moves the handle of the slider of time to a press anywhere on it, and grips it there.
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
 

@@ -33,8 +33,8 @@ QString entryText(const Message& title, std::string_view unit) {
 
 }  // namespace
 
-/// A list whose entries are made when someone is about to use it: which parameters a scene has
-/// takes a while to find out.
+/// A list whose entries are made when it opens, because finding the parameters of a scene takes a
+/// while.
 class AxisBox : public ChoiceBox {
  public:
   using Fill = std::function<void()>;
@@ -64,7 +64,7 @@ class AxisBox : public ChoiceBox {
 
 namespace {
 
-/// Sets the entries, unless they are there already: the list may be open.
+/// Sets the entries if they have changed: the list may be open.
 void setEntries(AxisBox& box, const QList<std::pair<QString, QVariant>>& entries) {
   bool isSame = box.count() == entries.size();
   for (int i = 0; isSame && i < box.count(); ++i)
@@ -88,14 +88,14 @@ AxisChoosers::AxisChoosers(Session& session, ChartView& view, CurveCommands& com
   connect(x_, &QComboBox::activated, this, [this](int index) {
     const QString key = x_->itemData(index).toString();
     commands_.chooseAxis(key == kDimensionless ? nullptr : findParameter(key.toStdString()));
-    follow();
+    update();
   });
   connect(y_, &QComboBox::activated, this, [this](int index) {
     if (y_->itemData(index).toString() == kDimensionless)
       commands_.chooseAxis(nullptr);
     else
       commands_.chooseQuantity(static_cast<CurveQuantity>(y_->itemData(index).toInt()));
-    follow();
+    update();
   });
   view.setChoosers(x_, y_);
   connect(&view, &ChartView::titlesChanged, this, &AxisChoosers::showTitles);
@@ -114,7 +114,7 @@ void AxisChoosers::showTexts() {
 void AxisChoosers::showTitles(const QString& x, const QString& y) {
   x_->setShownText(x);
   y_->setShownText(y);
-  follow();
+  update();
 }
 
 void AxisChoosers::fillKeys() {
@@ -123,7 +123,7 @@ void AxisChoosers::fillKeys() {
     entries.emplaceBack(entryText(parameterTitle(row->key), row->unit), fromUtf8(row->key));
   entries.insert(1, {tr("Dimensionless velocity v̄, Eq. (13)"), kDimensionless});
   setEntries(*x_, entries);
-  follow();
+  update();
 }
 
 void AxisChoosers::fillQuantities() {
@@ -133,10 +133,10 @@ void AxisChoosers::fillQuantities() {
   if (session_.scene().sweep.isOfVelocity())
     entries.emplaceBack(tr("Dimensionless: μ over the rms slope against v̄"), kDimensionless);
   setEntries(*y_, entries);
-  follow();
+  update();
 }
 
-/// Says under the pointer what each axis shows.
+/// Sets the tooltips that explain the axes.
 void AxisChoosers::explain() {
   const bool isPlain = !commands_.hasDimensionlessAxes();
   const auto tip = [](std::string_view id, const QString& hint) {
@@ -154,7 +154,7 @@ void AxisChoosers::explain() {
 }
 
 /// Selects what is shown.
-void AxisChoosers::follow() {
+void AxisChoosers::update() {
   const QSignalBlocker silentX(x_), silentY(y_);
   const bool isPlain = !commands_.hasDimensionlessAxes();
   const QString key = QString::fromStdString(session_.scene().sweep.key);

@@ -1,7 +1,6 @@
-// The lists at the axes of the friction chart, in place of their titles: which parameter the
-// horizontal axis goes over, and which quantity the vertical axis shows. They say the same as the
-// menu of the curve, whose commands they call. Owned by the commands; the chart owns the lists. GUI
-// thread.
+// The lists at the axes of the friction chart, instead of their titles: the parameter of the
+// horizontal axis and the quantity of the vertical axis. They offer the same choices as the menu of
+// the curve, whose commands they call. Owned by the commands; the chart owns the lists. GUI thread.
 #pragma once
 
 #include <QObject>
@@ -23,7 +22,7 @@ class AxisChoosers : public QObject {
  private:
   void fillKeys();
   void fillQuantities();
-  void follow();
+  void update();
   void explain();
   void showTexts();
   void showTitles(const QString& x, const QString& y);

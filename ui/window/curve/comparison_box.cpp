@@ -17,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr int kHeight = 24;  // height in pixels of its entries
-constexpr int kMostOversampling = 64, kMostLines = 10000;
+constexpr int kMaxOversampling = 64, kMaxLines = 10000;
 
 QSpinBox* spin(const char* name, int value, int most) {
   auto* box = new QSpinBox;
@@ -41,13 +41,13 @@ ComparisonBox::ComparisonBox(QWidget* parent)
   scheme_->setObjectName("comparisonScheme");
   for (const auto& word : schemes()) scheme_->addItem(wordText(word));
   scheme_->setCurrentIndex(static_cast<int>(Scheme::Cubic));
-  scheme_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // its words are seen whole
+  scheme_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // its texts are not elided
   const CurveSetting usual;
   oversampling_ =
-      spin("comparisonOversampling", static_cast<int>(usual.oversampling), kMostOversampling);
+      spin("comparisonOversampling", static_cast<int>(usual.oversampling), kMaxOversampling);
   oversampling_->setPrefix(QStringLiteral("×"));
   suggested_ = static_cast<int>(usual.realizations);
-  lines_ = spin("comparisonLines", suggested_, kMostLines);
+  lines_ = spin("comparisonLines", suggested_, kMaxLines);
   connect(lines_, &QSpinBox::valueChanged, this, &ComparisonBox::showLines);
 
   for (QWidget* entry : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(oversampling_),
@@ -109,7 +109,7 @@ std::optional<CurveSetting> ComparisonBox::setting() const {
 
 void ComparisonBox::suggestLines(std::int64_t lines) {
   if (lines_->value() != suggested_) return;
-  suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMostLines));
+  suggested_ = static_cast<int>(std::min<std::int64_t>(lines, kMaxLines));
   lines_->setValue(suggested_);
 }
 

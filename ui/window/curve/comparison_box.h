@@ -1,5 +1,5 @@
 // The setting with which the friction curve is compared: another scheme, oversampling and number of
-// lines. GUI thread; belongs to its parent. Cannot fail.
+// lines. GUI thread; owned by its parent. Cannot fail.
 #pragma once
 
 #include <QWidget>

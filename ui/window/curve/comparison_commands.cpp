@@ -64,7 +64,7 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
     action->setObjectName("theory:" + wordOf(entry.theory));
     action->setCheckable(true);
     connect(action, &QAction::triggered, this,
-            [this, theory = entry.theory](bool isWanted) { takeTheory(theory, isWanted); });
+            [this, theory = entry.theory](bool isSelected) { takeTheory(theory, isSelected); });
     keepTranslated(*theories_, [action, &entry] {
       action->setText(capitalized(translatedText(entry.name)));
       action->setToolTip(wrappedTip(translatedText(entry.range)));
@@ -82,8 +82,8 @@ void ComparisonCommands::fill(QMenu& menu, Commands& commands) {
   showScene(parts_.document.scene());
 }
 
-/// Shows what the scene has; theories that say nothing of it can be chosen all the same, for the
-/// next scene.
+/// Shows the comparisons of the scene. Theories that do not apply to it can be chosen as well, for
+/// the next scene.
 void ComparisonCommands::showScene(const Scene& scene) {
   for (const TheoryEntry& entry : theoryEntries())
     if (auto* action = theories_->findChild<QAction*>("theory:" + wordOf(entry.theory)))
@@ -93,9 +93,9 @@ void ComparisonCommands::showScene(const Scene& scene) {
   button_->setVisible(hasTables);
 }
 
-void ComparisonCommands::takeTheory(Theory theory, bool isWanted) {
+void ComparisonCommands::takeTheory(Theory theory, bool isSelected) {
   Scene scene = parts_.document.scene();
-  scene.comparison.theory = withTheory(scene.comparison.theory, theory, isWanted);
+  scene.comparison.theory = withTheory(scene.comparison.theory, theory, isSelected);
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Theories"));
 }
 
@@ -105,7 +105,7 @@ void ComparisonCommands::fillTables() {
   const Scene& scene = parts_.document.scene();
   for (std::size_t i = 0; i < scene.comparison.data.size(); ++i) {
     const DataFile& table = scene.comparison.data[i];
-    QAction* action = tables_->addAction(nameOf(table), this, [this, i] { removeTable(i); });
+    QAction* action = tables_->addAction(tableName(table), this, [this, i] { removeTable(i); });
     action->setObjectName(QStringLiteral("measured:%1").arg(i));
     action->setToolTip(fromUtf8((scene.folder / table.file).string()));
   }

@@ -1,8 +1,8 @@
-// The commands for what stands beside the friction curve: theories and measured tables, each by its
+// The commands for comparisons beside the friction curve: theories and measured tables, each by its
 // name in a menu, and the page that fits the scene to the tables. Every choice is a step of the
 // document. Object names: "theory:WORD", "measured:NUMBER", "measuredMenu", "theoryMenu",
-// "fitParameters", "fitButton". Owned by the main window; GUI thread. Failure: on the page of the
-// fit, else as ImportCommands.
+// "fitParameters", "fitButton". Owned by the main window; GUI thread. Failure: errors appear on the
+// page of the fit, others as in ImportCommands.
 #pragma once
 
 #include <QObject>
@@ -34,7 +34,8 @@ class ComparisonCommands : public QObject {
     SceneDocument& document;
     Appearance& appearance;
     SceneTabs& tabs;
-    std::function<bool()> addTable;  // asks for a measured table; whether there is one
+    std::function<bool()>
+        addTable;  // opens a file dialog for a measured table; returns whether there is one
   };
   explicit ComparisonCommands(const Parts& parts);
 
@@ -44,13 +45,13 @@ class ComparisonCommands : public QObject {
   /// Adds the submenus of theories and tables, and the command.
   void fill(QMenu& menu, Commands& commands);
 
-  /// Shows the page of the fit; asks for a table first where the scene names none.
+  /// Shows the page of the fit. Opens a file dialog for a table first where the scene names none.
   FitPage* openFit();
 
  private:
   void fillTables();
   void showScene(const Scene& scene);
-  void takeTheory(Theory theory, bool isWanted);
+  void takeTheory(Theory theory, bool isSelected);
   void removeTable(std::size_t index);
   void takeValues(const Fit& fit);
 

@@ -57,9 +57,9 @@ CurveCommands::CurveCommands(Session& session, ChartView& view, Export run, QObj
   save_ = add("saveCurve", [this] { askSave(); });
   save_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
   copy_ = add("copyCurvePicture", [this] { copyPicture(); });
-  guide_ = add("aboutCurve", [this] { emit guideWanted(view_.guideAnchor()); });
+  guide_ = add("aboutCurve", [this] { emit guideRequested(view_.guideAnchor()); });
   connect(&session_, &Session::plotChanged, this, &CurveCommands::showState);
-  connect(&view_, &ChartView::fitWanted, fit_, &QAction::trigger);
+  connect(&view_, &ChartView::fitRequested, fit_, &QAction::trigger);
 }
 
 QAction* CurveCommands::add(const char* name, std::function<void()> run) {
@@ -142,9 +142,10 @@ void CurveCommands::fill(QMenu& menu) {
 void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
-    QAction* action = unpin_->addAction(session_.friction().nameOf(pinned), this, [this, pinned] {
-      session_.editCurve([&](FrictionChartModel& plot) { plot.unpin(pinned.id); });
-    });
+    QAction* action =
+        unpin_->addAction(session_.friction().pinnedName(pinned), this, [this, pinned] {
+          session_.editCurve([&](FrictionChartModel& plot) { plot.unpin(pinned.id); });
+        });
     action->setObjectName(QStringLiteral("unpin:%1").arg(pinned.id));
   }
 }
@@ -200,11 +201,11 @@ void CurveCommands::fillKeys(QMenu& menu, std::function<void(const Parameter&)> 
 
 /// Offers two to nine curves in a family.
 void CurveCommands::addFamilySizes() {
-  constexpr int kLeast = 2, kMost = 9;
+  constexpr int kMin = 2, kMax = 9;
   family_->addSeparator();
   QMenu* sizes = family_->addMenu(tr("Curves in a family: %1").arg(familySize_));
   sizes->setObjectName("familySizes");
-  for (int size = kLeast; size <= kMost; ++size) {
+  for (int size = kMin; size <= kMax; ++size) {
     QAction* action =
         sizes->addAction(QString::number(size), this, [this, size] { familySize_ = size; });
     action->setObjectName(QStringLiteral("familySize:%1").arg(size));
@@ -328,7 +329,7 @@ void CurveCommands::copyPicture() {
   const QSize size = view_.size().expandedTo({900, 600}) * scale;
   const Theme& theme = isDark(view_.palette()) ? darkTheme() : lightTheme();
   run_([set = *set, image, size, scale,
-        &theme] { *image = imageOf(set, size.width(), size.height(), scale, theme); },
+        &theme] { *image = renderCurves(set, size.width(), size.height(), scale, theme); },
        [this, image] {
          QGuiApplication::clipboard()->setImage(*image);
          emit exported({});

@@ -1,5 +1,5 @@
 // The commands of the friction diagram: pins, axes, view, files. Each is an action with a name and,
-// where it has one, a key. GUI thread; belongs to its parent. Failure: the exporter reports it.
+// where it has one, a key. GUI thread; owned by its parent. Failure: the exporter reports it.
 #pragma once
 
 #include <QObject>
@@ -47,11 +47,11 @@ class CurveCommands : public QObject {
  signals:
   /// Emitted with the file, or an empty text for the clipboard.
   void exported(const QString& file);
-  /// Emitted where another axis was chosen.
+  /// Emitted when another axis was chosen.
   void axisChosen(const asperity::Scene& scene);
-  /// Emitted where the user wants to read about what is under the pointer.
-  void guideWanted(const QString& anchor);
-  /// A family could not be computed.
+  /// Emitted when the user requests the guide about the object under the pointer.
+  void guideRequested(const QString& anchor);
+  /// Emitted when a family could not be computed.
   void failed(const QString& reason);
 
  private:

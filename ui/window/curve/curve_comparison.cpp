@@ -8,7 +8,7 @@ namespace asperity {
 
 CurveComparison::CurveComparison(Session& session, QObject* parent)
     : QObject(parent), session_(session) {
-  connect(&session_, &Session::plotChanged, this, &CurveComparison::follow);
+  connect(&session_, &Session::plotChanged, this, &CurveComparison::update);
 }
 
 void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
@@ -16,12 +16,12 @@ void CurveComparison::setSetting(const std::optional<CurveSetting>& setting) {
   setting_ = setting;
   compared_.reset();
   work_.cancel();
-  if (setting_) return follow();
+  if (setting_) return update();
   session_.editCurve([](FrictionChartModel& plot) { plot.showDifference(std::nullopt); });
 }
 
 /// Begins the comparison when the scene's own curve is complete: the curve comes first.
-void CurveComparison::follow() {
+void CurveComparison::update() {
   const CurveUpdate* curve = session_.curve();
   if (!setting_ || !curve || !curve->isComplete) return;
   if (choosesAccuracy(*curve->scene) || !curve->scene->sweep.isOfVelocity()) return;
@@ -38,7 +38,7 @@ void CurveComparison::start() {
         DifferenceOptions options;
         options.stop = run.stop();
         options.progress = [&](const CurveDifference& part) {
-          run.tell([this, part = std::make_shared<const CurveDifference>(part)] { take(*part); });
+          run.post([this, part = std::make_shared<const CurveDifference>(part)] { take(*part); });
         };
         curveDifference(scene, setting, options);
       },

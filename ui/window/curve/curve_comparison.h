@@ -1,6 +1,6 @@
 // Computes the difference of two settings beside the present friction curve. The work begins on a
 // thread of its own when the curve is complete, and the session's diagram shows the result as it
-// grows. GUI thread; belongs to its parent. Failure: `failed` gives one sentence; the next change
+// grows. GUI thread; owned by its parent. Failure: `failed` gives one sentence; the next change
 // tries again.
 #pragma once
 
@@ -29,7 +29,7 @@ class CurveComparison : public QObject {
   void shown();
 
  private:
-  void follow();
+  void update();
   void start();
   void take(const CurveDifference& difference);
 

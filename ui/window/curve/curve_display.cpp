@@ -33,9 +33,9 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
     if (value) setSwept(roundedToDigits(*value, finely ? kFineDigits : kDigits));
   });
   connect(&view_, &ChartView::pointChosen, this, [this](int id, int row) {
-    if (const auto value = session_.friction().sweptOf(id, row)) setSwept(*value);
+    if (const auto value = session_.friction().sweptValue(id, row)) setSwept(*value);
   });
-  connect(&view_, &ChartView::unpinWanted, this, [this](int id) {
+  connect(&view_, &ChartView::unpinRequested, this, [this](int id) {
     session_.editCurve([id](FrictionChartModel& plot) { plot.unpin(id); });
   });
   show();

@@ -1,7 +1,7 @@
 // The friction diagram in the window. It follows the session slowly enough to leave time for other
 // work, and turns the user's actions in it into velocities. A new curve is shown at once; a stale
 // curve fades a moment later, if no new one has come; refinements are shown from time to time. GUI
-// thread; belongs to its parent. Cannot fail.
+// thread; owned by its parent. Cannot fail.
 #pragma once
 
 #include <QObject>

@@ -57,7 +57,7 @@ void writeCurves(const std::filesystem::path& file, const CurveSet& set) {
   }
 }
 
-QImage imageOf(const CurveSet& set, int width, int height, double scale, const Theme& theme) {
+QImage renderCurves(const CurveSet& set, int width, int height, double scale, const Theme& theme) {
   DiagramOptions options;
   options.width = width;
   options.height = height;

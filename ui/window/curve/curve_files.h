@@ -15,6 +15,6 @@ namespace asperity {
 void writeCurves(const std::filesystem::path& file, const CurveSet& set);
 
 /// Draws an image of width x height pixels; scale: device pixels per logical pixel.
-QImage imageOf(const CurveSet& set, int width, int height, double scale, const Theme& theme);
+QImage renderCurves(const CurveSet& set, int width, int height, double scale, const Theme& theme);
 
 }  // namespace asperity

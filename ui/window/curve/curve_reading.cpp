@@ -24,49 +24,49 @@ bool isKnown(const CurvePoint& point) {
   return point.realizations > 0 && point.mu > 0;
 }
 
-/// Returns the place of a point on the axis of its curve.
-double placeOf(const CurvePoint& point, const Scene& scene) {
+/// Returns the position of a point on the axis of its curve.
+double axisPosition(const CurvePoint& point, const Scene& scene) {
   return scene.sweep.isOfVelocity() ? point.velocity : point.swept;
 }
 
-/// The points of the curve next to a place, which are the same where one lies on it; null where
-/// there is none on that side.
+/// The points of the curve next to a position, which are the same where a point lies on it; null
+/// where there is none on that side.
 struct Neighbours {
   const CurvePoint *below = nullptr, *above = nullptr;
 };
 
-Neighbours neighboursOf(const CurveUpdate& curve, double place) {
+Neighbours neighboursOf(const CurveUpdate& curve, double position) {
   Neighbours found;
-  const auto at = [&](const CurvePoint* point) { return placeOf(*point, *curve.scene); };
+  const auto at = [&](const CurvePoint* point) { return axisPosition(*point, *curve.scene); };
   for (const CurvePoint& point : curve.points) {
     if (!isKnown(point)) continue;
     const double here = at(&point);
-    if (here <= place && (!found.below || here > at(found.below))) found.below = &point;
-    if (here >= place && (!found.above || here < at(found.above))) found.above = &point;
+    if (here <= position && (!found.below || here > at(found.below))) found.below = &point;
+    if (here >= position && (!found.above || here < at(found.above))) found.above = &point;
   }
   return found;
 }
 
 /// Interpolates along a straight line between two points of the diagram.
-void readMean(const CurveUpdate& curve, double place, CurveReading& reading) {
-  const auto [below, above] = neighboursOf(curve, place);
+void readMean(const CurveUpdate& curve, double position, CurveReading& reading) {
+  const auto [below, above] = neighboursOf(curve, position);
   if (!below || !above) return;
   reading.lines = std::min(below->realizations, above->realizations);
-  const double from = placeOf(*below, *curve.scene), to = placeOf(*above, *curve.scene);
+  const double from = axisPosition(*below, *curve.scene), to = axisPosition(*above, *curve.scene);
   if (from == to) {
     reading.mu = above->mu;
     reading.error = above->muStandardError;
     return;
   }
   const double share =
-      from > 0 ? std::log(place / from) / std::log(to / from) : (place - from) / (to - from);
+      from > 0 ? std::log(position / from) / std::log(to / from) : (position - from) / (to - from);
   reading.mu = below->mu * std::pow(above->mu / below->mu, share);
   reading.error = std::lerp(below->muStandardError, above->muStandardError, share);
 }
 
-/// What holds at both neighbours of the place, or at the nearest end of the curve.
-NoteSet notesAt(const CurveUpdate& curve, double place) {
-  const auto [below, above] = neighboursOf(curve, place);
+/// Returns the notes of both neighbours of the position, or of the nearest end of the curve.
+NoteSet notesAt(const CurveUpdate& curve, double position) {
+  const auto [below, above] = neighboursOf(curve, position);
   NoteSet notes;
   for (const CurvePoint* point : {below, above})
     if (point) notes.add(point->notes);
@@ -93,12 +93,12 @@ CurveReading readCurve(const Frame& frame, const CurveUpdate* curve) {
     reading.regime = CurveReadingText::tr("full contact");
   else if (velocity == 0 && !frame.transient)
     reading.regime = CurveReadingText::tr("at rest");
-  const bool isOfThisScene = curve && haveSameCurve(*frame.scene, *curve->scene);
+  const bool isSameScene = curve && haveSameCurve(*frame.scene, *curve->scene);
   const bool isOfVelocity = frame.scene->sweep.isOfVelocity();
-  if (isOfThisScene)
+  if (isSameScene)
     reading.notes =
         notesAt(*curve, isOfVelocity ? std::abs(frame.velocity) : ownSweptValue(*frame.scene));
-  if (!isOfThisScene || velocity <= 0 || frame.transient) return reading;
+  if (!isSameScene || velocity <= 0 || frame.transient) return reading;
   readMean(*curve, isOfVelocity ? velocity : ownSweptValue(*frame.scene), reading);
   if (isOfVelocity && reading.regime.isEmpty() && curve->isComplete)
     reading.region = regionAt(*curve, velocity);

@@ -1,5 +1,5 @@
-// What a friction curve tells about the velocity that is shown: mean and standard error there, the
-// region in which it lies, and what a user must know about it. Pure; any thread.
+// Reads a friction curve at the velocity that is shown: mean and standard error, the region, and
+// the notes that a user must know. Pure; any thread.
 #pragma once
 
 #include <QString>

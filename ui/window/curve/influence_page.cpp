@@ -134,7 +134,8 @@ void InfluencePage::compute() {
     shown_ = scene;
     shownWaves_ = ofWaves;
     const char* verb = ofWaves ? "cutoff" : "sensitivity";
-    // The window says above what is shown of which scene; the room is for the names of the bars.
+    // The window shows title and scene above the diagram; without them the names of the bars have
+    // more space.
     DiagramSheet shown = result.sheet;
     shown.title = shown.subtitle = shown.note = {};
     note_ = result.sheet.note;

@@ -1,7 +1,7 @@
-// What friction depends on at the scene's own state, as a diagram: how much it changes with each
-// parameter, or which wavelengths of the roughness make it. Computed in the background while the
-// page is visible. GUI thread; belongs to its parent. Failure: the reason is shown in place of the
-// diagram.
+// The page of influences on friction at the state of the scene: a diagram of the change with each
+// parameter, or of the share of each wavelength of the roughness. It is computed in the background
+// while the page is visible. GUI thread; owned by its parent. Failure: the reason is shown instead
+// of the diagram.
 #pragma once
 
 #include <QWidget>

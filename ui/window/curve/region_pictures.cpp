@@ -15,7 +15,7 @@ namespace asperity {
 
 namespace {
 
-constexpr float kLeastText = 0.9F;  // the view is low, which would make its texts small
+constexpr float kMinText = 0.9F;  // the view is low, which would make its texts small
 
 /// Splits a title: "region I" and "1 to 2 m/s" of "region I: 1 to 2 m/s".
 std::pair<QString, QString> partsOf(const Diagram& diagram) {
@@ -27,8 +27,8 @@ std::pair<QString, QString> partsOf(const Diagram& diagram) {
 
 /// Returns one diagram without the texts above and below it: the buttons have the names, the tool
 /// tip has the note.
-std::shared_ptr<const MadeFigure> alone(const MadeFigure& made, std::size_t index) {
-  auto one = std::make_shared<MadeFigure>();
+std::shared_ptr<const ComputedFigure> alone(const ComputedFigure& made, std::size_t index) {
+  auto one = std::make_shared<ComputedFigure>();
   one->figure.scene = made.figure.scene;
   const DiagramSheet& sheet = made.figure.sheet;
   one->figure.sheet.diagrams = {sheet.diagrams[index]};
@@ -56,7 +56,7 @@ RegionPictures::RegionPictures(QWidget* parent)
   buttons_->setExclusive(true);
   connect(buttons_, &QButtonGroup::idClicked, this, &RegionPictures::choose);
   picture_->setMinimumSize(200, 100);
-  picture_->setLeastText(kLeastText);
+  picture_->setMinTextSize(kMinText);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -64,24 +64,24 @@ RegionPictures::RegionPictures(QWidget* parent)
   column->addWidget(picture_, 1);
   bar_->hide();
   keepTranslated(*this, [this] {
-    if (!made_) return;
+    if (!figure_) return;
     const int shown = chosen();
-    showFigure(made_);
+    showFigure(figure_);
     choose(shown);
   });
 }
 
 void RegionPictures::showText(const QString& text) {
-  made_.reset();
+  figure_.reset();
   bar_->hide();
   picture_->setToolTip({});
   picture_->showText(text);
 }
 
-void RegionPictures::showFigure(std::shared_ptr<const MadeFigure> made) {
-  made_ = std::move(made);
+void RegionPictures::showFigure(std::shared_ptr<const ComputedFigure> made) {
+  figure_ = std::move(made);
   clearButtons();
-  const std::vector<Diagram>& diagrams = made_->figure.sheet.diagrams;
+  const std::vector<Diagram>& diagrams = figure_->figure.sheet.diagrams;
   int chosen = 0;
   for (int i = 0; i < static_cast<int>(diagrams.size()); ++i) {
     const auto [name, range] = partsOf(diagrams[static_cast<std::size_t>(i)]);
@@ -114,13 +114,13 @@ int RegionPictures::chosen() const {
 
 void RegionPictures::choose(int index) {
   if (!buttons_->button(index)) return;
-  const auto place = static_cast<std::size_t>(index);
-  const auto [name, range] = partsOf(made_->figure.sheet.diagrams.at(place));
+  const auto position = static_cast<std::size_t>(index);
+  const auto [name, range] = partsOf(figure_->figure.sheet.diagrams.at(position));
   chosen_ = name;
   range_->setText(range);
   buttons_->button(index)->setChecked(true);
-  picture_->showFigure(alone(*made_, place));
-  const DiagramSheet& sheet = made_->figure.sheet;
+  picture_->showFigure(alone(*figure_, position));
+  const DiagramSheet& sheet = figure_->figure.sheet;
   picture_->setAccessibleName(translatedText(sheet.title) + ", " + name);
   picture_->setAccessibleDescription(translatedText(sheet.note));
   picture_->setToolTip("<p>" + translatedText(sheet.note).toHtmlEscaped() + "</p>");

@@ -1,13 +1,13 @@
 // Shows the diagrams of a figure one at a time, as large as possible, with a button for each above
 // them: work-precision diagrams by region. Shows a line of text where there is no figure. GUI
-// thread; belongs to its parent.
+// thread; owned by its parent.
 #pragma once
 
 #include <QWidget>
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/made_figure.h"
+#include "ui/window/figures/computed_figure.h"
 
 class QButtonGroup;
 class QHBoxLayout;
@@ -24,7 +24,7 @@ class RegionPictures : public QWidget {
   explicit RegionPictures(QWidget* parent = nullptr);
 
   /// Shows a figure. The diagram that was chosen last comes first, if there is one with its name.
-  void showFigure(std::shared_ptr<const MadeFigure> made);
+  void showFigure(std::shared_ptr<const ComputedFigure> made);
   void showText(const QString& text);
   void setTheme(const Theme& theme);
 
@@ -34,13 +34,13 @@ class RegionPictures : public QWidget {
   void choose(int index);
 
   /// Returns the figure; null where there is text.
-  std::shared_ptr<const MadeFigure> figure() const { return made_; }
+  std::shared_ptr<const ComputedFigure> figure() const { return figure_; }
   FigurePicture& picture() { return *picture_; }
 
  private:
   void clearButtons();
 
-  std::shared_ptr<const MadeFigure> made_;
+  std::shared_ptr<const ComputedFigure> figure_;
   QWidget* bar_;
   QHBoxLayout* places_;
   QButtonGroup* buttons_;

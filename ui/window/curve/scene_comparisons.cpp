@@ -9,11 +9,11 @@ namespace asperity {
 
 SceneComparisons::SceneComparisons(Session& session, QObject* parent)
     : QObject(parent), session_(session) {
-  connect(&session_, &Session::plotChanged, this, &SceneComparisons::follow);
+  connect(&session_, &Session::plotChanged, this, &SceneComparisons::update);
 }
 
 /// Begins when the scene's own curve is complete: the curve comes first.
-void SceneComparisons::follow() {
+void SceneComparisons::update() {
   const CurveUpdate* curve = session_.curve();
   if (!curve || !curve->isComplete) return;
   const Scene& scene = *curve->scene;

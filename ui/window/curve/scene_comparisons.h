@@ -1,5 +1,5 @@
 // Keeps theories and measured friction beside the present friction curve, as the scene names them:
-// read and computed in the background when the curve is complete. GUI thread; belongs to its
+// read and computed in the background when the curve is complete. GUI thread; owned by its
 // parent. Failure: one sentence by `failed`; the next change tries again.
 #pragma once
 
@@ -26,11 +26,11 @@ class SceneComparisons : public QObject {
   void shown();
 
  private:
-  void follow();
+  void update();
 
   Session& session_;
-  std::optional<Scene> compared_;               // the scene last begun with
-  CurveQuantity quantity_ = CurveQuantity::Mu;  // likewise
+  std::optional<Scene> compared_;               // the scene of the last comparison
+  CurveQuantity quantity_ = CurveQuantity::Mu;  // of the last comparison
   BackgroundWork work_;  // last: its thread ends before other members are destroyed
 };
 

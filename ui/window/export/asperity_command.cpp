@@ -79,22 +79,23 @@ QString range(double from, double to) {
   return numberText(from) + ':' + numberText(to);
 }
 
-constexpr double kUnseen = 1e-5;  // part of a view's width, less than a pixel
+constexpr double kSubpixel = 1e-5;  // part of a view's width, less than a pixel
 
-/// Rounds a position (m) to the digits that can be seen in a view of this width (m).
+/// Rounds a position (m) to the digits that are visible in a view of this width (m).
 double seen(double position, double width) {
-  const double grid = std::pow(10, std::floor(std::log10(kUnseen * width)));
+  const double grid = std::pow(10, std::floor(std::log10(kSubpixel * width)));
   const double rounded = std::round(position / grid) * grid;
   if (!std::isfinite(rounded) || rounded == 0) return std::isfinite(position) ? 0 : position;
   const double digits = std::floor(std::log10(std::abs(rounded))) - std::log10(grid) + 1.5;
   return roundedToDigits(rounded, static_cast<int>(std::clamp(digits, 1.0, 17.0)));
 }
 
-/// Rounds the place of the crosshair to its element, with digits that tell it from its neighbours.
+/// Rounds the position of the crosshair to its element, with enough digits to distinguish it from
+/// its neighbours.
 double probed(double position, const Frame& frame, double width) {
   if (!(frame.spacing > 0)) return seen(position, width);
   const double element = std::round(position / frame.spacing) * frame.spacing;
-  return seen(element, std::min(width, 0.1 * frame.spacing / kUnseen));
+  return seen(element, std::min(width, 0.1 * frame.spacing / kSubpixel));
 }
 
 /// Returns the options of the view. They always contain the heights and the maximum of the colour
@@ -248,54 +249,54 @@ QStringList withoutAxes(const QStringList& words) {
 }
 
 /// Returns the options of the contact: its colours, its part, its moment.
-QStringList contactWords(const ExportWish& wish, const RenderCommandOptions& shown) {
+QStringList contactWords(const ExportRequest& request, const RenderCommandOptions& shown) {
   QStringList words;
-  const bool isTable = wish.kind == ExportKind::Table;
-  if (isTable) words += {"--table", wish.content};
-  if (!isTable && wish.content != "contact") words += {"--layout", wish.content};
+  const bool isTable = request.kind == ExportKind::Table;
+  if (isTable) words += {"--table", request.content};
+  if (!isTable && request.content != "contact") words += {"--layout", request.content};
   if (!isTable && shown.overlay != "pressure") words += {"--overlay", shown.overlay};
-  if (!wish.asShown || !shown.frame) return words;
-  if (wish.kind != ExportKind::Film) words += momentWords(shown);
+  if (!request.asShown || !shown.frame) return words;
+  if (request.kind != ExportKind::Film) words += momentWords(shown);
   if (!isTable) words += viewWords(shown);
   return words;
 }
 
 }  // namespace
 
-QStringList exportWords(const SceneOrigin& origin, const Scene& scene, const ExportWish& wish,
+QStringList exportWords(const SceneOrigin& origin, const Scene& scene, const ExportRequest& request,
                         const RenderCommandOptions& shown, const QString& file) {
   QStringList words{"asperity"};
-  if (wish.kind == ExportKind::Figure) {
-    words += {"figure", wish.content, "-o", file};
-    add(words, "--realizations", wish.realizations);
+  if (request.kind == ExportKind::Figure) {
+    words += {"figure", request.content, "-o", file};
+    add(words, "--realizations", request.realizations);
   } else {
-    const bool isOfContact = wish.content != "curve" && wish.content != "motion";
-    words += isOfContact ? QStringLiteral("render") : wish.content;
+    const bool isOfContact = request.content != "curve" && request.content != "motion";
+    words += isOfContact ? QStringLiteral("render") : request.content;
     words += sceneWords(origin, scene);
     words += {"-o", file};
-    if (isOfContact) words += contactWords(wish, shown);
-    if (wish.content == "curve" || wish.content == "both") {
+    if (isOfContact) words += contactWords(request, shown);
+    if (request.content == "curve" || request.content == "both") {
       const QStringList curves = curveWords(shown.curves, scene);
-      words += wish.kind == ExportKind::Table ? withoutAxes(curves) : curves;
+      words += request.kind == ExportKind::Table ? withoutAxes(curves) : curves;
     }
   }
-  if (wish.kind == ExportKind::Table) {
-    add(words, "--columns", wish.columns);
+  if (request.kind == ExportKind::Table) {
+    add(words, "--columns", request.columns);
   } else {
-    add(words, "--style", wish.style);
-    add(words, "--size", wish.size);
-    add(words, "--scale", wish.scale);
-    add(words, "--theme", wish.theme);
-    if (wish.isTransparent) words += "--transparent";
+    add(words, "--style", request.style);
+    add(words, "--size", request.size);
+    add(words, "--scale", request.scale);
+    add(words, "--theme", request.theme);
+    if (request.isTransparent) words += "--transparent";
   }
-  if (wish.kind == ExportKind::Film) {
-    add(words, "--duration", wish.duration);
-    add(words, "--fps", wish.framesPerSecond);
-    add(words, "--cycles", wish.cycles);
-    add(words, "--slow-motion", wish.slowMotion);
+  if (request.kind == ExportKind::Film) {
+    add(words, "--duration", request.duration);
+    add(words, "--fps", request.framesPerSecond);
+    add(words, "--cycles", request.cycles);
+    add(words, "--slow-motion", request.slowMotion);
   }
   if (presentLanguage() != "en") words += {"--language", fromUtf8(presentLanguage())};
-  return words + wish.further;
+  return words + request.further;
 }
 
 QString shellQuoted(const QString& word) {

@@ -1,6 +1,6 @@
 // Calls of `asperity` as words and as text for a shell: a picture as it is shown in the window, the
-// friction curve, and what the export dialog asks for. The window carries out the same words, so a
-// call gives the same bytes as the dialog. Pure; GUI thread (the language of the window is read).
+// friction curve, and the requests of the export dialog. The window runs the same words, so a call
+// gives the same bytes as the dialog. Pure; GUI thread (the language of the window is read).
 #pragma once
 
 #include <QSize>
@@ -52,15 +52,15 @@ QString curveCommand(const SceneOrigin& origin, const Scene& scene,
 /// Returns one word for a POSIX shell, in quotes where it needs them.
 QString shellQuoted(const QString& word);
 
-/// What is exported.
+/// The kind of output.
 enum class ExportKind { Picture, Film, Table, Figure };
 
-/// The wishes of a user in the export dialog. Texts and numbers are those of the options of the
-/// command line, which checks them; an empty text is an option that is not given.
-struct ExportWish {
+/// The choices in the export dialog. Texts and numbers are those of the options of the command
+/// line, which checks them; an empty text is an option that is not given.
+struct ExportRequest {
   ExportKind kind = ExportKind::Picture;
-  /// A layout of `asperity render` (contact, both, transient), a table of the contact (shape,
-  /// contacts), curve or motion; of figures a name of `asperity figure`.
+  /// The content: a layout of `asperity render` (contact, both, transient), a table of the contact
+  /// (shape, contacts), curve or motion; for figures a name of `asperity figure`.
   QString content = QStringLiteral("contact");
   QString size, scale, theme, style;
   bool isTransparent = false;
@@ -72,9 +72,10 @@ struct ExportWish {
 };
 
 /// Returns the words of the call that writes `file`: "asperity", "render", ... shown: the window's
-/// view, whose size, scale and theme do not matter. Figures are those of the paper, whatever the
-/// scene; they and the frames of a film without an extension go into a folder.
-QStringList exportWords(const SceneOrigin& origin, const Scene& scene, const ExportWish& wish,
+/// view, whose size, scale and theme do not matter. Figures are those of the paper and do not
+/// depend on the scene; they and the frames of a film without an extension are written into a
+/// folder.
+QStringList exportWords(const SceneOrigin& origin, const Scene& scene, const ExportRequest& request,
                         const RenderCommandOptions& shown, const QString& file);
 
 /// Returns the words as a text for a shell.

@@ -61,7 +61,7 @@ void CommandRun::cancel() {
   QTimer::singleShot(kTimeToEnd, process, &QProcess::kill);
 }
 
-/// Takes whole lines: those of progress are numbers, the others say what is wrong.
+/// Reads complete lines: progress lines contain numbers, the others are error messages.
 void CommandRun::readErrors() {
   if (!process_) return;
   errors_ += process_->readAllStandardError();

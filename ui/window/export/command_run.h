@@ -1,6 +1,6 @@
-// One call of `asperity` beside the window, as a process of its own: the window goes on whatever
-// the call does, and a call that was cancelled leaves no half file. The newest call wins: an older
-// one is ended first. GUI thread; belongs to its parent. Failure: the call's own sentence.
+// One call of `asperity` beside the window, as a process of its own: the window stays responsive,
+// and a cancelled call leaves no incomplete file. The newest call wins: an older one is ended
+// first. GUI thread; owned by its parent. Failure: the error message of the call.
 #pragma once
 
 #include <QByteArray>
@@ -16,11 +16,11 @@ class CommandRun : public QObject {
   Q_OBJECT
 
  public:
-  /// program: what is run; empty: this program.
+  /// program: the executable; empty: this program.
   explicit CommandRun(const QString& program, QObject* parent = nullptr);
   ~CommandRun() override;
 
-  /// Runs the words, of which the first one, "asperity", stands for the program, in this folder.
+  /// Runs the words in this folder; the first one, "asperity", is the name of the program.
   void run(const QStringList& words, const QString& folder);
   void cancel();
   bool isRunning() const { return process_ != nullptr; }
@@ -30,7 +30,7 @@ class CommandRun : public QObject {
   void done(const QByteArray& output);
   /// Emitted when it has failed.
   void failed(const QString& reason);
-  /// Emitted with the finished part, 0 to 1, of the "frames" or what else is counted.
+  /// Emitted with the finished part, 0 to 1, and the name of what is counted, such as "frames".
   void progressed(double part, const QString& of);
 
  private:

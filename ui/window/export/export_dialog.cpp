@@ -33,15 +33,15 @@ namespace {
 
 constexpr int kPause = 250;            // ms without a change before the preview is requested
 constexpr double kPreview = 640;       // largest width or height of a preview, pixels
-constexpr double kLeast = 160;         // smallest side of a picture that a command draws
-constexpr double kLeastDensity = 24;   // smallest density, pixels per inch
+constexpr double kMin = 160;           // smallest side of a picture that a command draws
+constexpr double kMinDensity = 24;     // smallest density, pixels per inch
 constexpr std::int64_t kLines = 8;     // of the curve in a preview
 constexpr int kFigureLines = 4;        // of a figure of the paper in a preview
 constexpr int kSteps = 1000;           // of the progress bar
 constexpr qint64 kTableBytes = 16000;  // of a table that are shown
 const QString kFolder = QStringLiteral("export/folder");
 
-QString usualFolder() {
+QString defaultFolder() {
   const QString last = QSettings().value(kFolder).toString();
   if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
   return QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
@@ -91,7 +91,7 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
   quiet_->setSingleShot(true);
   quiet_->setInterval(kPause);
   connect(quiet_, &QTimer::timeout, this, &ExportDialog::requestPreview);
-  connect(form_, &ExportForm::changed, this, &ExportDialog::wishChanged);
+  connect(form_, &ExportForm::changed, this, &ExportDialog::requestChanged);
   connect(file_, &QLineEdit::textEdited, this, &ExportDialog::showCommand);
   connect(previews_, &CommandRun::done, this, &ExportDialog::takePreview);
   connect(previews_, &CommandRun::failed, this, &ExportDialog::refuse);
@@ -111,10 +111,10 @@ ExportDialog::ExportDialog(Subject subject, ExportKind kind, const QString& prog
     showFailure(reason);
   });
   extension_ = form_->extension();
-  usual_ = usualName();
-  setFile(QDir(usualFolder()).filePath(usual_));
+  defaultName_ = defaultName();
+  setFile(QDir(defaultFolder()).filePath(defaultName_));
   resize(940, 620);
-  wishChanged();
+  requestChanged();
 }
 
 ExportDialog::~ExportDialog() = default;
@@ -176,7 +176,7 @@ QWidget* ExportDialog::makeBottom() {
 }
 
 /// Returns the name that is proposed for what is exported.
-QString ExportDialog::usualName() const {
+QString ExportDialog::defaultName() const {
   if (form_->kind() == ExportKind::Figure) return QStringLiteral("paper_figures");
   const QString extension = form_->extension();
   return subject_.name + (extension.isEmpty() ? QStringLiteral("_frames") : extension);
@@ -192,9 +192,9 @@ void ExportDialog::setFile(const QString& file) {
 }
 
 QStringList ExportDialog::words() const {
-  const QString name = file().isEmpty() ? usualName() : file();
-  return exportWords(subject_.origin, subject_.scene, form_->wish(), subject_.shown,
-                     QFileInfo(QDir(usualFolder()), name).absoluteFilePath());
+  const QString name = file().isEmpty() ? defaultName() : file();
+  return exportWords(subject_.origin, subject_.scene, form_->request(), subject_.shown,
+                     QFileInfo(QDir(defaultFolder()), name).absoluteFilePath());
 }
 
 void ExportDialog::askFile() {
@@ -219,10 +219,10 @@ void ExportDialog::renameFile() {
   static const QStringList known{".png", ".svg",  ".pdf", ".mp4", ".webm",
                                  ".gif", ".webp", ".csv", ".json"};
   const QString extension = form_->extension(), name = file();
-  const QString lastUsual = std::exchange(usual_, usualName());
+  const QString lastDefault = std::exchange(defaultName_, defaultName());
   const bool isOther = std::exchange(extension_, extension) != extension;
-  if (name.endsWith('/' + lastUsual))
-    return file_->setText(name.chopped(lastUsual.size()) + usual_);
+  if (name.endsWith('/' + lastDefault))
+    return file_->setText(name.chopped(lastDefault.size()) + defaultName_);
   const QString last = '.' + QFileInfo(name).suffix().toLower();
   if (known.contains(last)) {
     if (last != extension) file_->setText(name.chopped(last.size()) + extension);
@@ -232,7 +232,7 @@ void ExportDialog::renameFile() {
 }
 
 /// Shows the command at once; the preview waits until the user pauses.
-void ExportDialog::wishChanged() {
+void ExportDialog::requestChanged() {
   renameFile();
   showCommand();
   previews_->cancel();
@@ -247,67 +247,68 @@ void ExportDialog::showCommand() {
 
 // ---- Preview
 
-/// Returns the wish for one figure as a mean over few lines.
-ExportWish ExportDialog::previewOfFigure(ExportWish wish, QStringList& notes) const {
-  const bool isMany = wish.content == "paper" || wish.content == "all";
-  if (isMany) wish.content = QStringLiteral("2");
-  if (isMany) notes += tr("Figure 2 of them.");
-  if (wish.content != "1" && wish.realizations.toInt() > kFigureLines) {
+/// Returns the request for one figure as a mean over few lines.
+ExportRequest ExportDialog::previewOfFigure(ExportRequest request, QStringList& notes) const {
+  const bool hasSeveral = request.content == "paper" || request.content == "all";
+  if (hasSeveral) request.content = QStringLiteral("2");
+  if (hasSeveral) notes += tr("Figure 2 of them.");
+  if (request.content != "1" && request.realizations.toInt() > kFigureLines) {
     notes += tr("The curve of the preview is the mean of %1 lines, that of the file of %2.")
                  .arg(kFigureLines)
-                 .arg(wish.realizations);
-    wish.realizations = QString::number(kFigureLines);
+                 .arg(request.realizations);
+    request.realizations = QString::number(kFigureLines);
   }
-  return wish;
+  return request;
 }
 
 /// Runs the command for fewer pixels and fewer lines. A film is shown by one picture.
 void ExportDialog::requestPreview() {
-  if (const QString complaint = form_->complaint(); !complaint.isEmpty()) return refuse(complaint);
-  ExportWish wish = form_->wish();
+  if (const QString errorText = form_->errorText(); !errorText.isEmpty()) return refuse(errorText);
+  ExportRequest request = form_->request();
   QString extension = form_->extension();
   QStringList notes;
-  if (wish.kind == ExportKind::Film) {
-    wish.kind = ExportKind::Picture;
+  if (request.kind == ExportKind::Film) {
+    request.kind = ExportKind::Picture;
     notes += tr("One picture of the film.");
   }
-  if (wish.kind == ExportKind::Figure) wish = previewOfFigure(wish, notes);
-  if (wish.kind != ExportKind::Table) {
-    if (wish.kind == ExportKind::Picture) extension = ".png";
-    if (const QSizeF pixels = form_->pixels(); !pixels.isEmpty() && !wish.size.isEmpty()) {
+  if (request.kind == ExportKind::Figure) request = previewOfFigure(request, notes);
+  if (request.kind != ExportKind::Table) {
+    if (request.kind == ExportKind::Picture) extension = ".png";
+    if (const QSizeF pixels = form_->pixels(); !pixels.isEmpty() && !request.size.isEmpty()) {
       const double large = std::max(pixels.width(), pixels.height());
       const double small = std::min(pixels.width(), pixels.height());
-      const QString given = QString(wish.scale).remove("dpi");
-      const bool isOnPaper = wish.size.contains("mm");
+      const QString given = QString(request.scale).remove("dpi");
+      const bool isOnPaper = request.size.contains("mm");
       const double density = given.isEmpty() ? (isOnPaper ? 300 : 96) : given.toDouble();
-      const double factor = std::max({std::min(1.0, kPreview / large), kLeast / small,
-                                      density > 0 ? kLeastDensity / density : 1});
-      // A resolution that is not allowed is passed on, so that the command says what is wrong.
-      if (factor < 1 && density >= kLeastDensity && density <= 1536) {
-        wish.scale = QString::number(density * factor, 'g', 8) + "dpi";
+      const double factor = std::max(
+          {std::min(1.0, kPreview / large), kMin / small, density > 0 ? kMinDensity / density : 1});
+      // A resolution that is not allowed is passed to the command, which reports the error.
+      if (factor < 1 && density >= kMinDensity && density <= 1536) {
+        request.scale = QString::number(density * factor, 'g', 8) + "dpi";
         if (!isOnPaper)
-          wish.size = QStringLiteral("%1x%2")
-                          .arg(std::lround(pixels.width() * factor))
-                          .arg(std::lround(pixels.height() * factor));
+          request.size = QStringLiteral("%1x%2")
+                             .arg(std::lround(pixels.width() * factor))
+                             .arg(std::lround(pixels.height() * factor));
       }
     }
   }
-  const bool hasCurve = wish.content == "curve" || wish.content == "both";
+  const bool hasCurve = request.content == "curve" || request.content == "both";
   if (hasCurve && subject_.scene.ensemble.realizations > kLines) {
-    wish.further += {"--set", QStringLiteral("ensemble.realizations=%1").arg(kLines)};
+    request.further += {"--set", QStringLiteral("ensemble.realizations=%1").arg(kLines)};
     notes += tr("The curve of the preview is the mean of %1 lines, that of the file of %2.")
                  .arg(kLines)
                  .arg(subject_.scene.ensemble.realizations);
   }
   previewNote_ = notes.join(' ');
   previewFile_ = folder_.filePath(QStringLiteral("preview_%1%2").arg(++number_).arg(extension));
-  previewFigure_ = wish.kind == ExportKind::Figure ? wish.content : QString();
-  previews_->run(exportWords(subject_.origin, subject_.scene, wish, subject_.shown, previewFile_) +
-                     QStringList{"--threads", "1"},
-                 folder_.path());
+  previewFigure_ = request.kind == ExportKind::Figure ? request.content : QString();
+  previews_->run(
+      exportWords(subject_.origin, subject_.scene, request, subject_.shown, previewFile_) +
+          QStringList{"--threads", "1"},
+      folder_.path());
 }
 
-/// Says why there is no preview, and so nothing to export.
+/// Shows why there is no preview, and so nothing to export.
 void ExportDialog::refuse(const QString& reason) {
   showFailure(reason);
   preview_->showWork(tr("No preview."));
@@ -335,7 +336,7 @@ void ExportDialog::takePreview() {
 // ---- Writing
 
 /// Asks where files would be replaced.
-bool ExportDialog::mayReplace(const QFileInfo& target) {
+bool ExportDialog::confirmReplace(const QFileInfo& target) {
   QString question;
   if (target.isDir() && !QDir(target.absoluteFilePath()).isEmpty())
     question = tr("The folder %1 has files already. Replace those of the same names?");
@@ -354,7 +355,7 @@ bool ExportDialog::mayReplace(const QFileInfo& target) {
 
 void ExportDialog::write() {
   const QFileInfo target(words().at(words().indexOf("-o") + 1));
-  if (!mayReplace(target)) return;
+  if (!confirmReplace(target)) return;
   QSettings().setValue(kFolder, target.absolutePath());
   file_->setText(target.absoluteFilePath());
   showCommand();
@@ -388,7 +389,7 @@ void ExportDialog::reject() {
   writing_->cancel();
   showRunning(false);
   showFailure({});
-  wishChanged();
+  requestChanged();
 }
 
 }  // namespace asperity

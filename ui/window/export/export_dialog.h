@@ -1,7 +1,7 @@
 // The export dialog: pictures, films and tables of the scene with a preview, and the command line
-// that makes the same file. What is seen and what is written are made by that command, which runs
-// beside the window as a process of its own, so both cannot differ and a value is checked in one
-// place. GUI thread; belongs to the window. Failure: the command's sentence in the dialog.
+// that makes the same file. Preview and output are made by that command, which runs as a separate
+// process, so they cannot differ and a value is checked in one place. GUI thread; owned by the
+// window. Failure: the dialog shows the error message of the command.
 #pragma once
 
 #include <QDialog>
@@ -27,7 +27,7 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// What is exported: the scene and the view when the dialog was opened.
+  /// The exported scene and view, as they were when the dialog was opened.
   struct Subject {
     SceneOrigin origin;
     Scene scene;
@@ -35,7 +35,7 @@ class ExportDialog : public QDialog {
     QString name;  // proposed for the file, without an extension
   };
 
-  /// program: what runs the commands; empty: this program.
+  /// program: the executable that runs the commands; empty: this program.
   ExportDialog(Subject subject, ExportKind kind, const QString& program, QWidget* parent = nullptr);
   ~ExportDialog() override;
 
@@ -55,7 +55,7 @@ class ExportDialog : public QDialog {
 
  signals:
   void exported(const QString& file);
-  /// Emitted when the preview of the newest wish is shown, or the reason why there is none.
+  /// Emitted when the preview of the newest request is shown, or the reason why there is none.
   void previewed(bool isGood);
 
  public slots:
@@ -65,11 +65,11 @@ class ExportDialog : public QDialog {
   QWidget* makeBottom();
   void askFile();
   void renameFile();
-  QString usualName() const;
-  bool mayReplace(const QFileInfo& target);
-  void wishChanged();
+  QString defaultName() const;
+  bool confirmReplace(const QFileInfo& target);
+  void requestChanged();
   void showCommand();
-  ExportWish previewOfFigure(ExportWish wish, QStringList& notes) const;
+  ExportRequest previewOfFigure(ExportRequest request, QStringList& notes) const;
   void requestPreview();
   void takePreview();
   void refuse(const QString& reason);
@@ -91,7 +91,7 @@ class ExportDialog : public QDialog {
   QString previewFigure_;  // word of the figure in the folder of that name; empty: a single file
   QString chosenFile_;     // in the file dialog, which asked about replacing it
   QString extension_;      // of the format that was chosen last; empty: a folder
-  QString usual_;          // the name that was proposed last
+  QString defaultName_;    // the name that was proposed last
   int number_ = 0;         // of the newest preview
 };
 

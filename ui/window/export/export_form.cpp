@@ -26,7 +26,7 @@ namespace {
 constexpr double kScreen = 96, kPaper = 300;  // usual pixels per inch
 constexpr double kInch = 25.4;                // mm
 
-/// A size with a name. Pixels or mm.
+/// A named size in pixels or millimetres.
 struct SizePreset {
   const char* word;
   double width, height;
@@ -34,7 +34,7 @@ struct SizePreset {
   double density;  // pixels per inch
 };
 
-constexpr const char *kUsual = "usual", *kOfStyle = "style", *kOwn = "own";
+constexpr const char *kDefault = "usual", *kOfStyle = "style", *kOwn = "own";
 constexpr std::array<SizePreset, 5> kSizes{{{"slide", 1280, 720, false, 96},
                                             {"hd", 1920, 1080, false, 144},
                                             {"4k", 3840, 2160, false, 288},
@@ -164,7 +164,7 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       if (box == content_) fillFormats();
       if (box == style_) {
         fillSizes();
-        choose(*preset_, chosen(*style_).isEmpty() ? kUsual : kOfStyle);
+        choose(*preset_, chosen(*style_).isEmpty() ? kDefault : kOfStyle);
         if (!chosen(*style_).isEmpty())
           choose(*theme_, "");  // that of the style
         else if (shown_.dark && kind() != ExportKind::Figure)
@@ -309,7 +309,7 @@ void ExportForm::fillSizes() {
   const bool isChart =
       chosen(*content_) == "curve" || chosen(*content_) == "motion" || kind() == ExportKind::Figure;
   preset_->clear();
-  preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kUsual);
+  preset_->addItem(isChart ? tr("Usual size") : tr("As in the window"), kDefault);
   if (!chosen(*style_).isEmpty()) preset_->addItem(tr("As the style says"), kOfStyle);
   const QStringList names{tr("Slide, 1280 × 720"), tr("Full HD, 1920 × 1080"),
                           tr("4K, 3840 × 2160"), tr("Column of a journal, 86 × 62 mm"),
@@ -327,16 +327,16 @@ void ExportForm::takePreset() {
   if (word == kOwn) return;
   const auto ofStyle = word == kOfStyle ? sizeOfStyle(chosen(*style_)) : std::nullopt;
   if (word == kOfStyle && !ofStyle) return;
-  if (isOfOwnSize() && !ofStyle) {  // which the command chooses
+  if (hasOwnSize() && !ofStyle) {  // which the command chooses
     for (QLineEdit* entry : {width_, height_, density_}) entry->clear();
     return;
   }
-  SizePreset size{kUsual, 1200, 800, false, kScreen};
+  SizePreset size{kDefault, 1200, 800, false, kScreen};
   if (chosen(*content_) == "motion") size.height = 1000;
   if (const QSize window = renderSize(shown_, chosen(*content_));
       content_->currentData() != "curve" && content_->currentData() != "motion" &&
       !window.isEmpty())
-    size = {kUsual, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
+    size = {kDefault, 1.0 * window.width(), 1.0 * window.height(), false, kScreen * shown_.scale};
   for (const SizePreset& each : kSizes)
     if (word == each.word) size = each;
   if (ofStyle) size = *ofStyle;
@@ -349,9 +349,9 @@ void ExportForm::takePreset() {
 }
 
 /// Returns whether the command chooses the size: that of the style, or of a figure.
-bool ExportForm::isOfOwnSize() const {
+bool ExportForm::hasOwnSize() const {
   const QString size = chosen(*preset_);
-  return size == kOfStyle || (size == kUsual && kind() == ExportKind::Figure);
+  return size == kOfStyle || (size == kDefault && kind() == ExportKind::Figure);
 }
 
 bool ExportForm::isOnPaper() const {
@@ -374,7 +374,7 @@ void ExportForm::showRows() {
        std::initializer_list<QWidget*>{style_, preset_, size_, density_, theme_, transparent_})
     show(field, !isTable);
   for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, unit_, density_})
-    field->setEnabled(!isOfOwnSize());
+    field->setEnabled(!hasOwnSize());
   show(asShown_, hasContact);
   for (QWidget* field : std::initializer_list<QWidget*>{duration_, rate_, speedRow_})
     show(field, isFilm);
@@ -384,45 +384,46 @@ void ExportForm::showRows() {
   show(realizations_, isFigure);
 }
 
-ExportWish ExportForm::wish() const {
-  ExportWish wish;
-  wish.kind = kind();
-  wish.content = chosen(*content_);
-  wish.asShown = asShown_->isChecked();
-  wish.further = QProcess::splitCommand(further_->text());
-  if (wish.kind == ExportKind::Table) {
-    wish.columns = columns_->text().simplified().remove(' ');
-    return wish;
+ExportRequest ExportForm::request() const {
+  ExportRequest request;
+  request.kind = kind();
+  request.content = chosen(*content_);
+  request.asShown = asShown_->isChecked();
+  request.further = QProcess::splitCommand(further_->text());
+  if (request.kind == ExportKind::Table) {
+    request.columns = columns_->text().simplified().remove(' ');
+    return request;
   }
-  wish.style = chosen(*style_);
-  wish.theme = chosen(*theme_);
-  wish.isTransparent = transparent_->isChecked();
-  if (wish.kind == ExportKind::Figure) wish.realizations = machineNumber(*realizations_);
-  if (!isOfOwnSize()) {
+  request.style = chosen(*style_);
+  request.theme = chosen(*theme_);
+  request.isTransparent = transparent_->isChecked();
+  if (request.kind == ExportKind::Figure) request.realizations = machineNumber(*realizations_);
+  if (!hasOwnSize()) {
     const QString unit = chosen(*unit_);
-    wish.size = machineNumber(*width_) + unit + 'x' + machineNumber(*height_) + unit;
+    request.size = machineNumber(*width_) + unit + 'x' + machineNumber(*height_) + unit;
     const QString usual = QString::number(isOnPaper() ? kPaper : kScreen);
-    if (const QString density = machineNumber(*density_); density != usual || !wish.style.isEmpty())
-      wish.scale = density + QStringLiteral("dpi");
+    if (const QString density = machineNumber(*density_);
+        density != usual || !request.style.isEmpty())
+      request.scale = density + QStringLiteral("dpi");
   }
-  if (wish.kind != ExportKind::Film) return wish;
+  if (request.kind != ExportKind::Film) return request;
   const bool isSlow = chosen(*speed_) == "slow";
-  if (!(isMotion_ && isSlow)) wish.duration = machineNumber(*duration_);
-  wish.framesPerSecond = machineNumber(*rate_);
-  if (isSlow) wish.slowMotion = machineNumber(*speedValue_);
-  if (chosen(*speed_) == "cycles") wish.cycles = machineNumber(*speedValue_);
-  return wish;
+  if (!(isMotion_ && isSlow)) request.duration = machineNumber(*duration_);
+  request.framesPerSecond = machineNumber(*rate_);
+  if (isSlow) request.slowMotion = machineNumber(*speedValue_);
+  if (chosen(*speed_) == "cycles") request.cycles = machineNumber(*speedValue_);
+  return request;
 }
 
 QString ExportForm::extension() const {
   return chosen(*format_);
 }
 
-QString ExportForm::complaint() const {
+QString ExportForm::errorText() const {
   for (const QLineEdit* entry : numbers())
     if (!(machineNumber(*entry).toDouble() > 0))
       return tr("%1: “%2” is not a number above 0.").arg(entry->accessibleName(), entry->text());
-  return complaintOfSize();
+  return sizeError();
 }
 
 /// Returns the entries that have a meaning for the kind and hold a number, but for the size.
@@ -437,8 +438,8 @@ std::vector<const QLineEdit*> ExportForm::numbers() const {
   return numbers;
 }
 
-QString ExportForm::complaintOfSize() const {
-  if (kind() == ExportKind::Table || isOfOwnSize()) return {};
+QString ExportForm::sizeError() const {
+  if (kind() == ExportKind::Table || hasOwnSize()) return {};
   const QSizeF size = pixels();
   if (!(size.width() > 0 && size.height() > 0 && machineNumber(*density_).toDouble() > 0))
     return tr("Width, height and resolution are numbers above 0.");

@@ -1,6 +1,6 @@
-// The controls of the export dialog: what is exported, its size and look, the time of a film. They
-// make an ExportWish; what is wrong with a value is said by the command that is run with it. GUI
-// thread; belongs to its parent.
+// The controls of the export dialog: content, size and style of the output, and the time of a film.
+// They make an ExportRequest; the command that runs with it reports invalid values. GUI thread;
+// owned by its parent.
 #pragma once
 
 #include <QWidget>
@@ -20,12 +20,12 @@ class ExportForm : public QWidget {
   Q_OBJECT
 
  public:
-  /// isMotion: the scene has a motion in time. shown: as the window shows it.
+  /// isMotion: the scene has a motion in time. shown: the state of the window.
   ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget* parent = nullptr);
 
   void setKind(ExportKind kind);
   ExportKind kind() const;
-  ExportWish wish() const;
+  ExportRequest request() const;
 
   /// Chooses what is exported, if this kind has it.
   void setContent(const QString& content);
@@ -34,7 +34,7 @@ class ExportForm : public QWidget {
   QString extension() const;
 
   /// Returns what is wrong with the size of the picture or another number; empty where nothing is.
-  QString complaint() const;
+  QString errorText() const;
 
   /// Returns the width and height in pixels as far as they are known; empty where the style or the
   /// command chooses them.
@@ -53,9 +53,9 @@ class ExportForm : public QWidget {
   void takePreset();
   void showRows();
   bool isOnPaper() const;
-  bool isOfOwnSize() const;
+  bool hasOwnSize() const;
   std::vector<const QLineEdit*> numbers() const;
-  QString complaintOfSize() const;
+  QString sizeError() const;
 
   bool isMotion_;
   RenderCommandOptions shown_;

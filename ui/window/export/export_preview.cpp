@@ -25,29 +25,29 @@ class ExportPreview::Picture : public QWidget {
     painter.fillRect(rect(), palette().color(QPalette::AlternateBase));
     const QImage& image = preview_.image_;
     if (image.isNull()) return;
-    const QSizeF room = rect().adjusted(8, 8, -8, -8).size();
-    const QSizeF size = QSizeF(image.size()).scaled(room, Qt::KeepAspectRatio);
-    const QRectF place(QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())),
-                       size);
-    if (image.hasAlphaChannel()) paintChequers(painter, place);
+    const QSizeF available = rect().adjusted(8, 8, -8, -8).size();
+    const QSizeF size = QSizeF(image.size()).scaled(available, Qt::KeepAspectRatio);
+    const QRectF pictureRect(
+        QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())), size);
+    if (image.hasAlphaChannel()) paintChequers(painter, pictureRect);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     // The painter takes four pixels of the image at a time, too few for less than half its size.
     const QSize pixels = (size * devicePixelRatioF()).toSize();
     const bool isSmaller = pixels.width() < image.width() && !pixels.isEmpty();
     painter.drawImage(
-        place,
+        pictureRect,
         isSmaller ? image.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : image);
     painter.setPen(palette().color(QPalette::Mid));
-    painter.drawRect(place);
+    painter.drawRect(pictureRect);
   }
 
  private:
-  static void paintChequers(QPainter& painter, const QRectF& place) {
+  static void paintChequers(QPainter& painter, const QRectF& rect) {
     constexpr int kField = 8;  // pixels
     painter.save();
-    painter.setClipRect(place);
-    painter.fillRect(place, Qt::white);
-    const QRect all = place.toAlignedRect();
+    painter.setClipRect(rect);
+    painter.fillRect(rect, Qt::white);
+    const QRect all = rect.toAlignedRect();
     for (int y = 0; y < all.height(); y += kField)
       for (int x = (y / kField % 2) * kField; x < all.width(); x += 2 * kField)
         painter.fillRect(all.x() + x, all.y() + y, kField, kField, QColor(0xdd, 0xdd, 0xdd));

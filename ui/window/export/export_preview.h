@@ -1,5 +1,5 @@
-// What an export will be: a small picture, or the first lines of a table, or why there is none.
-// GUI thread; belongs to its parent.
+// The preview of an export: a small picture, the first lines of a table, or the reason why there is
+// none. GUI thread; owned by its parent.
 #pragma once
 
 #include <QImage>
@@ -20,7 +20,7 @@ class ExportPreview : public QWidget {
   /// Shows a picture; transparent parts are chequered. note: a line below it; may be empty.
   void showPicture(const QImage& image, const QString& note);
   void showTable(const QString& text, const QString& note);
-  /// Says that what is shown is not up to date.
+  /// Marks the preview as out of date.
   void showWork(const QString& note);
 
   const QImage& image() const { return image_; }

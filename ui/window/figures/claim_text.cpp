@@ -31,8 +31,8 @@ QString estimateText(const Estimate& estimate) {
            QString::fromStdString(powerOfTen(power));
   }
   // An uncertainty that begins with 1 has two digits, any other one has one.
-  const int place = static_cast<int>(std::floor(std::log10(error)));
-  const int digits = error / std::pow(10, place) < 1.95 ? 1 - place : -place;
+  const int exponent = static_cast<int>(std::floor(std::log10(error)));
+  const int digits = error / std::pow(10, exponent) < 1.95 ? 1 - exponent : -exponent;
   const int decimals = std::clamp(digits, 0, 6);
   return inLanguage(QString::number(estimate.value, 'f', decimals).replace('-', u'−') +
                     QStringLiteral(" ± ") + QString::number(error, 'f', decimals));

@@ -208,7 +208,7 @@ void ClaimsTable::unfold(int chosen) {
                                 : translatedText(claim.claim));
   }
   resizeRowsToContents();
-  updateGeometries();  // else the scroll bar does not know the new height of the rows yet
+  updateGeometries();  // otherwise the scroll bar would use the previous height of the rows
   if (chosen >= 0) scrollTo(model()->index(chosen, kClaim));
 }
 

@@ -1,6 +1,6 @@
 // The paper's sentences about a figure and the results: whether each holds, and what was measured.
 // The selected row also shows the quantity, the criterion and the note; so does its tool tip. GUI
-// thread; belongs to its parent.
+// thread; owned by its parent.
 #pragma once
 
 #include <QTableWidget>

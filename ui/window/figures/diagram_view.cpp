@@ -25,8 +25,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kPause = 400;          // ms between two pictures
-constexpr float kLeastText = 0.85F;  // views are low, which would make their texts small
+constexpr int kPause = 400;        // ms between two pictures
+constexpr float kMinText = 0.85F;  // views are low, which would make their texts small
 
 DiagramSheet sheetOf(const DiagramView::Maker& maker) {
   try {
@@ -38,18 +38,18 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
   }
 }
 
-/// The sheet as it can be read at this size: diagrams that would be too low below each other stand
-/// side by side, with symbols at the curves in place of a legend and the subtitle in place of both
-/// headings; the last ones are left out where that is too narrow.
+/// Returns the sheet as it can be read at this size: diagrams that would be too low below each
+/// other are side by side, with symbols at the curves instead of a legend and the subtitle instead
+/// of both headings; the last ones are left out where the view is too narrow.
 DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
   constexpr float kNarrowest = 190;  // logical pixels of one diagram
   constexpr double kAside = 4;       // from a curve to its name, as a factor
   const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
   if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
-  const auto room =
+  const auto available =
       static_cast<std::size_t>(static_cast<float>(options.width) / (kNarrowest * options.scale));
-  sheet.diagrams.resize(std::clamp<std::size_t>(room, 1, sheet.diagrams.size()));
+  sheet.diagrams.resize(std::clamp<std::size_t>(available, 1, sheet.diagrams.size()));
   sheet.columns = static_cast<int>(sheet.diagrams.size());
   sheet.sharesAxis = false;
   sheet = translated(std::move(sheet));
@@ -58,7 +58,7 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
     // The first curve is named above it, the others below them.
     double aside = diagram.y.scale == AxisScale::Logarithmic ? kAside : 1;
     for (DiagramSeries& series : diagram.series) {
-      const std::string symbol = symbolOf(series.name.text);
+      const std::string symbol = trailingSymbol(series.name.text);
       if (symbol.empty() || series.points.empty()) continue;
       const DiagramPoint& at = series.points[series.points.size() / 4];
       diagram.labels.push_back({Message::name(symbol), at.x, aside * at.y});
@@ -112,7 +112,7 @@ void DiagramView::request() {
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
   const DiagramOptions options{pixels.width(), pixels.height(),
-                               static_cast<float>(scale * markScale(font())), theme_, kLeastText};
+                               static_cast<float>(scale * markScale(font())), theme_, kMinText};
   ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
@@ -203,7 +203,7 @@ void DiagramView::copy() {
 /// Stretches the last picture until one of the new size is ready.
 void DiagramView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), colourOf(theme_.background));
+  painter.fillRect(rect(), toQColor(theme_.background));
   if (image_.isNull()) return;
   painter.setRenderHint(QPainter::SmoothPixmapTransform,
                         image_.size() != size() * devicePixelRatioF());

@@ -1,6 +1,6 @@
 // Shows diagrams that are made and drawn in the background: only the newest request, and only while
-// the view is visible; a menu copies or saves them. GUI thread; belongs to its parent. Failure: an
-// error of the maker is shown as text in place of the picture; where nothing can draw or a file
+// the view is visible; a menu copies or saves them. GUI thread; owned by its parent. Failure: an
+// error of the maker is shown as text instead of the picture; where no backend can draw or a file
 // cannot be written, the signal reports it.
 #pragma once
 
@@ -18,12 +18,12 @@ class QTimer;
 
 namespace asperity {
 
-/// What a diagram becomes as a file. Both functions are called on the worker's thread.
+/// The functions that write a diagram as a file. Both are called on the worker's thread.
 struct DiagramExport {
   QString name{};                         // proposed: "material"; empty: it cannot be saved
   std::function<std::string()> origin{};  // provenance of the picture
   std::function<std::string()> table{};   // its numbers as CSV; may be empty
-  /// What a file shows where it is not what the view shows; may be empty.
+  /// The sheet of a file where it differs from that of the view; may be empty.
   std::function<DiagramSheet()> sheet{};
 };
 
@@ -39,12 +39,12 @@ class DiagramView : public QWidget {
   /// Sets the diagram to show from now on; of many fast requests some are skipped.
   void show(Maker maker, DiagramExport saved = {});
   void setTheme(const Theme& theme);
-  /// Sets the least time between two pictures, ms.
+  /// Sets the minimum time between two pictures, ms.
   void setPause(int pause);
 
   /// Returns where the diagrams are in the picture that is shown, in logical pixels of the view.
   const std::vector<DiagramFrame>& frames() const { return frames_; }
-  /// Asks for a file and writes the diagram there.
+  /// Opens a file dialog and writes the diagram to the chosen file.
   void saveAs();
 
   /// Returns whether the newest request is on the screen.
@@ -90,8 +90,8 @@ class DiagramView : public QWidget {
   bool isDue_ = false;
   quint64 asked_ = 0, shown_ = 0;  // numbers of requests
   // Last: their threads end before other members are destroyed.
-  BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
-  BackgroundWork files_{Overtaking::WaitsForItsTurn};
+  BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
+  BackgroundWork files_{RequestPolicy::RunInOrder};
 };
 
 }  // namespace asperity

@@ -50,9 +50,9 @@ void FigureGallery::startNext() {
   };
   work_.request(
       [maker = maker_, job, progressed](const BackgroundWork::Run& run) {
-        return makeFigureBeside(run, maker, job.name, job.realizations, progressed);
+        return computeFigure(run, maker, job.name, job.realizations, progressed);
       },
-      [this, name = job.name](std::shared_ptr<const MadeFigure> made) {
+      [this, name = job.name](std::shared_ptr<const ComputedFigure> made) {
         of(name).made = std::move(made);
         end(name);
       },

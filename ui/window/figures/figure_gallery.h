@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/window/figures/made_figure.h"
+#include "ui/window/figures/computed_figure.h"
 
 namespace asperity {
 
@@ -22,9 +22,9 @@ enum class FigureStage { None, Waiting, Computing };
 
 struct FigureStatus {
   FigureStage work = FigureStage::None;
-  double part = 0;                         // finished part of the computation, 0 to 1
-  std::shared_ptr<const MadeFigure> made;  // the newest; null: none yet
-  QString error;                           // why the newest computation failed; empty: it succeeded
+  double part = 0;                             // finished part of the computation, 0 to 1
+  std::shared_ptr<const ComputedFigure> made;  // the newest; null: none yet
+  QString error;  // why the newest computation failed; empty: it succeeded
 };
 
 class FigureGallery : public QObject {

@@ -1,4 +1,4 @@
-// The paper's figures in a list: label, headline, and the progress of each. GUI thread; belongs to
+// The paper's figures in a list: label, headline, and the progress of each. GUI thread; owned by
 // its parent.
 #pragma once
 

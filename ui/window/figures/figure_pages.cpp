@@ -16,7 +16,7 @@ namespace {
 
 /// The size policy of the hidden page, which otherwise would claim the width that it needs in
 /// front.
-constexpr QSizePolicy::Policy kNoRoom = QSizePolicy::Ignored;
+constexpr QSizePolicy::Policy kNoSize = QSizePolicy::Ignored;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void FigurePages::addTo(Commands& commands) {
             [] { return tr("Gallery…"); },
             [this] {
               if (isShowingScenes()) return closeFigures();
-              emit galleryWanted();
+              emit galleryRequested();
             },
             {Qt::CTRL | Qt::Key_N}})
       ->setCheckable(true);
@@ -77,13 +77,13 @@ GalleryPage& FigurePages::gallery() {
   if (gallery_) return *gallery_;
   gallery_ = new GalleryPage;
   gallery_->setTheme(theme_);
-  gallery_->setSizePolicy(kNoRoom, kNoRoom);
+  gallery_->setSizePolicy(kNoSize, kNoSize);
   addWidget(gallery_);
   connect(gallery_, &GalleryPage::closed, this, &FigurePages::closeFigures);
   connect(gallery_, &GalleryPage::figureShown, this, &FigurePages::figureShown);
-  connect(gallery_, &GalleryPage::sceneWanted, this, [this](const Scene& scene) {
+  connect(gallery_, &GalleryPage::sceneRequested, this, [this](const Scene& scene) {
     closeFigures();
-    emit sceneWanted(scene);
+    emit sceneRequested(scene);
   });
   return *gallery_;
 }
@@ -92,12 +92,12 @@ SceneGallery& FigurePages::scenes() {
   if (scenes_) return *scenes_;
   scenes_ = new SceneGallery;
   scenes_->setTheme(theme_);
-  scenes_->setSizePolicy(kNoRoom, kNoRoom);
+  scenes_->setSizePolicy(kNoSize, kNoSize);
   addWidget(scenes_);
   connect(scenes_, &SceneGallery::closed, this, &FigurePages::closeFigures);
   connect(scenes_, &SceneGallery::chosen, this, [this](const QString& scene) {
     closeFigures();
-    emit shippedWanted(scene);
+    emit shippedSceneRequested(scene);
   });
   return *scenes_;
 }
@@ -117,7 +117,7 @@ void FigurePages::show(QWidget& page) {
   commands_->get("gallery")->setChecked(&page == scenes_);
   page.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   setCurrentWidget(&page);
-  emit switched(true);
+  emit pageChanged(true);
 }
 
 void FigurePages::openFigures() {
@@ -138,9 +138,9 @@ void FigurePages::openScenes(const QString& scene) {
 void FigurePages::closeFigures() {
   for (const char* name : {"figures", "gallery"}) commands_->get(name)->setChecked(false);
   if (isShowingViews()) return;
-  currentWidget()->setSizePolicy(kNoRoom, kNoRoom);
+  currentWidget()->setSizePolicy(kNoSize, kNoSize);
   setCurrentIndex(0);
-  emit switched(false);
+  emit pageChanged(false);
 }
 
 void FigurePages::setTheme(const Theme& theme) {

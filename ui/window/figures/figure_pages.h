@@ -1,6 +1,6 @@
 // The pages of the window, of which one is shown: the views of the scene, the page of the paper's
 // figures, and the gallery of scenes. The last two are made when they are first needed. The figures
-// are computed on while another page is shown. GUI thread; belongs to its parent.
+// are computed on while another page is shown. GUI thread; owned by its parent.
 #pragma once
 
 #include <QStackedWidget>
@@ -40,15 +40,15 @@ class FigurePages : public QStackedWidget {
 
  signals:
   /// Emitted when the views were covered by another page, or came to the front again.
-  void switched(bool areViewsCovered);
+  void pageChanged(bool areViewsCovered);
   /// Emitted when another figure, or none, is shown on its page.
   void figureShown();
-  /// Emitted with the scene of a figure that the user wants to edit.
-  void sceneWanted(const asperity::Scene& scene);
+  /// Emitted with the scene of a figure when the user requests to edit it.
+  void sceneRequested(const asperity::Scene& scene);
   /// Emitted with the name of a shipped scene that the user chose.
-  void shippedWanted(const QString& scene);
-  /// Emitted when the gallery is asked for, which openScenes() then shows.
-  void galleryWanted();
+  void shippedSceneRequested(const QString& scene);
+  /// Emitted when the user requests the gallery, which openScenes() then shows.
+  void galleryRequested();
 
  private:
   void show(QWidget& page);

@@ -18,21 +18,21 @@ FigurePicture::FigurePicture(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void FigurePicture::showFigure(std::shared_ptr<const MadeFigure> made) {
-  if (made == made_) return;
-  made_ = std::move(made);
+void FigurePicture::showFigure(std::shared_ptr<const ComputedFigure> made) {
+  if (made == figure_) return;
+  figure_ = std::move(made);
   describe();
   first_ = asked_ + 1;
   requestPicture();
 }
 
 void FigurePicture::describe() {
-  setAccessibleName(translatedText(made_->figure.sheet.title));
-  setAccessibleDescription(translatedText(made_->figure.sheet.note));
+  setAccessibleName(translatedText(figure_->figure.sheet.title));
+  setAccessibleDescription(translatedText(figure_->figure.sheet.note));
 }
 
 void FigurePicture::showText(const QString& text) {
-  made_.reset();
+  figure_.reset();
   image_ = {};
   text_ = text;
   setAccessibleName(text);
@@ -46,24 +46,24 @@ void FigurePicture::setTheme(const Theme& theme) {
   update();
 }
 
-void FigurePicture::setLeastText(float part) {
-  leastText_ = part;
+void FigurePicture::setMinTextSize(float part) {
+  minTextSize_ = part;
   requestPicture();
 }
 
 bool FigurePicture::isPainted() const {
-  return made_ && shown_ == asked_ && image_.size() == size() * devicePixelRatioF();
+  return figure_ && shown_ == asked_ && image_.size() == size() * devicePixelRatioF();
 }
 
 void FigurePicture::requestPicture() {
-  if (!made_ || size().isEmpty()) return;
+  if (!figure_ || size().isEmpty()) return;
   const double scale = devicePixelRatioF();
   const QSize pixels = size() * scale;
   DiagramOptions options{pixels.width(), pixels.height(),
-                         static_cast<float>(scale * markScale(font())), theme_, leastText_};
+                         static_cast<float>(scale * markScale(font())), theme_, minTextSize_};
   ++asked_;
   pictures_.request(
-      [made = made_, options, scale](const BackgroundWork::Run&) {
+      [made = figure_, options, scale](const BackgroundWork::Run&) {
         QImage image = renderImage(contextOfThread(),
                                    composeFigure(made->figure, made->contact.get(), options));
         image.setDevicePixelRatio(scale);
@@ -74,7 +74,7 @@ void FigurePicture::requestPicture() {
 }
 
 void FigurePicture::take(std::uint64_t number, const QImage& image) {
-  if (!made_ || number < first_) return;
+  if (!figure_ || number < first_) return;
   shown_ = number;
   image_ = image;
   update();
@@ -84,7 +84,7 @@ void FigurePicture::take(std::uint64_t number, const QImage& image) {
 /// The texts of the picture have the font and language of the window.
 void FigurePicture::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::LanguageChange && made_) describe();
+  if (event->type() == QEvent::LanguageChange && figure_) describe();
   if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange)
     requestPicture();
 }
@@ -102,9 +102,9 @@ void FigurePicture::paintEvent(QPaintEvent*) {
     painter.drawImage(rect(), image_);
     return;
   }
-  painter.fillRect(rect(), colourOf(theme_.background));
-  painter.setPen(colourOf(theme_.faintText));
-  if (!made_)
+  painter.fillRect(rect(), toQColor(theme_.background));
+  painter.setPen(toQColor(theme_.faintText));
+  if (!figure_)
     painter.drawText(rect().adjusted(40, 20, -40, -20), Qt::AlignCenter | Qt::TextWordWrap, text_);
 }
 

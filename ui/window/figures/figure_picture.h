@@ -1,5 +1,5 @@
 // Shows one of the paper's figures, drawn again for each size and theme, or a line of text where
-// there is none. Pictures are made in the background. GUI thread; belongs to its parent.
+// there is none. Pictures are made in the background. GUI thread; owned by its parent.
 // Failure: a signal, where no picture can be made.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "ui/contact/contact_picture.h"
-#include "ui/window/figures/made_figure.h"
+#include "ui/window/figures/computed_figure.h"
 #include "ui/window/tasks/background_work.h"
 
 namespace asperity {
@@ -20,12 +20,12 @@ class FigurePicture : public QWidget {
  public:
   explicit FigurePicture(QWidget* parent = nullptr);
 
-  void showFigure(std::shared_ptr<const MadeFigure> made);
+  void showFigure(std::shared_ptr<const ComputedFigure> made);
   void showText(const QString& text);
   void setTheme(const Theme& theme);
-  /// Sets the least size of texts, relative to their usual size; a low picture would make them
-  /// smaller.
-  void setLeastText(float part);
+  /// Sets the minimum size of texts, relative to their usual size; otherwise a low picture would
+  /// have smaller ones.
+  void setMinTextSize(float part);
 
   /// Returns whether the picture shows the last figure at this size and in this theme.
   bool isPainted() const;
@@ -48,15 +48,15 @@ class FigurePicture : public QWidget {
   void describe();
   void take(std::uint64_t number, const QImage& image);
 
-  std::shared_ptr<const MadeFigure> made_;
+  std::shared_ptr<const ComputedFigure> figure_;
   QString text_;
   Theme theme_ = lightTheme();
-  float leastText_ = 0;
+  float minTextSize_ = 0;
   QImage image_;
   std::uint64_t asked_ = 0, shown_ = 0;  // numbers of requests
   std::uint64_t first_ = 0;              // request of the present figure; older ones are dropped
   // Last: its thread ends before other members are destroyed.
-  BackgroundWork pictures_{Overtaking::SkipsTheWaiting};
+  BackgroundWork pictures_{RequestPolicy::ReplaceWaiting};
 };
 
 }  // namespace asperity

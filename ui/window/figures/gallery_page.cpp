@@ -18,9 +18,9 @@
 #include "ui/language/language.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/figures/claims_table.h"
+#include "ui/window/figures/computed_figure.h"
 #include "ui/window/figures/figure_list.h"
 #include "ui/window/figures/figure_picture.h"
-#include "ui/window/figures/made_figure.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/picture_files.h"
@@ -29,7 +29,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostRealizations = 10000;
+constexpr int kMaxRealizations = 10000;
 constexpr int kSteps = 1000;  // steps of the progress bar
 
 /// Returns the style of the page in the colours of a palette: flat and rounded, as the window's
@@ -156,7 +156,7 @@ QWidget* GalleryPage::makeChoices() {
   auto* label = new QLabel;
   realizations_ = new QSpinBox;
   realizations_->setObjectName("realizations");
-  realizations_->setRange(1, kMostRealizations);
+  realizations_->setRange(1, kMaxRealizations);
   realizations_->setValue(kQuick);
   label->setBuddy(realizations_);
   keepTranslated(*choices, [this, label] {
@@ -260,7 +260,7 @@ void GalleryPage::showEvent(QShowEvent* event) {
 }
 
 void GalleryPage::setTheme(const Theme& theme) {
-  setStyleSheet(styleSheetOf(paletteOf(theme)));
+  setStyleSheet(styleSheetOf(themePalette(theme)));
   picture_->setTheme(theme);
   claims_->setDark(isDark(theme));
 }
@@ -275,7 +275,7 @@ void GalleryPage::take(FigureName name) {
   showWork();
 }
 
-/// Shows a text in place of a picture that is not ready.
+/// Shows a text until the picture is ready.
 void GalleryPage::showPlaceholder() {
   const FigureStatus& status = gallery_->status(chosen());
   if (status.made) return;
@@ -287,7 +287,7 @@ void GalleryPage::showPlaceholder() {
 void GalleryPage::showChosen() {
   const FigureStatus& status = gallery_->status(chosen());
   showPlaceholder();
-  if (status.made != shown_) showMade(status.made);
+  if (status.made != shown_) showComputed(status.made);
   if (status.error.isEmpty())
     messages_->hide();
   else
@@ -295,7 +295,7 @@ void GalleryPage::showChosen() {
   showWork();
 }
 
-void GalleryPage::showMade(std::shared_ptr<const MadeFigure> made) {
+void GalleryPage::showComputed(std::shared_ptr<const ComputedFigure> made) {
   shown_ = std::move(made);
   claims_->setClaims(shown_ ? shown_->figure.claims : std::vector<Claim>());
   if (shown_) picture_->showFigure(shown_);
@@ -340,20 +340,20 @@ void GalleryPage::compute() {
 void GalleryPage::computeAll() {
   showNote({});
   for (const FigureEntry& entry : figureEntries()) {
-    const std::shared_ptr<const MadeFigure> made = gallery_->status(entry.name).made;
+    const std::shared_ptr<const ComputedFigure> made = gallery_->status(entry.name).made;
     if (!made || made->realizations != realizations_->value())
       gallery_->compute(entry.name, realizations_->value());
   }
 }
 
-/// A text that has no room is whole in the tooltip.
+/// The tooltip has the complete text where the label is elided.
 void GalleryPage::showNote(const QString& text) {
   note_->setText(text);
   note_->setToolTip(text);
 }
 
 void GalleryPage::openScene() {
-  emit sceneWanted(gallery_->status(chosen()).made->figure.scene);
+  emit sceneRequested(gallery_->status(chosen()).made->figure.scene);
 }
 
 void GalleryPage::askPicture() {
@@ -383,8 +383,8 @@ void GalleryPage::saveData(const QString& file) {
 }
 
 void GalleryPage::save(const QString& file,
-                       void (*write)(const std::filesystem::path&, const MadeFigure&)) {
-  const std::shared_ptr<const MadeFigure> made = gallery_->status(chosen()).made;
+                       void (*write)(const std::filesystem::path&, const ComputedFigure&)) {
+  const std::shared_ptr<const ComputedFigure> made = gallery_->status(chosen()).made;
   if (!made) return;
   showNote(tr("Saving %1…").arg(QFileInfo(file).fileName()));
   saving_.request(

@@ -55,7 +55,7 @@ class GalleryPage : public QWidget {
   /// Emitted when another figure, or none, is shown.
   void figureShown();
   void closed();
-  void sceneWanted(const asperity::Scene& scene);
+  void sceneRequested(const asperity::Scene& scene);
   void saved(const QString& file);
 
  protected:
@@ -78,26 +78,27 @@ class GalleryPage : public QWidget {
   void cancel() { gallery_->cancel(); }
   void openScene();
   void askData();
-  void save(const QString& file, void (*write)(const std::filesystem::path&, const MadeFigure&));
+  void save(const QString& file,
+            void (*write)(const std::filesystem::path&, const ComputedFigure&));
   void take(FigureName name);
   void showPlaceholder();
   void showChosen();
-  void showMade(std::shared_ptr<const MadeFigure> made);
+  void showComputed(std::shared_ptr<const ComputedFigure> made);
   void showWork();
   void showNote(const QString& text);
 
   FigureGallery* gallery_;
-  std::shared_ptr<const MadeFigure> shown_;  // null: a text is shown
+  std::shared_ptr<const ComputedFigure> shown_;  // null: a text is shown
   MessageBar* messages_ = nullptr;
   FigureList* list_ = nullptr;
   FigurePicture* picture_ = nullptr;
   ClaimsTable* claims_ = nullptr;
   QSpinBox* realizations_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QLabel* note_ = nullptr;  // shown in place of the progress while nothing is computed
+  QLabel* note_ = nullptr;  // shown instead of the progress while nothing is computed
   QPushButton *compute_ = nullptr, *cancel_ = nullptr, *openScene_ = nullptr;
   QPushButton *savePicture_ = nullptr, *saveData_ = nullptr;
-  BackgroundWork saving_{Overtaking::WaitsForItsTurn};  // last: its thread ends first
+  BackgroundWork saving_{RequestPolicy::RunInOrder};  // last: its thread ends first
 };
 
 }  // namespace asperity

@@ -23,14 +23,14 @@ namespace asperity {
 namespace {
 
 constexpr int kName = 0, kNow = 1, kLow = 2, kHigh = 3;  // columns
-constexpr int kUsualLines = 50;                          // where the scene states a target instead
+constexpr int kDefaultLines = 50;                        // where the scene states a target instead
 
 QString quantity(double value, const Parameter& row) {
   const UnitText text = inReadableUnit(value, fromUtf8(row.unit));
   return (inLanguage(text.number) + ' ' + text.unit).trimmed();
 }
 
-/// The same with as many digits as leave room for the name.
+/// Returns the number with few enough digits to leave space for the name.
 QString shortQuantity(double value, const Parameter& row) {
   constexpr int kDigits = 6;
   return quantity(roundedToDigits(value, kDigits), row);
@@ -90,7 +90,7 @@ FitChoices::FitChoices(const Scene& scene, const FitSelection& before, QWidget* 
   fillTables();
   lines_->setObjectName("fitLines");
   lines_->setRange(2, 1000000);
-  lines_->setValue(choosesAccuracy(scene) ? kUsualLines
+  lines_->setValue(choosesAccuracy(scene) ? kDefaultLines
                                           : static_cast<int>(scene.ensemble.realizations));
   lines_->setEnabled(hasRandomPhases(scene.surface));
   lines_->setToolTip(
@@ -133,7 +133,7 @@ void FitChoices::fillKeys() {
   keys_->setTabKeyNavigation(false);
   for (int row = 0; row < keys_->rowCount(); ++row) {
     const VariedParameter& parameter = parameters_[static_cast<std::size_t>(row)];
-    const QString label = ParameterRow::labelOf(parameter.row());
+    const QString label = ParameterRow::labelText(parameter.row());
     auto* name = new QTableWidgetItem(label);
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     name->setCheckState(Qt::Unchecked);
@@ -146,7 +146,7 @@ void FitChoices::fillKeys() {
     for (const int limit : {kLow, kHigh}) {
       auto* cell = new QTableWidgetItem;
       cell->setToolTip(
-          tr("empty: as far as allowed, %1").arg(allowedInWords(ruleOf(parameter.row()))));
+          tr("empty: as far as allowed, %1").arg(allowedInWords(numberRule(parameter.row()))));
       keys_->setItem(row, limit, cell);
     }
   }
@@ -156,7 +156,7 @@ void FitChoices::fillTables() {
   tables_->setObjectName("fitTables");
   tables_->setAccessibleName(tr("measured friction"));
   for (const DataFile& table : scene_.comparison.data) {
-    auto* item = new QListWidgetItem(nameOf(table), tables_);
+    auto* item = new QListWidgetItem(tableName(table), tables_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
     item->setCheckState(Qt::Checked);
     item->setToolTip(fromUtf8((scene_.folder / table.file).string()));
@@ -170,16 +170,16 @@ void FitChoices::take(QTableWidgetItem& cell) {
   const auto index = static_cast<std::size_t>(cell.row());
   std::optional<double>& limit = column == kLow ? limits_[index].low : limits_[index].high;
   const Parameter& row = parameters_[index].row();
-  const NumberRule rule = ruleOf(row);
+  const NumberRule rule = numberRule(row);
   const QString typed = withPoint(cell.text().trimmed());
-  const QString refusal = typed.isEmpty() ? QString() : refusalOf(typed, rule);
+  const QString refusal = typed.isEmpty() ? QString() : validationError(typed, rule);
   limit.reset();
-  if (!typed.isEmpty() && refusal.isEmpty()) limit = plainNumberOf(typed, rule).toDouble();
+  if (!typed.isEmpty() && refusal.isEmpty()) limit = toPlainNumber(typed, rule).toDouble();
   const QSignalBlocker quiet(keys_);
   if (refusal.isEmpty())
     refusals_.erase({cell.row(), column});
   else
-    refusals_[{cell.row(), column}] = ParameterRow::labelOf(row) + ": " + refusal;
+    refusals_[{cell.row(), column}] = ParameterRow::labelText(row) + ": " + refusal;
   cell.setForeground(refusal.isEmpty() ? QBrush() : QBrush(faultColour(palette())));
   cell.setToolTip(refusal.isEmpty() ? tr("empty: as far as allowed, %1").arg(allowedInWords(rule))
                                     : refusal);
@@ -187,7 +187,7 @@ void FitChoices::take(QTableWidgetItem& cell) {
     cell.setText(quantity(*limit, row));
     cell.setToolTip(cell.text() + '\n' + cell.toolTip());  // the cell may cut it
   }
-  // Whoever sets a limit wants to vary.
+  // A parameter whose limit is set is also varied.
   if (limit) keys_->item(cell.row(), kName)->setCheckState(Qt::Checked);
 }
 
@@ -212,7 +212,7 @@ FitSelection FitChoices::selection() const {
   return chosen;
 }
 
-bool FitChoices::wantsProfiles() const {
+bool FitChoices::needsProfiles() const {
   return profiles_->isChecked();
 }
 

@@ -1,7 +1,7 @@
-// What a fit varies and what it is compared with, as tables to tick: the numbers of the scene with
-// their limits, the measured tables that it names, and the number of lines. A refused limit stays
-// as it was typed, in red with its reason. Object names: "fitKeys", "fitTables", "fitLines",
-// "fitProfiles". GUI thread; belongs to its parent. Cannot fail, except for varied().
+// The choices for a fit, as tables with check boxes: the varied numbers of the scene with their
+// limits, the measured tables to compare with, and the number of lines. A refused limit stays as it
+// was typed, in red with its reason. Object names: "fitKeys", "fitTables", "fitLines",
+// "fitProfiles". GUI thread; owned by its parent. Cannot fail, except for varied().
 #pragma once
 
 #include <QWidget>
@@ -33,13 +33,13 @@ class FitChoices : public QWidget {
   Q_OBJECT
 
  public:
-  /// `before`: what the user chose the last time, for keys that the scene still has.
+  /// `before`: the choices of the last time, used for keys that the scene still has.
   FitChoices(const Scene& scene, const FitSelection& before, QWidget* parent = nullptr);
 
   /// Returns the scene that is fitted: with the chosen tables and number of lines.
   Scene scene() const;
   FitSelection selection() const;
-  bool wantsProfiles() const;
+  bool needsProfiles() const;
   /// Returns whether there is something to vary and something to compare it with.
   bool isEnough() const;
   /// Returns the first limit that is refused, with its reason; empty where there is none.

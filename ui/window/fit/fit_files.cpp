@@ -82,7 +82,7 @@ QStringList writeFitReport(const std::string& folder, const FittedCurve& fitted)
       writePicture(within / (sheet.name + extension), picture,
                    {translated(sheet.sheet.title), origin, 1});
   }
-  // The first text, which says what the others are, is the last to be written.
+  // The first text, which describes the others, is written last.
   for (auto text = report.texts.rbegin(); text != report.texts.rend(); ++text)
     writeFileAtomically(within / text->first, text->second);
   QStringList written;

@@ -34,22 +34,22 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(1180, 760);  // pixels
-constexpr int kChoicesWidth = 342;  // pixels
+constexpr QSize kDefault(1180, 760);  // pixels
+constexpr int kChoicesWidth = 342;    // pixels
 
 enum Sheet { kCurve, kProfiles, kProgress };
 
-/// What comes of a fit in the background: the fit, or what is wrong.
+/// The result of a fit in the background: the fit, or an error message.
 struct Outcome {
   std::shared_ptr<const FittedCurve> fitted{};
-  QString complaint{};
+  QString errorText{};
 };
 
-/// The complaint with the name of its parameter in place of the key.
-QString inWordsOfThePanel(const InputError& error) {
+/// Returns the error message with the name of its parameter instead of the key.
+QString withParameterNames(const InputError& error) {
   const QString text = translatedText(error.message());
   const Parameter* parameter = findParameter(error.key());
-  if (parameter) return ParameterRow::labelOf(*parameter) + ": " + text;
+  if (parameter) return ParameterRow::labelText(*parameter) + ": " + text;
   return error.key().starts_with("--") ? text : translatedError(error);
 }
 
@@ -77,7 +77,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
       close_(new QPushButton(tr("&Close"))),
       table_(new QLabel),
       notes_(new QLabel),
-      complaint_(new QLabel),
+      errorLabel_(new QLabel),
       progressText_(new QLabel),
       progress_(new QProgressBar),
       sheets_(new QTabBar),
@@ -117,7 +117,7 @@ FitPage::FitPage(const Scene& scene, const FitSelection& before, const Theme& th
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves, 1);
   all->addLayout(foot());
-  resize(sizeOfPage(kUsual, *(parent ? parent->screen() : screen())));
+  resize(pageSize(kDefault, *(parent ? parent->screen() : screen())));
   connect(choices_, &FitChoices::changed, this, [this] {
     if (!isFitting_) finish(choices_->refusal());
   });
@@ -153,11 +153,11 @@ void FitPage::buildResult(const Theme& theme) {
 }
 
 QLayout* FitPage::foot() {
-  complaint_->setObjectName("fitComplaint");
-  complaint_->setWordWrap(true);
-  complaint_->setTextFormat(Qt::PlainText);
-  complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  complaint_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  errorLabel_->setObjectName("fitComplaint");
+  errorLabel_->setWordWrap(true);
+  errorLabel_->setTextFormat(Qt::PlainText);
+  errorLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  errorLabel_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   progress_->setObjectName("fitProgress");
   progress_->setTextVisible(false);
   progress_->setRange(0, 0);
@@ -171,7 +171,7 @@ QLayout* FitPage::foot() {
   connect(use_, &QPushButton::clicked, this, &FitPage::useValues);
   connect(close_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(complaint_, 1);
+  foot->addWidget(errorLabel_, 1);
   foot->addWidget(progressText_);
   foot->addWidget(progress_);
   foot->addSpacing(8);
@@ -181,8 +181,8 @@ QLayout* FitPage::foot() {
   return foot;
 }
 
-QString FitPage::complaint() const {
-  return complaint_->text();
+QString FitPage::errorText() const {
+  return errorLabel_->text();
 }
 
 void FitPage::pressRun() {
@@ -199,30 +199,30 @@ void FitPage::begin() {
   try {
     varied = variedParameters(selection, scene);
   } catch (const InputError& error) {
-    return finish(inWordsOfThePanel(error));
+    return finish(withParameterNames(error));
   }
   isFitting_ = true;
   chiSquared_.clear();
-  complaint_->clear();
+  errorLabel_->clear();
   sheets_->setCurrentIndex(kProgress);
   showProgress(0, 0);
   showState();
   work_.request(
       [this, scene, varied, texts = variedTexts(selection),
-       hasProfiles = choices_->wantsProfiles()](const BackgroundWork::Run& run) {
+       hasProfiles = choices_->needsProfiles()](const BackgroundWork::Run& run) {
         Outcome outcome;
         try {
           FitOptions options;
           options.stop = run.stop();
           options.hasProfiles = hasProfiles;
           options.progress = [this, &run](int evaluations, double chiSquared) {
-            run.tell([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
+            run.post([this, evaluations, chiSquared] { showProgress(evaluations, chiSquared); });
           };
           FittedCurve fitted = fitWithCurve(scene, readComparisonData(scene), varied, options);
           fitted.varied = texts;
           outcome.fitted = std::make_shared<const FittedCurve>(std::move(fitted));
         } catch (const InputError& error) {
-          outcome.complaint = inWordsOfThePanel(error);
+          outcome.errorText = withParameterNames(error);
         }
         return outcome;
       },
@@ -231,7 +231,7 @@ void FitPage::begin() {
         if (outcome.fitted)
           take(outcome.fitted);
         else
-          finish(outcome.complaint);
+          finish(outcome.errorText);
       },
       [this](const QString& reason) {
         isFitting_ = false;
@@ -270,8 +270,8 @@ void FitPage::take(std::shared_ptr<const FittedCurve> fitted) {
     showSheet();
 }
 
-void FitPage::finish(const QString& complaint) {
-  complaint_->setText(complaint);
+void FitPage::finish(const QString& errorText) {
+  errorLabel_->setText(errorText);
   showState();
 }
 

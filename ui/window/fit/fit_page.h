@@ -26,7 +26,8 @@ namespace asperity {
 
 class DiagramView;
 
-/// Asks for the folder of a report, beginning with a proposal; empty where nowhere.
+/// Returns the folder that the user chooses for a report, beginning with a proposal; empty where
+/// the user cancels.
 using FolderChooser = std::function<QString(QWidget* parent, const QString& proposed)>;
 
 class FitPage : public QDialog {
@@ -40,8 +41,8 @@ class FitPage : public QDialog {
   /// Returns what is shown; null before the first fit has ended.
   const FittedCurve* fitted() const { return fitted_.get(); }
   bool isFitting() const { return isFitting_; }
-  /// Returns the line that says what is wrong; empty where nothing is.
-  QString complaint() const;
+  /// Returns the error message; empty without an error.
+  QString errorText() const;
 
   /// Replaces the usual dialog.
   void setFolderChooser(FolderChooser chooser) { chooser_ = std::move(chooser); }
@@ -62,7 +63,7 @@ class FitPage : public QDialog {
   void stop();
   void showProgress(int evaluations, double chiSquared);
   void take(std::shared_ptr<const FittedCurve> fitted);
-  void finish(const QString& complaint);
+  void finish(const QString& errorText);
   void showState();
   void showSheet();
   void useValues();
@@ -75,13 +76,13 @@ class FitPage : public QDialog {
   bool isFitting_ = false, isSaving_ = false;
   FitChoices* choices_;
   QPushButton *run_, *save_, *use_, *close_;
-  QLabel *table_, *notes_, *complaint_, *progressText_;
+  QLabel *table_, *notes_, *errorLabel_, *progressText_;
   QProgressBar* progress_;
   QTabBar* sheets_;
   DiagramView* sheet_;
   // Last: their threads end before other members are destroyed.
-  BackgroundWork files_{Overtaking::WaitsForItsTurn};
-  BackgroundWork work_{Overtaking::StopsTheRunning};
+  BackgroundWork files_{RequestPolicy::RunInOrder};
+  BackgroundWork work_{RequestPolicy::CancelRunning};
 };
 
 }  // namespace asperity

@@ -33,8 +33,8 @@ QString errorText(const FittedParameter& parameter) {
            quantity(parameter.standardError, findParameter(parameter.key)->unit);
   if (parameter.standardError < kMuch)
     return QStringLiteral("± %1 %").arg(number(100 * parameter.standardError, 2));
-  constexpr double kBeyondAll = 20;  // e to this power is more than any table decides
-  if (parameter.standardError > kBeyondAll) return QStringLiteral("×÷ ∞");
+  constexpr double kMaxExponent = 20;  // e to this power is more than any table decides
+  if (parameter.standardError > kMaxExponent) return QStringLiteral("×÷ ∞");
   return QStringLiteral("×÷ ") + number(std::exp(parameter.standardError), 2);
 }
 
@@ -49,21 +49,21 @@ QString stateText(const FittedParameter& parameter, const Fit& fit) {
 /// The symbol, or the name where there is none.
 QString shortName(const FittedParameter& parameter) {
   const Parameter& row = *findParameter(parameter.key);
-  return row.symbol.empty() ? ParameterRow::labelOf(row).toHtmlEscaped() : symbolHtml(row.symbol);
+  return row.symbol.empty() ? ParameterRow::labelText(row).toHtmlEscaped() : symbolHtml(row.symbol);
 }
 
-/// A message of core with the names of the panel in place of keys.
-Message inWordsOfThePanel(Message message) {
+/// Returns a message of core with the names of the panel instead of keys.
+Message withParameterNames(Message message) {
   for (Message& value : message.values) {
     if (const Parameter* parameter = findParameter(value.text))
       value = Message(std::string(parameter->label));
     else
-      value = inWordsOfThePanel(value);
+      value = withParameterNames(value);
   }
   return message;
 }
 
-/// "τ G^0.45, ± 3 %": the product that the data determine best.
+/// Returns the product that the data determine best: "τ G^0.45, ± 3 %".
 QString combinationText(const Fit& fit) {
   constexpr double kNothing = 0.05;
   const Combination& best = fit.combinations.front();
@@ -99,7 +99,7 @@ QString fittedTable(const Fit& fit) {
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
     const FittedParameter& parameter = fit.parameters[k];
     const Parameter& row = *findParameter(parameter.key);
-    QString name = ParameterRow::labelOf(row).toHtmlEscaped();
+    QString name = ParameterRow::labelText(row).toHtmlEscaped();
     if (!row.symbol.empty()) name += "&nbsp; " + symbolHtml(row.symbol);
     rows += "<tr>" + cell(name, "left") +
             cell("<b>" + quantity(parameter.value, row.unit).toHtmlEscaped() + "</b>", "right") +
@@ -132,7 +132,7 @@ QString fittedNotes(const Fit& fit) {
   const bool areFactors = std::ranges::all_of(fit.parameters, &FittedParameter::isLogarithmic);
   if (isOpen && areFactors && fit.parameters.size() > 1) lines += combinationText(fit);
   for (const Message& note : fit.notes)
-    lines += QStringLiteral("⚠ ") + translatedText(inWordsOfThePanel(note)).toHtmlEscaped();
+    lines += QStringLiteral("⚠ ") + translatedText(withParameterNames(note)).toHtmlEscaped();
   return lines.join(QStringLiteral("<br>"));
 }
 

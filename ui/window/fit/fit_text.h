@@ -10,15 +10,15 @@
 
 namespace asperity {
 
-/// One row for each parameter: best value, standard error, whether the data determine it, and its
-/// correlations with the others.
+/// Returns one row for each parameter: best value, standard error, whether the data determine it,
+/// and its correlations with the others.
 QString fittedTable(const Fit& fit);
 
-/// The sum of squares, what is determined together where a parameter alone is not, and the notes of
-/// the fit with the names of the panel in place of keys; one line each.
+/// Returns the sum of squares, the products that are determined where a single parameter is not,
+/// and the notes of the fit with the names of the panel instead of keys; one line each.
 QString fittedNotes(const Fit& fit);
 
-/// The sums of squares so far, over the number of evaluations.
+/// Returns a diagram of the sums of squares so far over the number of evaluations.
 DiagramSheet progressSheet(std::span<const double> chiSquared);
 
 }  // namespace asperity

@@ -15,12 +15,12 @@ namespace {
 
 enum Role { kName = Qt::UserRole, kTitle, kSentence };
 
-constexpr int kGap = 10;                          // pixels between cards
-constexpr int kInside = 10;                       // between the edge of a card and its texts
-constexpr int kLeastCard = 236, kMostCard = 400;  // width of a card, pixels
-constexpr int kUsualColumns = 4;                  // more only where cards would be too wide
-constexpr double kShape = 0.6;                    // height of a picture, relative to its width
-constexpr double kCorner = 8;                     // radius, pixels
+constexpr int kGap = 10;                       // pixels between cards
+constexpr int kInside = 10;                    // between the edge of a card and its texts
+constexpr int kMinCard = 236, kMaxCard = 400;  // width of a card, pixels
+constexpr int kDefaultColumns = 4;             // more only where cards would be too wide
+constexpr double kShape = 0.6;                 // height of a picture, relative to its width
+constexpr double kCorner = 8;                  // radius, pixels
 
 QFont boldOf(QFont font) {
   font.setBold(true);
@@ -86,16 +86,16 @@ class CardList::Painter : public QStyledItemDelegate {
 
   void paintPicture(QPainter& painter, const QRectF& card, const QPainterPath& outline,
                     const QPalette& palette, const QString& name) const {
-    const QRectF place(card.topLeft(), QSizeF(card.width(), kShape * card.width()));
+    const QRectF pictureRect(card.topLeft(), QSizeF(card.width(), kShape * card.width()));
     painter.save();
     painter.setClipPath(outline);
     const QPixmap picture = list_.picture_(name);
     if (picture.isNull())
-      painter.fillRect(place, palette.color(QPalette::AlternateBase));
+      painter.fillRect(pictureRect, palette.color(QPalette::AlternateBase));
     else
-      painter.drawPixmap(place, picture, QRectF(picture.rect()));
+      painter.drawPixmap(pictureRect, picture, QRectF(picture.rect()));
     painter.setPen(palette.color(QPalette::Mid));
-    painter.drawLine(place.bottomLeft(), place.bottomRight());
+    painter.drawLine(pictureRect.bottomLeft(), pictureRect.bottomRight());
     painter.restore();
   }
 
@@ -145,7 +145,7 @@ CardList::CardList(std::function<QPixmap(const QString&)> picture, QWidget* pare
 void CardList::keyPressEvent(QKeyEvent* event) {
   const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (isEnter && !chosen().isEmpty()) return emit wanted(chosen());
-  // Letters are those of the filter.
+  // Typed letters belong to the filter.
   if (!event->text().isEmpty() && event->text().front().isPrint() &&
       !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)))
     return emit typed(event->text());
@@ -207,13 +207,13 @@ void CardList::showPicture(const QString& name) {
 
 /// Sets the size of all cards: as many columns as fit, and as high as the longest texts need.
 void CardList::layOut() {
-  const int room = viewport()->width() - 2 * kGap;
+  const int available = viewport()->width() - 2 * kGap;
   const int letters = QFontMetrics(font()).averageCharWidth();
-  const int least = std::max(kLeastCard, 30 * letters);
-  const int most = std::max(kMostCard, 50 * letters);
-  const int fitting = std::max(1, (room + kGap) / (least + kGap));
-  const int columns = std::max(std::min(kUsualColumns, fitting), (room + most - 1) / most);
-  const int width = std::max(80, (room - (columns - 1) * kGap) / columns - 1);
+  const int least = std::max(kMinCard, 30 * letters);
+  const int most = std::max(kMaxCard, 50 * letters);
+  const int fitting = std::max(1, (available + kGap) / (least + kGap));
+  const int columns = std::max(std::min(kDefaultColumns, fitting), (available + most - 1) / most);
+  const int width = std::max(80, (available - (columns - 1) * kGap) / columns - 1);
   int texts = 0;
   const int inside = width - 2 * kInside - 3;
   for (const int row : cardRows())
@@ -240,17 +240,17 @@ QModelIndex CardList::moveCursor(CursorAction action, Qt::KeyboardModifiers modi
   if (rows.isEmpty()) return {};
   const auto at = static_cast<int>(rows.indexOf(currentRow()));
   if (at < 0) return indexFromItem(item(rows.first()));
-  const auto indexOf = [&](int place) {
-    return indexFromItem(item(rows[std::clamp(place, 0, static_cast<int>(rows.size()) - 1)]));
+  const auto indexOf = [&](int index) {
+    return indexFromItem(item(rows[std::clamp(index, 0, static_cast<int>(rows.size()) - 1)]));
   };
-  const auto placeOf = [&](int row) { return visualRect(indexFromItem(item(row))).center(); };
-  const QPoint here = placeOf(rows[at]);
+  const auto centreOf = [&](int row) { return visualRect(indexFromItem(item(row))).center(); };
+  const QPoint here = centreOf(rows[at]);
   // Returns the card whose line is nearest to this distance below (sign 1) or above (-1).
   const auto towards = [&](int sign, int distance) {
     int best = rows[at];
     double least = 1e12;
     for (const int row : rows) {
-      const QPoint away = placeOf(row) - here;
+      const QPoint away = centreOf(row) - here;
       const int down = sign * away.y();
       if (down <= card_.height() / 2) continue;
       const double cost = 1000.0 * std::abs(down - distance) + std::abs(away.x());

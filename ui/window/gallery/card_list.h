@@ -1,5 +1,5 @@
 // Scenes as cards under headings of chapters: picture, title, one sentence. Arrows move between
-// cards, Enter or a click chooses one. GUI thread; belongs to its parent.
+// cards, Enter or a click chooses one. GUI thread; owned by its parent.
 #pragma once
 
 #include <QListWidget>
@@ -18,7 +18,7 @@ class CardList : public QListWidget {
   Q_OBJECT
 
  public:
-  /// picture: returns that of a card, or null while there is none.
+  /// picture: returns the picture of a card; null while there is none.
   explicit CardList(std::function<QPixmap(const QString& name)> picture, QWidget* parent = nullptr);
 
   /// Shows cards; those of one chapter follow each other. The current card stays, if it is there.

@@ -171,7 +171,7 @@ std::span<const SceneCard> sceneCards() {
   return kCards;
 }
 
-const SceneCard* cardOf(const QString& scene) {
+const SceneCard* findCard(const QString& scene) {
   const auto found = std::ranges::find_if(
       kCards, [&](const SceneCard& card) { return scene == QLatin1String(card.scene); });
   return found == kCards.end() ? nullptr : &*found;

@@ -1,5 +1,5 @@
-// What the gallery says and shows of each shipped scene: one sentence that tells where to look, and
-// the kind of its picture. The chapters and titles stand in the scenes. Pure; any thread.
+// The cards of the shipped scenes in the gallery: one sentence about what to look for, and the kind
+// of its picture. Chapters and titles are those of the scenes. Pure; any thread.
 #pragma once
 
 #include <QString>
@@ -24,7 +24,7 @@ struct SceneCard {
 std::span<const SceneCard> sceneCards();
 
 /// Returns the card of a scene; null where it has none.
-const SceneCard* cardOf(const QString& scene);
+const SceneCard* findCard(const QString& scene);
 
 /// Returns the sentence in the language of the window.
 QString cardSentence(const SceneCard& card);

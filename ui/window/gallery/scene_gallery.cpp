@@ -22,7 +22,7 @@ namespace asperity {
 namespace {
 
 Card cardFor(const LibraryScene& entry) {
-  const SceneCard* card = cardOf(entry.name);
+  const SceneCard* card = findCard(entry.name);
   const QString title = sceneText(entry.scene.title);
   return {entry.name, sceneText(entry.scene.chapter), title.isEmpty() ? entry.name : title,
           card ? cardSentence(*card) : QString()};
@@ -129,7 +129,7 @@ void SceneGallery::focusFilter() {
 }
 
 void SceneGallery::setTheme(const Theme& theme) {
-  setPalette(paletteOf(theme));
+  setPalette(themePalette(theme));
   setAutoFillBackground(true);
   thumbnails_->setTheme(theme);
   cards_->viewport()->update();

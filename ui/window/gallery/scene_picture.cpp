@@ -25,7 +25,7 @@ constexpr std::int64_t kLines = 6;  // of a friction curve; smooth enough for a 
 constexpr int kParts = 100;         // of a motion, between which it can be stopped
 
 /// Draws the list without its texts and returns the part inside of the axes.
-QImage cutOut(DrawList list, const QRectF& part) {
+QImage cropped(DrawList list, const QRectF& part) {
   list.texts.clear();
   const QRect whole = part.toAlignedRect().intersected(QRect(0, 0, list.width, list.height));
   return renderImage(contextOfThread(), list)
@@ -65,7 +65,7 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
   ContactPictureOptions options;
   options.theme = theme;
   options.title = options.names = false;
-  options.curve = 2.5F;
+  options.lineWidth = 2.5F;
   options.view = isClose ? closeUp(frame) : fittedView(frame);
   // The axes around the plot take a part of the picture, which grows until the plot is as large as
   // the result.
@@ -80,7 +80,7 @@ QImage contactImage(const Scene& scene, const Theme& theme, bool isClose) {
         static_cast<int>(std::lround(wanted.height() - static_cast<double>(plot.height)));
   }
   const Clip plot = contactPlotArea(frame, options);
-  return cutOut(composeContact(frame, options), {plot.x, plot.y, plot.width, plot.height});
+  return cropped(composeContact(frame, options), {plot.x, plot.y, plot.width, plot.height});
 }
 
 /// Draws the first diagram of a sheet, with thick curves.
@@ -93,13 +93,13 @@ QImage diagramImage(DiagramSheet sheet, const Theme& theme) {
   options.height = 2 * kScenePicture.height();
   options.scale = 2;
   options.theme = theme;
-  options.look.curve = 6;
-  options.look.legend = LegendMode::None;
+  options.format.lineWidth = 6;
+  options.format.legend = LegendMode::None;
   const std::vector<DiagramFrame> frames = diagramFrames(sheet, options);
-  if (frames.empty()) return cutOut(composeDiagrams(sheet, options), QRectF(0, 0, 1e6, 1e6));
+  if (frames.empty()) return cropped(composeDiagrams(sheet, options), QRectF(0, 0, 1e6, 1e6));
   const DiagramFrame& frame = frames.front();
-  return cutOut(composeDiagrams(sheet, options),
-                {frame.left, frame.top, frame.width, frame.height});
+  return cropped(composeDiagrams(sheet, options),
+                 {frame.left, frame.top, frame.width, frame.height});
 }
 
 QImage curveImage(Scene scene, const Theme& theme, const std::stop_token& stop) {

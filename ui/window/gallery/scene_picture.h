@@ -1,6 +1,6 @@
-// The small picture of a scene in the gallery: what the scene shows, without texts and margins,
-// drawn in the same way as all other pictures. Pure; any thread on which no OpenGL context of Qt is
-// current. Failure: std::exception where the scene cannot run or nothing can draw.
+// The small picture of a scene in the gallery: its contact, curve or motion without texts and
+// margins, drawn in the same way as all other pictures. Pure; any thread on which no OpenGL context
+// of Qt is current. Failure: std::exception where the scene cannot run or no backend can draw.
 #pragma once
 
 #include <QImage>

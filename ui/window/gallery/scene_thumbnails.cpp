@@ -17,11 +17,11 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostFiles = 400;  // in the cache; older ones are removed
+constexpr int kMaxFiles = 400;  // in the cache; older ones are removed
 
 QImage readPicture(const QString& file) {
   const QImage image(file);
-  // Whatever else lies there is no picture of this program.
+  // Other files in the folder are not pictures of this program.
   return image.width() > 0 && image.width() <= 2000 && image.height() <= 2000 ? image : QImage();
 }
 
@@ -33,13 +33,13 @@ void keepPicture(const QString& file, const QImage& image) {
   if (!out.open(QIODevice::WriteOnly)) return;
   if (image.save(&out, "PNG")) out.commit();
   const QFileInfoList all = folder.entryInfoList({"*.png"}, QDir::Files, QDir::Time);
-  for (int i = kMostFiles; i < all.size(); ++i) QFile::remove(all[i].filePath());
+  for (int i = kMaxFiles; i < all.size(); ++i) QFile::remove(all[i].filePath());
 }
 
 }  // namespace
 
 QString thumbnailName(const Scene& scene, SceneView view, const Theme& theme) {
-  // Another build of the program may draw in another way.
+  // Another build of the program may draw differently.
   static const QByteArray program =
       QByteArray(ASPERITY_VERSION) + ' ' +
       QByteArray::number(
@@ -98,7 +98,7 @@ void SceneThumbnails::drawNext() {
   waiting_.pop_front();
   const std::vector<LibraryScene>& library = libraryScenes();
   const auto found = std::ranges::find(library, name, &LibraryScene::name);
-  const SceneCard* card = cardOf(name);
+  const SceneCard* card = findCard(name);
   if (found == library.end() || !card) return drawNext();
   isDrawing_ = true;
   const auto done = [this, name](const QImage& image) {

@@ -24,7 +24,7 @@ class SceneThumbnails : public QObject {
   using Drawing =
       std::function<QImage(const Scene&, SceneView, const Theme&, const std::stop_token&)>;
 
-  /// draw: what makes a picture (drawScenePicture). folder: of the cache; empty: the user's.
+  /// draw: makes a picture (drawScenePicture). folder: of the cache; empty: that of the user.
   explicit SceneThumbnails(Drawing draw, const QString& folder = {}, QObject* parent = nullptr);
 
   /// Begins with the pictures of this theme; those of another theme stay until they are replaced.

@@ -52,7 +52,7 @@ bool hasModuli(const TextTable& table) {
   return false;
 }
 
-/// What a table of numbers is about; anything that is none of these is a surface.
+/// Returns the kind of a table of numbers; a table of no other kind is a surface.
 FileKind kindOfText(const std::string& text) {
   try {
     if (readPronyFile(text, nullptr, "", {})) return FileKind::Moduli;

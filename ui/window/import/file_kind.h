@@ -1,5 +1,4 @@
-// What a file that a person drops on the window is: told from its content. Pure but for reading the
-// file; any thread.
+// Detects the kind of a dropped file from its content. It only reads the file; any thread.
 #pragma once
 
 #include <filesystem>

@@ -26,9 +26,9 @@
 namespace asperity {
 
 ImportCommands::ImportCommands(const Parts& parts) : QObject(&parts.window), parts_(parts) {
-  connect(&parts_.panel, &ParameterPanel::surfaceWanted, this, &ImportCommands::askSurface);
-  connect(&parts_.panel, &ParameterPanel::materialWanted, this, &ImportCommands::askMaterial);
-  connect(&parts_.panel, &ParameterPanel::frictionWanted, this, &ImportCommands::askFriction);
+  connect(&parts_.panel, &ParameterPanel::surfaceRequested, this, &ImportCommands::askSurface);
+  connect(&parts_.panel, &ParameterPanel::materialRequested, this, &ImportCommands::askMaterial);
+  connect(&parts_.panel, &ParameterPanel::frictionRequested, this, &ImportCommands::askFriction);
   connect(&parts_.document, &SceneDocument::opening, this, [this] { work_.cancel(); });
 }
 
@@ -97,7 +97,7 @@ void ImportCommands::takeSurface(Scene scene, const QString& file) {
     scene.chapter.clear();
   }
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open surface"));
-  emit taken();
+  emit imported();
 }
 
 void ImportCommands::openMaterial(const QString& file) {
@@ -125,7 +125,7 @@ void ImportCommands::takeMaterial(const QString& file) {
   }
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Open material"));
-  emit taken();
+  emit imported();
 }
 
 bool ImportCommands::askFriction() {
@@ -136,8 +136,8 @@ bool ImportCommands::askFriction() {
   return !file.isEmpty() && takeFriction(file);
 }
 
-/// Puts measured friction beside the curve; a table that stands there already is read again.
-/// Returns whether it could be read.
+/// Adds measured friction beside the curve; a table that was added before is read again. Returns
+/// whether it could be read.
 bool ImportCommands::takeFriction(const QString& file) {
   Scene scene = parts_.document.scene();
   const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
@@ -154,7 +154,7 @@ bool ImportCommands::takeFriction(const QString& file) {
   parts_.messages.end(MessageBar::Failure::Files);
   parts_.document.edit(scene,
                        QT_TRANSLATE_NOOP("asperity::SceneDocument", "Add measured friction"));
-  emit taken();
+  emit imported();
   return true;
 }
 

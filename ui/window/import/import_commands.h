@@ -48,12 +48,12 @@ class ImportCommands : public QObject {
   /// Puts measured friction beside the curve, from a file that the user chooses; returns whether
   /// that was done.
   bool askFriction();
-  /// Looks in the background at what the file is, and opens it as that.
+  /// Detects the kind of the file in the background and opens it accordingly.
   void openDropped(const QString& file);
 
  signals:
-  /// Emitted when a file has become a part of the scene, which the user then wants to see.
-  void taken();
+  /// Emitted when a file has become a part of the scene, which is then shown.
+  void imported();
 
  private:
   SurfaceImport& showSurface(const Scene& scene, const QString& file);

@@ -24,7 +24,7 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(1120, 720);  // pixels
+constexpr QSize kDefault(1120, 720);  // pixels
 constexpr std::size_t kShownBytes = 4096;
 
 /// Returns the first whole lines of a text file; empty where the file is no text.
@@ -50,7 +50,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
       views_(new QVBoxLayout(shown_)),
       beginning_(new QPlainTextEdit),
       halves_(new QHBoxLayout),
-      complaint_(new QLabel),
+      errorLabel_(new QLabel),
       progress_(new QProgressBar),
       stop_(new QToolButton),
       accept_(new QPushButton(accept)),
@@ -79,13 +79,13 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   halves_->setSpacing(12);
   halves_->addLayout(left, 1);
 
-  complaint_->setObjectName("importComplaint");
-  complaint_->setProperty("role", "error");
-  complaint_->setStyleSheet(panelStyleSheet(palette()));
-  complaint_->setWordWrap(true);
-  complaint_->setTextFormat(Qt::PlainText);
-  complaint_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  complaint_->setMinimumHeight(3 * fontMetrics().lineSpacing());
+  errorLabel_->setObjectName("importComplaint");
+  errorLabel_->setProperty("role", "error");
+  errorLabel_->setStyleSheet(panelStyleSheet(palette()));
+  errorLabel_->setWordWrap(true);
+  errorLabel_->setTextFormat(Qt::PlainText);
+  errorLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  errorLabel_->setMinimumHeight(3 * fontMetrics().lineSpacing());
   progress_->setObjectName("importProgress");
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
@@ -101,7 +101,7 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   connect(accept_, &QPushButton::clicked, this, &QDialog::accept);
   connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(complaint_, 1);
+  foot->addWidget(errorLabel_, 1);
   foot->addWidget(progress_);
   foot->addWidget(stop_);
   foot->addSpacing(8);
@@ -112,8 +112,8 @@ ImportPage::ImportPage(const QString& file, const QString& accept, QWidget* pare
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves_, 1);
   all->addLayout(foot);
-  resize(sizeOfPage(kUsual, *(parent ? parent->screen() : screen())));
-  connect(this, &QDialog::finished, this, &ImportPage::endSoon);
+  resize(pageSize(kDefault, *(parent ? parent->screen() : screen())));
+  connect(this, &QDialog::finished, this, &ImportPage::deleteWhenFinished);
 }
 
 QString ImportPage::sentence(QString text) {
@@ -122,8 +122,8 @@ QString ImportPage::sentence(QString text) {
   return text.endsWith('.') ? text : text + '.';
 }
 
-QString ImportPage::complaint() const {
-  return complaint_->text();
+QString ImportPage::errorText() const {
+  return errorLabel_->text();
 }
 
 void ImportPage::restart() {
@@ -135,9 +135,9 @@ void ImportPage::showProgress(double part) {
   progress_->setValue(static_cast<int>(1000 * part));
 }
 
-void ImportPage::finish(const QString& complaint) {
-  complaint_->setText(complaint);
-  setState(complaint.isEmpty() ? State::Shown : State::Wrong);
+void ImportPage::finish(const QString& errorText) {
+  errorLabel_->setText(errorText);
+  setState(errorText.isEmpty() ? State::Shown : State::Wrong);
 }
 
 void ImportPage::setState(State state) {
@@ -151,7 +151,8 @@ void ImportPage::setState(State state) {
   stop_->setToolTip(tip);
   stop_->setAccessibleName(tip);
   accept_->setEnabled(state == State::Shown);
-  // What goes is hidden first: both together are higher than the page, which would grow.
+  // The old widgets are hidden first: together with the new ones they are higher than the page,
+  // which would grow.
   if (state == State::Shown) {
     beginning_->hide();
     shown_->show();
@@ -170,13 +171,13 @@ void ImportPage::showBeginning() {
 void ImportPage::pressStop() {
   if (state_ == State::Stopped) return restart();
   work().cancel();
-  complaint_->setText(tr("Reading was stopped"));
+  errorLabel_->setText(tr("Reading was stopped"));
   setState(State::Stopped);
 }
 
 /// The page goes when the worker has come to this request: then nothing runs any more for which its
 /// destructor would wait. A transform of a large surface, for one, cannot be stopped in its middle.
-void ImportPage::endSoon() {
+void ImportPage::deleteWhenFinished() {
   work().cancel();
   work().request([](const BackgroundWork::Run&) {}, [this] { deleteLater(); });
 }

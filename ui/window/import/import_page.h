@@ -1,8 +1,8 @@
-// What the pages of the window that read a file of a person have in common: the name of the file,
-// progress that can be stopped, one line that says what is wrong, with the first lines of the file
-// in place of the views, and the buttons that take or leave the result. The work runs in the
-// background; the newest choices win. A page that is closed disappears at once and deletes itself
-// when its work has stopped, so that the window never waits for it. GUI thread.
+// The common base of the pages that import a file of the user: the name of the file, progress that
+// can be stopped, one line for an error, with the first lines of the file instead of the views, and
+// the buttons that accept or discard the result. The work runs in the background; the newest
+// choices win. A page that is closed disappears at once and deletes itself when its work has
+// stopped, so that the window never waits for it. GUI thread.
 #pragma once
 
 #include <QDialog>
@@ -28,8 +28,8 @@ class ImportPage : public QDialog {
   /// Returns whether the result of the present choices is shown, or what is wrong with them.
   bool isReady() const { return state_ == State::Shown; }
   bool isReading() const { return state_ == State::Reading; }
-  /// Returns the line that says what is wrong; empty where nothing is.
-  QString complaint() const;
+  /// Returns the error message; empty without an error.
+  QString errorText() const;
 
  protected:
   /// Returns a text of core as a sentence, with a capital letter and a full stop.
@@ -38,17 +38,16 @@ class ImportPage : public QDialog {
   ImportPage(const QString& file, const QString& accept, QWidget* parent);
 
   QVBoxLayout& views() { return *views_; }    // left
-  QHBoxLayout& halves() { return *halves_; }  // for what stands at the right
+  QHBoxLayout& halves() { return *halves_; }  // for the widgets at the right
   const QString& file() const { return file_; }
-  QPushButton& acceptButton() { return *accept_; }
 
   /// Begins again with the present choices; begin() of the derived class follows.
   void restart();
   virtual void begin() = 0;
   void showProgress(double part);
   /// Ends the reading, with what is wrong; empty: it can be accepted.
-  void finish(const QString& complaint);
-  /// The work of the derived class.
+  void finish(const QString& errorText);
+  /// Returns the background work of the derived class.
   virtual BackgroundWork& work() = 0;
 
   void keyPressEvent(QKeyEvent* event) override;
@@ -58,7 +57,7 @@ class ImportPage : public QDialog {
   void setState(State state);
   void pressStop();
   void showBeginning();
-  void endSoon();
+  void deleteWhenFinished();
 
   QString file_;
   State state_ = State::Reading;
@@ -66,7 +65,7 @@ class ImportPage : public QDialog {
   QVBoxLayout* views_;
   QPlainTextEdit* beginning_;  // of the file, while something is wrong with it
   QHBoxLayout* halves_;
-  QLabel* complaint_;
+  QLabel* errorLabel_;
   QProgressBar* progress_;
   QToolButton* stop_;
   QPushButton *accept_, *cancel_;

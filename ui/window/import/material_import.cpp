@@ -35,7 +35,7 @@
 
 namespace asperity {
 
-/// What is made of the file in the background.
+/// The result of reading the file in the background.
 struct MaterialImport::Preview {
   std::shared_ptr<const std::string> bytes{};
   std::shared_ptr<const Material> material{};
@@ -50,9 +50,9 @@ constexpr std::size_t kLargestFile = std::size_t{64} << 20;  // bytes of measure
 using Written = std::vector<std::pair<std::string, std::string>>;
 
 double kelvins(const QString& text, const char* option) {
-  bool isBare = false;
-  (void)withPoint(text.trimmed()).toDouble(&isBare);
-  if (isBare)  // the page shows degrees Celsius, the command takes kelvins
+  bool hasNoUnit = false;
+  (void)withPoint(text.trimmed()).toDouble(&hasNoUnit);
+  if (hasNoUnit)  // the page shows degrees Celsius, the command takes kelvins
     throw InputError(
         "", option,
         message("'{}' has no unit; \u00B0C, K or \u00B0F stands behind it", text.toStdString()));
@@ -68,7 +68,7 @@ double kelvins(const QString& text, const char* option) {
 double pascals(const QString& text, const char* option) {
   bool isNumber = false;
   const double value =
-      plainNumberOf(withPoint(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
+      toPlainNumber(withPoint(text), NumberRule{QStringLiteral("Pa")}).toDouble(&isNumber);
   if (!isNumber || !(value > 0) || !std::isfinite(value))
     throw InputError("", option,
                      message("'{}' is not a modulus such as 2.3MPa", text.toStdString()));
@@ -232,16 +232,16 @@ void MaterialImport::buildChoices() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  constexpr int kLeastWidth = 330;
-  scroll->setFixedWidth(std::max(kLeastWidth, content->minimumSizeHint().width() +
-                                                  scroll->verticalScrollBar()->sizeHint().width()));
+  constexpr int kMinWidth = 330;
+  scroll->setFixedWidth(std::max(kMinWidth, content->minimumSizeHint().width() +
+                                                scroll->verticalScrollBar()->sizeHint().width()));
   scroll->setObjectName("dmaChoices");
   content->setObjectName("parameterRows");
   scroll->setStyleSheet(panelStyleSheet(palette()));
   halves().addWidget(scroll);
 }
 
-/// The choices as they stand. Throws InputError (option) where an entry is no such value.
+/// Returns the present choices. Throws InputError (option) where an entry is invalid.
 MaterialChoices MaterialImport::choices() const {
   MaterialChoices made;
   Written& written = made.options;
@@ -297,7 +297,7 @@ MaterialChoices MaterialImport::choices() const {
   return made;
 }
 
-/// The options of the command, and what stands for them on the page.
+/// The options of the command with the names of their controls on the page.
 std::vector<std::pair<const char*, const QWidget*>> MaterialImport::controls() const {
   return {{"--frequency-unit", frequencyUnit_},
           {"--temperature-unit", temperatureUnit_},
@@ -319,8 +319,8 @@ std::vector<std::pair<const char*, const QWidget*>> MaterialImport::controls() c
           {"--terms", terms_}};
 }
 
-/// A complaint of core with the names of the page's controls in place of options.
-QString MaterialImport::inWordsOfThePage(const std::string& option, QString text) const {
+/// Returns an error message of core with the names of the page's controls instead of options.
+QString MaterialImport::withControlNames(const std::string& option, QString text) const {
   QString subject = option.empty() ? QString() : translatedText(option);
   for (const auto& [name, control] : controls()) {
     const QString label = control->accessibleName();
@@ -365,7 +365,7 @@ void MaterialImport::take(const Preview& preview) {
   material_ = preview.material;
   if (preview.fault) {
     const auto& [option, message] = *preview.fault;
-    return finish(inWordsOfThePage(option, translatedText(message)));
+    return finish(withControlNames(option, translatedText(message)));
   }
   const std::vector<NamedSheet> sheets = materialSheets(*material_);
   const QString before = sheets_->tabData(sheets_->currentIndex()).toString();
@@ -386,7 +386,7 @@ void MaterialImport::take(const Preview& preview) {
   showSheet();
   QStringList lines;
   for (const Message& line : materialSummary(*material_)) lines += sentence(translatedText(line));
-  // What warns comes first, where it is seen without scrolling.
+  // Warnings come first, where they are visible without scrolling.
   if (material_->isMeasured() && !material_->curve.isThermorheologicallySimple)
     lines.prepend(QStringLiteral("⚠ ") + lines.takeLast());
   summary_->setText(keptTogether(lines.join('\n')));

@@ -1,8 +1,8 @@
 // The page on which measured moduli become a material: isotherms, the master curve with its fit and
-// the shifts are drawn anew whenever reference temperature, terms or units are changed. A ready
-// Prony series is shown likewise. The material is written where the user says and becomes that of
-// the scene. Object names: those of ImportPage; "dmaReference", "dmaTerms", "dmaShift",
-// "dmaVertical", "dmaModulus", "dmaPoisson", "dmaFrequencyUnit", "dmaTemperatureUnit",
+// the shifts are drawn again after each change of reference temperature, terms or units. A given
+// Prony series is shown in the same way. The material is written to a file that the user chooses
+// and becomes that of the scene. Object names: those of ImportPage; "dmaReference", "dmaTerms",
+// "dmaShift", "dmaVertical", "dmaModulus", "dmaPoisson", "dmaFrequencyUnit", "dmaTemperatureUnit",
 // "dmaModulusUnit", "dmaTemperature", "dmaInstantaneous", "dmaEquilibrium", "dmaLiquid", "dmaName",
 // "dmaSource", "dmaSheets", "dmaSheet", "dmaSummary". GUI thread; deletes itself. Failure: one line
 // on the page.
@@ -62,7 +62,7 @@ class MaterialImport : public ImportPage {
                        const QString& tip, const QString& automatic, const QStringList& words);
   MaterialChoices choices() const;
   std::vector<std::pair<const char*, const QWidget*>> controls() const;
-  QString inWordsOfThePage(const std::string& option, QString text) const;
+  QString withControlNames(const std::string& option, QString text) const;
   void take(const Preview& preview);
   void showSheet();
 
@@ -81,7 +81,7 @@ class MaterialImport : public ImportPage {
   QSpinBox* terms_ = nullptr;
   QCheckBox *vertical_ = nullptr, *liquid_ = nullptr;
   // Last: its thread ends before other members are destroyed.
-  BackgroundWork work_{Overtaking::StopsTheRunning};
+  BackgroundWork work_{RequestPolicy::CancelRunning};
 };
 
 }  // namespace asperity

@@ -25,12 +25,12 @@
 
 namespace asperity {
 
-/// What is made of a scene in the background.
+/// The result of preparing a scene in the background.
 struct SurfaceImport::Preview {
   std::optional<MeasuredSummary> summary{};
   LineSize line{};
   TopographyImage image{};
-  // What is wrong: the parameter, which may be empty, and core's message.
+  // An error: the parameter, which may be empty, and core's message.
   std::optional<std::pair<QString, Message>> fault{};
 };
 
@@ -150,7 +150,7 @@ void SurfaceImport::begin() {
           const double reading = hasSpectrum ? kReading : 1;
           const auto within = [&](double from, double to) {
             return [this, &run, from, to](double part) {
-              run.tell([this, done = from + (to - from) * part] { showProgress(done); });
+              run.post([this, done = from + (to - from) * part] { showProgress(done); });
             };
           };
           const auto file = readMeasuredSurface(scene, run.stop(), within(0, reading));
@@ -183,7 +183,7 @@ void SurfaceImport::take(const Preview& preview) {
     const QString text = withLabels(translatedText(message));
     panel_->showError(key, text);
     const Parameter* parameter = findParameter(key.toStdString());
-    return finish((parameter ? ParameterRow::labelOf(*parameter) : QFileInfo(file()).fileName()) +
+    return finish((parameter ? ParameterRow::labelText(*parameter) : QFileInfo(file()).fileName()) +
                   ": " + text);
   }
   panel_->showLine(preview.line);
@@ -210,8 +210,8 @@ void SurfaceImport::showSummary(const MeasuredSummary& summary) {
   notes_->setText(keptTogether(notes.join('\n')));
   notes_->setVisible(!notes.isEmpty());
   values_->setText(valuesTable(summary));
-  // The sheet of the command in two views: the profile over the whole width, the rest below. What
-  // its headings say stands beside it.
+  // Shows the sheet of the command in two views: the profile over the whole width, the rest below.
+  // The texts of its headings are shown beside it.
   profile_->show([summary] {
     DiagramSheet sheet = measuredSheet(summary, {});
     sheet.diagrams.resize(sheet.diagrams.size() - 2);

@@ -1,7 +1,7 @@
-// The page on which a measured surface becomes the line of the scene: what the file was taken for,
-// which can be changed; each step from its heights to the line; the profile, its spectrum and its
-// values before and after; and what a user must know about it. It is shown anew after each change.
-// Object names: those of ImportPage; "surfaceFacts", "surfaceValues", "surfaceNotes",
+// The page on which a measured surface becomes the line of the scene: the interpretation of the
+// file, which can be changed; each step from its heights to the line; the profile, its spectrum and
+// its values before and after; and the notes that a user must know. It is updated after each
+// change. Object names: those of ImportPage; "surfaceFacts", "surfaceValues", "surfaceNotes",
 // "surfaceProfile", "surfaceSpectrum", "topographyPicture". GUI thread; deletes itself. Failure:
 // one line on the page.
 #pragma once
@@ -22,7 +22,7 @@ class SurfaceImport : public ImportPage {
   Q_OBJECT
 
  public:
-  /// `scene`: that the file becomes the surface of; choices that it has for the same file stay.
+  /// `scene`: receives the file as its surface; its choices for the same file stay.
   SurfaceImport(const Scene& scene, const QString& file, const Theme& theme,
                 QWidget* parent = nullptr);
 
@@ -51,7 +51,7 @@ class SurfaceImport : public ImportPage {
   DiagramView *profile_, *spectrum_;
   QLabel *facts_, *values_, *notes_;
   // Last: its thread ends before other members are destroyed.
-  BackgroundWork work_{Overtaking::StopsTheRunning};
+  BackgroundWork work_{RequestPolicy::CancelRunning};
 };
 
 }  // namespace asperity

@@ -18,9 +18,9 @@ QRgb shadeOf(double part) {
     double red, green, blue;
   } kStops[] = {{45, 20, 80}, {50, 80, 140}, {35, 140, 140}, {95, 200, 100}, {250, 230, 60}};
   constexpr int kLast = 4;
-  const double place = std::clamp(part, 0.0, 1.0) * kLast;
-  const int below = std::min(static_cast<int>(place), kLast - 1);
-  const double share = place - below;
+  const double position = std::clamp(part, 0.0, 1.0) * kLast;
+  const int below = std::min(static_cast<int>(position), kLast - 1);
+  const double share = position - below;
   const auto mix = [&](double a, double b) { return static_cast<int>(a + (b - a) * share + 0.5); };
   const auto &a = kStops[below], &b = kStops[below + 1];
   return qRgb(mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue));
@@ -56,11 +56,11 @@ QString lengthText(double metres) {
 
 }  // namespace
 
-TopographyImage topographyImage(const Topography& topography, bool isTurned, int mostPixels) {
+TopographyImage topographyImage(const Topography& topography, bool isTurned, int maxPixels) {
   TopographyImage made;
   if (topography.isProfile()) return made;
-  const int width = static_cast<int>(std::min<std::int64_t>(topography.columns, mostPixels));
-  const int height = static_cast<int>(std::min<std::int64_t>(topography.rows, mostPixels));
+  const int width = static_cast<int>(std::min<std::int64_t>(topography.columns, maxPixels));
+  const int height = static_cast<int>(std::min<std::int64_t>(topography.rows, maxPixels));
   const std::vector<double> means = patches(topography, width, height);
   std::vector<double> sorted;
   for (const double value : means)
@@ -110,28 +110,28 @@ void TopographyPicture::paintEvent(QPaintEvent*) {
   const int line = fontMetrics().height();
   // Very long and narrow surfaces are shown less narrow than they are.
   constexpr double kNarrowest = 4;
-  const QRectF room = QRectF(rect()).adjusted(1, 1, -1, -line - 4);
+  const QRectF available = QRectF(rect()).adjusted(1, 1, -1, -line - 4);
   const double ratio = std::clamp(shown_.width / shown_.height, 1 / kNarrowest, kNarrowest);
-  QSizeF frame(room.width(), room.width() / ratio);
-  if (frame.height() > room.height()) frame = {room.height() * ratio, room.height()};
-  const QRectF place({room.left(), room.top()}, frame);
+  QSizeF frame(available.width(), available.width() / ratio);
+  if (frame.height() > available.height()) frame = {available.height() * ratio, available.height()};
+  const QRectF imageRect({available.left(), available.top()}, frame);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(place, shown_.image);
+  painter.drawImage(imageRect, shown_.image);
   painter.setPen(palette().color(QPalette::Mid));
-  painter.drawRect(place);
+  painter.drawRect(imageRect);
   const QColor mark(255, 60, 60);
   if (row_ >= 0) {
     painter.setPen(QPen(mark, 2));
     if (shown_.isTurned) {
-      const double x = place.left() + row_ * place.width();
-      painter.drawLine(QPointF(x, place.top()), QPointF(x, place.bottom()));
+      const double x = imageRect.left() + row_ * imageRect.width();
+      painter.drawLine(QPointF(x, imageRect.top()), QPointF(x, imageRect.bottom()));
     } else {
-      const double y = place.top() + row_ * place.height();
-      painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
+      const double y = imageRect.top() + row_ * imageRect.height();
+      painter.drawLine(QPointF(imageRect.left(), y), QPointF(imageRect.right(), y));
     }
   } else {
     painter.setPen(QPen(mark, 2));
-    painter.drawRect(place.adjusted(1, 1, -1, -1));
+    painter.drawRect(imageRect.adjusted(1, 1, -1, -1));
   }
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRectF(0, height() - line - 2, width(), line + 2),

@@ -17,10 +17,10 @@ struct TopographyImage {
   bool isTurned = false;           // the line runs from top to bottom
 };
 
-/// Makes an image of at most so many pixels in each direction. Rows of the topography are rows of
-/// the image, unless it was turned: then they are its columns, as in the file. The shades go from
-/// the lowest to the highest percent of heights.
-TopographyImage topographyImage(const Topography& topography, bool isTurned, int mostPixels = 512);
+/// Makes an image of at most `maxPixels` pixels in each direction. Rows of the topography are rows
+/// of the image, unless it was turned: then they are its columns, as in the file. The shades go
+/// from the lowest to the highest percent of heights.
+TopographyImage topographyImage(const Topography& topography, bool isTurned, int maxPixels = 512);
 
 class TopographyPicture : public QWidget {
   Q_OBJECT
@@ -28,7 +28,8 @@ class TopographyPicture : public QWidget {
  public:
   explicit TopographyPicture(QWidget* parent = nullptr);
 
-  /// `row`: from 0 to 1 across the rows; below 0: all rows are taken.
+  /// Shows the image. `row`: the marked row, from 0 to 1 across the rows; below 0: all rows are
+  /// used.
   void show(const TopographyImage& image, double row);
 
   QSize sizeHint() const override { return {170, 165}; }

@@ -39,7 +39,7 @@ QString plainValue(const ParameterValue& value) {
 
 /// Returns a number of an assignment in a readable unit; any other text has none.
 UnitText readable(const QString& text, const Parameter& row) {
-  const std::optional<double> value = numberIn(plainNumberOf(text, ruleOf(row)));
+  const std::optional<double> value = numberIn(toPlainNumber(text, numberRule(row)));
   if (!value) return {text, {}};
   const UnitText shown = inReadableUnit(*value, fromUtf8(row.unit));
   return {inLanguage(shown.number), shown.unit};
@@ -72,8 +72,8 @@ void AssignmentList::showRows() {
   while (rows_ && before != add_ && (before == rows_ || rows_->isAncestorOf(before)))
     before = before->previousInFocusChain();
   if (rows_) {
-    // A field that loses the focus now ends its editing: its place may be that of another row, or
-    // of none.
+    // A field that loses the focus now ends its editing: its index may then belong to another row,
+    // or to none.
     for (QWidget* field : rows_->findChildren<QWidget*>()) field->disconnect(this);
     column_->removeWidget(rows_);
     rows_->setParent(nullptr);
@@ -93,24 +93,24 @@ void AssignmentList::showRows() {
     }
 }
 
-QWidget* AssignmentList::makeRow(std::size_t place) {
-  const std::string key(assignmentKey(assignments_[place]));
+QWidget* AssignmentList::makeRow(std::size_t index) {
+  const std::string key(assignmentKey(assignments_[index]));
   const Parameter* row = findParameter(key);
   auto* all = new QWidget;
   auto* line = new QHBoxLayout(all);
   line->setContentsMargins(0, 0, 0, 0);
-  const QString label = row ? ParameterRow::labelOf(*row) : QString::fromStdString(key);
+  const QString label = row ? ParameterRow::labelText(*row) : QString::fromStdString(key);
   auto* name = new QLabel(label);
   name->setMinimumWidth(16 * fontMetrics().horizontalAdvance('0'));
   if (row) name->setToolTip(translatedText(row->sentence) + '\n' + QString::fromStdString(key));
   line->addWidget(name);
   QWidget* value = nullptr;
   if (row) {
-    value = makeValue(place, *row);
+    value = makeValue(index, *row);
   } else {
-    auto* text = new QLineEdit(valueOf(assignments_[place]));
+    auto* text = new QLineEdit(valueOf(assignments_[index]));
     connect(text, &QLineEdit::textEdited, this,
-            [this, place](const QString& written) { write(place, written); });
+            [this, index](const QString& written) { write(index, written); });
     value = text;
   }
   value->setObjectName(name_ + ':' + QString::fromStdString(key));
@@ -124,20 +124,20 @@ QWidget* AssignmentList::makeRow(std::size_t place) {
   away->setToolTip(tr("Removes this change"));
   away->setAccessibleName(tr("remove the change of “%1”").arg(label));
   line->addWidget(away);
-  connect(away, &QToolButton::clicked, this, [this, place] { remove(place); });
+  connect(away, &QToolButton::clicked, this, [this, index] { remove(index); });
   return all;
 }
 
-/// Makes the field of a value: a list where there are words to choose from, else a line.
-QWidget* AssignmentList::makeValue(std::size_t place, const Parameter& row) {
-  const QString written = valueOf(assignments_[place]);
+/// Makes the field of a value: a list where there are words to choose from, otherwise a line.
+QWidget* AssignmentList::makeValue(std::size_t index, const Parameter& row) {
+  const QString written = valueOf(assignments_[index]);
   const auto list = [&](const auto& fill) {
     auto* box = new QComboBox;
     fill(*box);
     if (box->findData(written) < 0) box->addItem(written, written);
     box->setCurrentIndex(box->findData(written));
     connect(box, &QComboBox::activated, this,
-            [this, place, box] { write(place, box->currentData().toString()); });
+            [this, index, box] { write(index, box->currentData().toString()); });
     return box;
   };
   if (const auto* choice = std::get_if<ChoiceField>(&row.field))
@@ -151,41 +151,41 @@ QWidget* AssignmentList::makeValue(std::size_t place, const Parameter& row) {
       const Scene scene = changed();
       for (const Parameter& one : parameters())
         if (isApplicable(one, scene) && std::holds_alternative<RealField>(one.field))
-          box.addItem(ParameterRow::labelOf(one), fromUtf8(one.key));
+          box.addItem(ParameterRow::labelText(one), fromUtf8(one.key));
     });
   auto* line = new QLineEdit;
   const Parameter shown = parameterIn(row, changed());
   if (!allowedRange(shown)) {
     line->setText(written);
     connect(line, &QLineEdit::textEdited, this,
-            [this, place](const QString& text) { write(place, text); });
+            [this, index](const QString& text) { write(index, text); });
     return line;
   }
-  line->setToolTip(tr("Allowed: %1").arg(allowedInWords(ruleOf(shown))));
+  line->setToolTip(tr("Allowed: %1").arg(allowedInWords(numberRule(shown))));
   // A number that is typed without a unit has the one that was shown.
   const auto unit = std::make_shared<QString>();
-  const auto showValue = [this, place, line, unit, shown] {
-    const UnitText text = readable(valueOf(assignments_[place]), shown);
+  const auto showValue = [this, index, line, unit, shown] {
+    const UnitText text = readable(valueOf(assignments_[index]), shown);
     *unit = text.unit;
     line->setText((text.number + ' ' + text.unit).trimmed());
   };
   showValue();
   connect(line, &QLineEdit::textEdited, this,
-          [this, place, unit, rule = ruleOf(shown)](const QString& typed) {
-            write(place, plainNumberOf(inShownUnit(withPoint(typed.trimmed()), *unit), rule));
+          [this, index, unit, rule = numberRule(shown)](const QString& typed) {
+            write(index, toPlainNumber(inShownUnit(withPoint(typed.trimmed()), *unit), rule));
           });
   connect(line, &QLineEdit::editingFinished, this, showValue);
   return line;
 }
 
-void AssignmentList::write(std::size_t place, const QString& value) {
-  assignments_[place] =
-      std::string(assignmentKey(assignments_[place])) + '=' + value.trimmed().toStdString();
+void AssignmentList::write(std::size_t index, const QString& value) {
+  assignments_[index] =
+      std::string(assignmentKey(assignments_[index])) + '=' + value.trimmed().toStdString();
   emit edited();
 }
 
-void AssignmentList::remove(std::size_t place) {
-  assignments_.erase(assignments_.begin() + static_cast<std::ptrdiff_t>(place));
+void AssignmentList::remove(std::size_t index) {
+  assignments_.erase(assignments_.begin() + static_cast<std::ptrdiff_t>(index));
   showRows();
   add_->setFocus();
   emit edited();
@@ -207,7 +207,7 @@ void AssignmentList::fillMenu() {
   fillParameterMenu(*add_->menu(), changed(), [this](QMenu& section, const Parameter& row) {
     const auto isSame = [&](const std::string& one) { return assignmentKey(one) == row.key; };
     if (std::ranges::any_of(assignments_, isSame)) return;
-    QAction* action = section.addAction(ParameterRow::labelOf(row));
+    QAction* action = section.addAction(ParameterRow::labelText(row));
     action->setObjectName(name_ + "With:" + fromUtf8(row.key));
     connect(action, &QAction::triggered, this, [this, &row] { add(row); });
   });

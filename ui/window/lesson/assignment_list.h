@@ -1,7 +1,7 @@
 // Changes of a scene in plain words: a row for each, with the label of the parameter and its value
 // as the panel shows it, and a button that adds another one. They are those that a lesson's file
 // writes as KEY=VALUE, and stay as they are written there until a row is edited. GUI thread;
-// belongs to its parent.
+// owned by its parent.
 #pragma once
 
 #include <QWidget>
@@ -33,10 +33,10 @@ class AssignmentList : public QWidget {
 
  private:
   void showRows();
-  QWidget* makeRow(std::size_t place);
-  QWidget* makeValue(std::size_t place, const Parameter& row);
-  void write(std::size_t place, const QString& value);
-  void remove(std::size_t place);
+  QWidget* makeRow(std::size_t index);
+  QWidget* makeValue(std::size_t index, const Parameter& row);
+  void write(std::size_t index, const QString& value);
+  void remove(std::size_t index);
   void add(const Parameter& row);
   void fillMenu();
   Scene changed() const;

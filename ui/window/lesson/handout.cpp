@@ -56,11 +56,11 @@ QString utf(const std::string& text) {
 
 struct Picture {
   QImage image;
-  QString name;  // what a person who cannot see it is told
+  QString name;  // the alternative text of the picture
 };
 
-/// Whether a block stays on the page of the next one: a heading does with its text; a question with
-/// the pictures above it where that leaves no large part of a page empty.
+/// Returns whether a block stays on the page of the next one: a heading does with its text; a
+/// question with the pictures above it where that leaves no large part of a page empty.
 enum class Stays { No, IfShort, Always };
 
 /// A block of the page: HTML, or a picture. On paper it is never parted.
@@ -118,18 +118,18 @@ class HandoutMaker {
     if (isDrawnInto(step) || !step.show.hidesCurve) addChart(step, step.scene, isDrawnInto(step));
     keepTogether(text);
     if (!step.prediction) return;
-    // What is drawn into an empty chart is the answer to the question below it.
+    // Students draw their answer to the question below into an empty chart.
     blocks_.back().withNext = isDrawnInto(step) ? Stays::Always : Stays::IfShort;
     addQuestion(*step.prediction);
     if (options_.forTeacher) return addAnswer(step);
-    // Seen on the screen; printed, it would tell the answer.
-    toldContact_ = untitled(step.revealedScene);
+    // It is visible on the screen only; in print it would reveal the answer.
+    revealedContact_ = untitled(step.revealedScene);
     if (!step.show.hidesCurve) return;
-    toldCurve_ = canonicalCurveScene(step.revealedScene);
-    toldQuantity_ = step.show.quantity;
+    revealedCurve_ = canonicalCurveScene(step.revealedScene);
+    revealedQuantity_ = step.show.quantity;
   }
 
-  /// Whether the students draw their answer into an empty chart.
+  /// Returns whether the students draw their answer into an empty chart.
   static bool isDrawnInto(const LessonStep& step) {
     return step.prediction && step.prediction->kind == PredictionKind::Point;
   }
@@ -147,7 +147,7 @@ class HandoutMaker {
       return other && other->surface == scene.surface && other->elastomer == scene.elastomer &&
              other->load == scene.load && other->sliding == scene.sliding;
     };
-    if (isOf(contact_) || isOf(toldContact_)) return;
+    if (isOf(contact_) || isOf(revealedContact_)) return;
     contact_ = scene;
     ContactPictureOptions options;
     options.width = kContactWidth;
@@ -188,8 +188,8 @@ class HandoutMaker {
     const bool isNew = isNewChart(step, scene);
     if (isHidden) chartKey_.clear();  // the whole curve is another chart
     if (!isNew && !isHidden && step.show.beside.empty()) return;
-    const bool isAnswer = toldCurve_ && *toldCurve_ == canonicalCurveScene(scene) &&
-                          toldQuantity_ == step.show.quantity;
+    const bool isAnswer = revealedCurve_ && *revealedCurve_ == canonicalCurveScene(scene) &&
+                          revealedQuantity_ == step.show.quantity;
     if (isAnswer && !isHidden) return;
     CurveSet set;
     set.present = {{}, untitled(scene), curveOf(scene)};
@@ -269,15 +269,16 @@ class HandoutMaker {
   void addAnswer(const LessonStep& step) {
     const LessonPrediction& prediction = *step.prediction;
     const LessonAnswer answer = lessonAnswer(step, curveOptions());
-    QString said;
+    QString answerText;
     if (answer.choice >= 0)
-      said = plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
+      answerText = plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
     else
-      said = QString::fromStdString(numberInWords(answer.number));
+      answerText = QString::fromStdString(numberInWords(answer.number));
     if (prediction.kind == PredictionKind::Point && !prediction.x)
-      said += " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
+      answerText +=
+          " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
-    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + said.toHtmlEscaped() + "</p>",
+    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + answerText.toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);
     // A sentence with the number that decides: "It becomes 1.97 times as large."
     if (hasVerdict)
@@ -301,9 +302,9 @@ class HandoutMaker {
   const HandoutOptions& options_;
   std::vector<Block> blocks_;
   std::unique_ptr<PixelContext> context_;
-  std::optional<Scene> contact_, chart_;          // shown last
-  std::optional<Scene> toldContact_, toldCurve_;  // the answers to the last questions
-  std::string chartKey_, toldQuantity_;
+  std::optional<Scene> contact_, chart_;                  // shown last
+  std::optional<Scene> revealedContact_, revealedCurve_;  // the answers to the last questions
+  std::string chartKey_, revealedQuantity_;
 };
 
 constexpr const char* kStyle =
@@ -380,22 +381,22 @@ class HandoutPages {
 
   /// Returns the parts of each page.
   std::vector<std::vector<std::size_t>> paged() const {
-    const double room = writer_.height() - dots(kFootHeight);
+    const double available = writer_.height() - dots(kFootHeight);
     std::vector<std::vector<std::size_t>> pages(1);
     double used = 0;
     for (std::size_t first = 0; first < parts_.size();) {
       std::size_t end = endOfGroup(first);
       double height = heightOf(first, end);
       while (end < parts_.size() && blocks_[end - 1].withNext == Stays::IfShort &&
-             heightOf(first, endOfGroup(end)) <= kShort * room) {
+             heightOf(first, endOfGroup(end)) <= kShort * available) {
         end = endOfGroup(end);
         height = heightOf(first, end);
       }
-      if (height > room) {
+      if (height > available) {
         end = first + 1;
         height = heightOf(first, end);
       }
-      if (used > 0 && used + height > room) {
+      if (used > 0 && used + height > available) {
         pages.emplace_back();
         used = 0;
       }
@@ -435,7 +436,7 @@ class HandoutPages {
 };
 
 QByteArray pngBytes(const QImage& image) {
-  const std::string bytes = pngOf(image);
+  const std::string bytes = encodePng(image);
   return {bytes.data(), static_cast<qsizetype>(bytes.size())};
 }
 

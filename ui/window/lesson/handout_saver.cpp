@@ -34,7 +34,7 @@ void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeach
   if (isSaving_) return;
   isSaving_ = true;
   emit savingChanged();
-  emit told(tr("The program draws the pictures and computes the answers…"));
+  emit statusChanged(tr("The program draws the pictures and computes the answers…"));
   work_.request(
       [lesson, file, forTeacher](const BackgroundWork::Run& run) {
         HandoutOptions options;
@@ -52,7 +52,7 @@ void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeach
 void HandoutSaver::end(const QString& text) {
   isSaving_ = false;
   emit savingChanged();
-  emit told(text);
+  emit statusChanged(text);
 }
 
 }  // namespace asperity

@@ -1,5 +1,6 @@
-// Saves the handout of a lesson from a window: asks for whom it is and where it goes, and writes it
-// in the background. GUI thread; belongs to the window that asks. Failure: one sentence is told.
+// Saves the handout of a lesson: dialogs choose its readers and its file, and it is written in the
+// background. GUI thread; owned by the window of the dialogs. Failure: statusChanged() gives one
+// sentence.
 #pragma once
 
 #include <QObject>
@@ -20,13 +21,13 @@ class HandoutSaver : public QObject {
 
   /// Asks, and saves unless that is cancelled. name: of the file, without its extension.
   void ask(const Lesson& lesson, const QString& name);
-  /// HTML or PDF, by the extension.
+  /// Saves HTML or PDF, by the extension.
   void save(const Lesson& lesson, const QString& file, bool forTeacher);
   bool isSaving() const { return isSaving_; }
 
  signals:
-  /// What there is to say: that it is being made, that it is saved, or why it is not.
-  void told(const QString& text);
+  /// Emitted with the progress: the handout is being made, is saved, or cannot be saved.
+  void statusChanged(const QString& text);
   void saved(const QString& file);
   /// Emitted when saving begins and ends.
   void savingChanged();

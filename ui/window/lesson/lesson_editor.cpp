@@ -33,8 +33,8 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsual(960, 660);  // pixels
-constexpr int kAround = 60;        // pixels of the screen that stay free
+constexpr QSize kDefault(960, 660);  // pixels
+constexpr int kAround = 60;          // pixels of the screen that stay free
 
 /// Returns the name of a row of the editor for a member of a lesson's file; null: it has no row.
 QString rowOf(const QString& member) {
@@ -68,16 +68,17 @@ QString rowOf(const QString& member) {
   return {};
 }
 
-/// Returns a place in a lesson's file as the editor calls it: "steps[1].prediction.choices[0].text"
-/// is step 2, choice 1, text. What has no row, such as "show", is left out.
-QString placeInWords(const QString& place) {
+/// Returns a key of a lesson's file in the words of the editor:
+/// "steps[1].prediction.choices[0].text" is step 2, choice 1, text. Parts without a row, such as
+/// "show", are left out.
+QString keyText(const QString& key) {
   static const QRegularExpression numbered(QStringLiteral(R"(^(\w+)\[(\d+)\]$)"));
   QStringList words;
-  const QStringList members = place.split('.');
+  const QStringList members = key.split('.');
   for (qsizetype i = 0; i < members.size(); ++i) {
     const QString rest = members.mid(i).join('.');
     if (const Parameter* row = findParameter(rest.toStdString()); row && rest.contains('.')) {
-      words += QStringLiteral("“%1”").arg(ParameterRow::labelOf(*row));
+      words += QStringLiteral("“%1”").arg(ParameterRow::labelText(*row));
       break;
     }
     if (const auto found = numbered.match(members[i]); found.hasMatch()) {
@@ -130,19 +131,19 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   halves->setSpacing(14);
   halves->addWidget(buildSteps());
   halves->addLayout(right, 1);
-  said_ = new QLabel;
-  said_->setObjectName("editorComplaint");
-  said_->setWordWrap(true);
-  said_->setTextFormat(Qt::PlainText);
-  said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  said_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  messageLabel_ = new QLabel;
+  messageLabel_->setObjectName("editorComplaint");
+  messageLabel_->setWordWrap(true);
+  messageLabel_->setTextFormat(Qt::PlainText);
+  messageLabel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  messageLabel_->setMinimumHeight(2 * fontMetrics().lineSpacing());
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(14, 12, 14, 12);
   all->addLayout(halves, 1);
-  all->addWidget(said_);
+  all->addWidget(messageLabel_);
   all->addLayout(buildFoot());
-  const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsual.boundedTo(room - QSize(kAround, kAround)));
+  const QSize available = (parent ? parent->screen() : screen())->availableSize();
+  resize(kDefault.boundedTo(available - QSize(kAround, kAround)));
   connect(language_, &QTabBar::currentChanged, this, &LessonEditor::showStep);
   connect(steps_, &QListWidget::currentRowChanged, this, &LessonEditor::showStep);
   showList();
@@ -200,13 +201,13 @@ QLayout* LessonEditor::buildFoot() {
     const QString name = QFileInfo(file_).completeBaseName();
     saver_->ask(checked(), name.isEmpty() ? QStringLiteral("lesson") : name);
   });
-  connect(saver_, &HandoutSaver::told, said_, &QLabel::setText);
+  connect(saver_, &HandoutSaver::statusChanged, messageLabel_, &QLabel::setText);
   connect(saver_, &HandoutSaver::savingChanged, this, &LessonEditor::showButtons);
   save_ = button("editorSave", tr("&Save…"));
   close_ = button("editorClose", tr("&Close"));
   connect(try_, &QPushButton::clicked, this, [this] {
     try {
-      emit tryWanted(checked(), std::max(0, steps_->currentRow() - 1));
+      emit trialRequested(checked(), std::max(0, steps_->currentRow() - 1));
     } catch (const InputError&) {
       check();
     }
@@ -288,7 +289,7 @@ Lesson LessonEditor::checked() const {
 /// Reads the lesson as if it came from a file, which finds every mistake, and the steps' scenes.
 void LessonEditor::check() {
   const int row = steps_->currentRow() - 1;
-  complaint_.clear();
+  errorText_.clear();
   try {
     const Lesson read = checked();
     for (std::size_t i = 0; i < read.steps.size(); ++i) {
@@ -296,11 +297,11 @@ void LessonEditor::check() {
       lesson_.steps[i].revealedScene = read.steps[i].revealedScene;
     }
   } catch (const InputError& error) {
-    complaint_ = translatedText(InputError("", error.key(), error.message()).message());
-    QString place = placeInWords(QString::fromStdString(error.key()));
-    if (!place.isEmpty()) complaint_ = place.replace(0, 1, place[0].toUpper()) + ": " + complaint_;
+    errorText_ = translatedText(InputError("", error.key(), error.message()).message());
+    QString key = keyText(QString::fromStdString(error.key()));
+    if (!key.isEmpty()) errorText_ = key.replace(0, 1, key[0].toUpper()) + ": " + errorText_;
   }
-  said_->setText(complaint_);
+  messageLabel_->setText(errorText_);
   showButtons();
   if (QListWidgetItem* item = row >= 0 ? steps_->item(row + 1) : nullptr)
     item->setText(nameOf(static_cast<std::size_t>(row)));
@@ -309,13 +310,13 @@ void LessonEditor::check() {
 /// Enables what a lesson without mistakes allows.
 void LessonEditor::showButtons() {
   for (QPushButton* button : {save_, try_, handout_})
-    button->setEnabled(complaint_.isEmpty() && !(button == handout_ && saver_->isSaving()));
+    button->setEnabled(errorText_.isEmpty() && !(button == handout_ && saver_->isSaving()));
 }
 
 // ---- Steps
 
-/// Adds a step below the present one. It goes on from the scene of the one before where that can
-/// be said by a change of keys, and has a scene of its own else.
+/// Adds a step below the present one. It starts from the scene of the previous step where a change
+/// of keys can express it, and has a scene of its own otherwise.
 void LessonEditor::addShownStep() {
   const int row = std::max(0, steps_->currentRow());
   LessonStep step = shownNow_();
@@ -339,7 +340,7 @@ void LessonEditor::addShownStep() {
   step.text.english = isGerman() ? "" : tr("What is to be seen here?").toStdString();
   if (isGerman()) step.text.german = tr("What is to be seen here?").toStdString();
   lesson_.steps.insert(lesson_.steps.begin() + row, step);
-  // The step after it goes on from another scene now, unless it has one of its own.
+  // The next step now starts from another scene, unless it has one of its own.
   const auto after = static_cast<std::size_t>(row) + 1;
   if (after < lesson_.steps.size()) {
     LessonStep& next = lesson_.steps[after];
@@ -394,7 +395,7 @@ void LessonEditor::moveStep(int by) {
 // ---- The file
 
 void LessonEditor::openOther() {
-  if (!mayClose()) return;
+  if (!canClose()) return;
   const QString file = QFileDialog::getOpenFileName(this, tr("Open lesson"), file_,
                                                     tr("Lessons (*.json);;All files (*)"));
   if (file.isEmpty()) return;
@@ -402,7 +403,7 @@ void LessonEditor::openOther() {
     lesson_ = saved_ = readLessonFile(file.toStdString(), readNamedScene);
     file_ = file;
   } catch (const std::exception& error) {
-    said_->setText(translatedError(error));
+    messageLabel_->setText(translatedError(error));
     return;
   }
   steps_->setCurrentRow(0);
@@ -418,16 +419,16 @@ bool LessonEditor::saveTo(const QString& file) {
     readLesson(text, path.string(), path.parent_path(), readNamedScene);
     writeFileAtomically(path, text);
   } catch (const std::exception& error) {
-    said_->setText(translatedError(error));
+    messageLabel_->setText(translatedError(error));
     return false;
   }
   file_ = file;
   saved_ = lesson_;
-  said_->setText(tr("Saved %1").arg(QFileInfo(file).fileName()));
+  messageLabel_->setText(tr("Saved %1").arg(QFileInfo(file).fileName()));
   return true;
 }
 
-bool LessonEditor::mayClose() {
+bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
   const auto answer = QMessageBox::question(
       this, tr("Lesson editor"),
@@ -436,7 +437,7 @@ bool LessonEditor::mayClose() {
 }
 
 void LessonEditor::reject() {
-  if (mayClose()) QDialog::reject();
+  if (canClose()) QDialog::reject();
 }
 
 }  // namespace asperity

@@ -1,7 +1,7 @@
-// The window in which a teacher writes a lesson: steps are added from what the main window shows,
-// put in order, and written on their pages (lesson_pages.h). Everything is checked as a file
-// would be, whenever it changes; it can be tried at once. GUI thread. Failure: one line says what
-// is wrong and where; nothing of it is saved meanwhile.
+// The window in which a teacher writes a lesson: steps are added from the scene of the main window,
+// ordered, and written on their pages (lesson_pages.h). Each change is checked as a file would be;
+// the lesson can be tried at once. GUI thread. Failure: one line shows the error and its position;
+// the lesson cannot be saved until it is corrected.
 #pragma once
 
 #include <QDialog>
@@ -26,14 +26,15 @@ class LessonEditor : public QDialog {
   Q_OBJECT
 
  public:
-  /// file: where it is saved; empty: asks. shownNow: a step with what the window shows.
+  /// file: the file of the lesson; empty: a dialog asks for it. shownNow: returns a step with the
+  /// scene of the window.
   LessonEditor(const Lesson& lesson, const QString& file, std::function<LessonStep()> shownNow,
                QWidget* parent);
 
-  /// The lesson as it is on the page, which may not be right yet.
+  /// Returns the lesson as it is on the page, which may still have errors.
   const Lesson& lesson() const { return lesson_; }
-  /// What is wrong; empty where nothing is.
-  QString complaint() const { return complaint_; }
+  /// Returns the error message; empty without an error.
+  QString errorText() const { return errorText_; }
 
   void addShownStep();
   void removeStep();
@@ -41,10 +42,10 @@ class LessonEditor : public QDialog {
   /// Returns whether it was written.
   bool saveTo(const QString& file);
   /// Asks where changes would be lost.
-  bool mayClose();
+  bool canClose();
 
  signals:
-  void tryWanted(const asperity::Lesson& lesson, int step);
+  void trialRequested(const asperity::Lesson& lesson, int step);
 
  protected:
   void reject() override;
@@ -65,7 +66,7 @@ class LessonEditor : public QDialog {
 
   Lesson lesson_;
   Lesson saved_;
-  QString file_, complaint_;
+  QString file_, errorText_;
   std::function<LessonStep()> shownNow_;
   bool isShowing_ = false;  // the list is being filled
 
@@ -74,7 +75,7 @@ class LessonEditor : public QDialog {
   QStackedWidget* pages_;
   LessonHeadPage* head_;
   LessonStepPage* step_;
-  QLabel* said_;
+  QLabel* messageLabel_;
   QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *close_;
   HandoutSaver* saver_;
 };

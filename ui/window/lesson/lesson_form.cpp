@@ -24,7 +24,7 @@ QLineEdit* LessonForm::addLine(const QString& label, const char* name) {
   line->setObjectName(name);
   line->setAccessibleName(label);
   addRow(label, line);
-  connect(line, &QLineEdit::textEdited, this, &LessonForm::tell);
+  connect(line, &QLineEdit::textEdited, this, &LessonForm::notifyEdited);
   return line;
 }
 
@@ -34,10 +34,10 @@ QPlainTextEdit* LessonForm::addText(const QString& label, const char* name, int 
   text->setAccessibleName(label);
   text->setTabChangesFocus(true);
   text->setFixedHeight(lines * fontMetrics().lineSpacing() + 12);
-  // Else the rows would share the room below them.
+  // Otherwise the rows would share the space below them.
   text->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   addRow(label, text);
-  connect(text, &QPlainTextEdit::textChanged, this, &LessonForm::tell);
+  connect(text, &QPlainTextEdit::textChanged, this, &LessonForm::notifyEdited);
   return text;
 }
 
@@ -46,7 +46,7 @@ QComboBox* LessonForm::addChoice(const QString& label, const char* name) {
   box->setObjectName(name);
   box->setAccessibleName(label);
   addRow(label, box);
-  connect(box, &QComboBox::activated, this, &LessonForm::tell);
+  connect(box, &QComboBox::activated, this, &LessonForm::notifyEdited);
   return box;
 }
 
@@ -54,7 +54,7 @@ AssignmentList* LessonForm::addAssignments(const QString& label, const char* nam
   auto* list = new AssignmentList(QString::fromLatin1(name));
   list->setAccessibleName(label);
   addRow(label, list);
-  connect(list, &AssignmentList::edited, this, &LessonForm::tell);
+  connect(list, &AssignmentList::edited, this, &LessonForm::notifyEdited);
   return list;
 }
 
@@ -67,7 +67,7 @@ void LessonForm::setShown(QWidget* field, bool isShown) {
   if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);
 }
 
-void LessonForm::tell() {
+void LessonForm::notifyEdited() {
   if (!isFilling_) emit edited();
 }
 

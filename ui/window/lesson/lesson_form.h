@@ -1,5 +1,5 @@
-// A page of the lesson editor: rows of labels and fields, in one language at a time. It tells when
-// somebody edits, and is silent while it is filled. GUI thread; belongs to its parent.
+// A page of the lesson editor: rows of labels and fields, in one language at a time. It emits a
+// signal when the user edits, but not while it is filled. GUI thread; owned by its parent.
 #pragma once
 
 #include <QString>
@@ -40,16 +40,15 @@ class LessonForm : public QWidget {
   /// Shows or hides a field with its label.
   void setShown(QWidget* field, bool isShown);
 
-  /// Fills fields; edits of that kind are nobody's.
+  /// Fills fields without emitting a signal.
   template <class Fill>
   void fill(const Fill& fields) {
     isFilling_ = true;
     fields();
     isFilling_ = false;
   }
-  bool isFilling() const { return isFilling_; }
   /// Emits edited(), unless the page is being filled.
-  void tell();
+  void notifyEdited();
 
   QString textOf(const LessonText& text) const;
   /// Shows a text from its beginning.

@@ -20,8 +20,8 @@ namespace asperity {
 
 namespace {
 
-constexpr QSize kUsualSize(820, 460);  // pixels
-constexpr int kFreeAround = 60;        // pixels of the screen that stay free
+constexpr QSize kDefaultSize(820, 460);  // pixels
+constexpr int kFreeAround = 60;          // pixels of the screen that stay free
 
 /// The shipped lessons, read once.
 const std::vector<Lesson>& shippedOnes() {
@@ -94,8 +94,8 @@ LessonList::LessonList(QWidget* parent)
   all->addLayout(halves, 1);
   all->addWidget(status_);
   all->addLayout(foot);
-  const QSize room = (parent ? parent->screen() : screen())->availableSize();
-  resize(kUsualSize.boundedTo(room - QSize(kFreeAround, kFreeAround)));
+  const QSize available = (parent ? parent->screen() : screen())->availableSize();
+  resize(kDefaultSize.boundedTo(available - QSize(kFreeAround, kFreeAround)));
 
   connect(list_, &QListWidget::currentRowChanged, this, &LessonList::showChosen);
   connect(notes_, &QCheckBox::toggled, this, &LessonList::showChosen);
@@ -106,10 +106,10 @@ LessonList::LessonList(QWidget* parent)
     if (list_->currentRow() < 0) return;
     saver_->ask(shippedOnes()[static_cast<std::size_t>(list_->currentRow())], chosen());
   });
-  connect(saver_, &HandoutSaver::told, status_, &QLabel::setText);
+  connect(saver_, &HandoutSaver::statusChanged, status_, &QLabel::setText);
   connect(saver_, &HandoutSaver::savingChanged, this, &LessonList::showChosen);
   connect(edit_, &QPushButton::clicked, this, [this] {
-    emit editorWanted(chosen());
+    emit editorRequested(chosen());
     accept();
   });
   connect(close_, &QPushButton::clicked, this, &QDialog::reject);
@@ -157,7 +157,7 @@ void LessonList::begin() {
   const QString name = chosen();
   if (name.isEmpty()) return;
   accept();
-  emit lessonWanted(name);
+  emit lessonRequested(name);
 }
 
 void LessonList::askFile() {
@@ -165,7 +165,7 @@ void LessonList::askFile() {
                                                     tr("Lessons (*.json);;All files (*)"));
   if (file.isEmpty()) return;
   accept();
-  emit lessonWanted(file);
+  emit lessonRequested(file);
 }
 
 }  // namespace asperity

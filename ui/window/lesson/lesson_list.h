@@ -1,5 +1,5 @@
 // The page of all lessons: what each teaches and how long it takes; it begins one, opens a file,
-// and writes handouts. GUI thread. Failure: one line on the page says what is wrong.
+// and writes handouts. GUI thread. Failure: one line on the page shows the error.
 #pragma once
 
 #include <QDialog>
@@ -20,13 +20,13 @@ class LessonList : public QDialog {
  public:
   explicit LessonList(QWidget* parent);
 
-  /// The name of the chosen shipped lesson.
+  /// Returns the name of the chosen shipped lesson.
   QString chosen() const;
 
  signals:
   /// Emitted with the name of a shipped lesson, or a file.
-  void lessonWanted(const QString& nameOrFile);
-  void editorWanted(const QString& nameOrFile);
+  void lessonRequested(const QString& nameOrFile);
+  void editorRequested(const QString& nameOrFile);
 
  private:
   void showTexts();

@@ -28,7 +28,7 @@ LessonHeadPage::LessonHeadPage(QWidget* parent) : LessonForm(parent) {
   minutes_->setRange(1, 600);
   minutes_->setAccessibleName(tr("Minutes"));
   addRow(tr("Minutes"), minutes_);
-  connect(minutes_, &QSpinBox::valueChanged, this, &LessonForm::tell);
+  connect(minutes_, &QSpinBox::valueChanged, this, &LessonForm::notifyEdited);
   notes_ = addText(tr("Notes for teachers"), "editorNotes", 8);
   notes_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   notes_->setMaximumHeight(QWIDGETSIZE_MAX);  // the notes get what is left
@@ -121,11 +121,12 @@ void LessonStepPage::beginText() {
   text_->selectAll();
 }
 
-/// Says which controls are free.
+/// Shows which controls the student may use.
 void LessonStepPage::showControls() {
   QStringList names;
   for (const std::string& key : chosen_.free)
-    if (const Parameter* parameter = findParameter(key)) names += ParameterRow::labelOf(*parameter);
+    if (const Parameter* parameter = findParameter(key))
+      names += ParameterRow::labelText(*parameter);
   controls_->setText(names.isEmpty()    ? tr("Choose…")
                      : names.size() > 3 ? tr("%1 controls").arg(names.size())
                                         : names.join(", "));
@@ -136,7 +137,7 @@ void LessonStepPage::showControls() {
 /// Offers the parameters that have a meaning in the step's scene.
 void LessonStepPage::fillControls() {
   fillParameterMenu(*controls_->menu(), scene_, [this](QMenu& section, const Parameter& row) {
-    QAction* action = section.addAction(ParameterRow::labelOf(row));
+    QAction* action = section.addAction(ParameterRow::labelText(row));
     action->setObjectName("free:" + fromUtf8(row.key));
     action->setCheckable(true);
     action->setChecked(chosen_.state(row.key) == ControlState::Free);
@@ -148,7 +149,7 @@ void LessonStepPage::fillControls() {
 void LessonStepPage::chooseOthers() {
   chosen_.others = static_cast<ControlState>(others_->currentData().toInt());
   showControls();
-  tell();
+  notifyEdited();
 }
 
 void LessonStepPage::chooseControl(const std::string& key, bool isFree) {
@@ -159,7 +160,7 @@ void LessonStepPage::chooseControl(const std::string& key, bool isFree) {
   else if (chosen_.others == ControlState::Free)
     chosen_.locked.push_back(key);
   showControls();
-  tell();
+  notifyEdited();
 }
 
 }  // namespace asperity

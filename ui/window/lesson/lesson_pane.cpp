@@ -37,8 +37,7 @@ QString choiceStyle(const QPalette& palette) {
            name(QPalette::Mid));
 }
 
-/// A button that is no wider than its text needs, so that three of them have room beside each
-/// other.
+/// A button that is no wider than its text needs, so that three of them fit beside each other.
 class FootButton : public QPushButton {
  public:
   QSize sizeHint() const override {
@@ -102,8 +101,8 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   title_ = addText(*column, "lessonStepTitle");
   text_ = addText(*column, "lessonText");
   question_ = addText(*column, "lessonQuestion");
-  inputPlace_ = new QVBoxLayout;
-  column->addLayout(inputPlace_);
+  inputLayout_ = new QVBoxLayout;
+  column->addLayout(inputLayout_);
   verdict_ = addText(*column, "lessonVerdict");
   reveal_ = addText(*column, "lessonReveal");
   note_ = addText(*column, "lessonNote");
@@ -153,13 +152,13 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   });
   connect(scroll_->verticalScrollBar(), &QScrollBar::actionTriggered, this,
           [this] { isScrolledByHand_ = true; });
-  connect(back_, &QPushButton::clicked, this, &LessonPane::backWanted);
-  connect(show_, &QPushButton::clicked, this, &LessonPane::surrendered);
+  connect(back_, &QPushButton::clicked, this, &LessonPane::backRequested);
+  connect(show_, &QPushButton::clicked, this, &LessonPane::solutionRequested);
   connect(next_, &QPushButton::clicked, this, [this] {
     if (isAsking_)
       check();
     else
-      emit nextWanted();
+      emit nextRequested();
   });
   keepTranslated(*this, [this] {
     back_->setText(tr("Back"));
@@ -209,9 +208,9 @@ void LessonPane::showStep(const LessonPage& page) {
   if (step.prediction && page.answer) {
     const LessonPrediction& prediction = *step.prediction;
     const bool isGiven = page.given->isGiven();
-    const LessonText& said = page.isRight ? prediction.right : prediction.wrong;
-    if (isGiven && !said.empty())
-      verdict = richText(said, prediction, *page.answer, *page.given);
+    const LessonText& explanation = page.isRight ? prediction.right : prediction.wrong;
+    if (isGiven && !explanation.empty())
+      verdict = richText(explanation, prediction, *page.answer, *page.given);
     else if (prediction.kind != PredictionKind::Choice)
       verdict = "<p>" +
                 tr("The program finds %1.")
@@ -225,7 +224,7 @@ void LessonPane::showStep(const LessonPage& page) {
     reveal = richText(step.reveal, prediction, *page.answer, *page.given);
   }
   fill(*verdict_, verdict);
-  // The focus goes on to the button, which tells a screen reader what was right.
+  // The focus moves to the button; its description gives the right answer to screen readers.
   next_->setAccessibleDescription(QTextDocumentFragment::fromHtml(verdict + reveal).toPlainText());
   fill(*reveal_, reveal);
   showButtons();
@@ -234,19 +233,19 @@ void LessonPane::showStep(const LessonPage& page) {
   QTimer::singleShot(0, this, &LessonPane::scroll);
 }
 
-/// Shows the beginning of a step. Of an answer it shows all from the question on; where there is no
-/// room for that, its beginning: from the question, or from the verdict if that would be out of
+/// Shows the beginning of a step. With an answer it shows everything from the question on; where
+/// that does not fit, its beginning: from the question, or from the verdict if that would be out of
 /// sight.
 void LessonPane::scroll() {
   QScrollBar& bar = *scroll_->verticalScrollBar();
   if (!isRevealed_) return bar.setValue(0);
   const int end = bar.maximum();
-  const auto isSeen = [&](const QWidget& part, int from) {
+  const auto isInView = [&](const QWidget& part, int from) {
     return part.geometry().bottom() <= from + scroll_->viewport()->height();
   };
   int from = end;
   if (question_->isVisible() && question_->y() < end) from = question_->y();
-  if (verdict_->isVisible() && !isSeen(*verdict_, from)) from = std::min(verdict_->y(), end);
+  if (verdict_->isVisible() && !isInView(*verdict_, from)) from = std::min(verdict_->y(), end);
   bar.setValue(from);
 }
 
@@ -254,7 +253,7 @@ void LessonPane::clearInput() {
   choices_ = nullptr;
   number_ = nullptr;
   if (!input_) return;
-  inputPlace_->removeWidget(input_);
+  inputLayout_->removeWidget(input_);
   input_->setParent(nullptr);
   input_->deleteLater();
   input_ = nullptr;
@@ -283,14 +282,14 @@ void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage
     }
     auto* line = new ChoiceLine(button, text);
     line->label().setObjectName(QStringLiteral("lessonChoiceText:%1").arg(number));
-    // What was given stays as legible as what is right.
+    // The given answer stays as legible as the right one.
     line->label().setEnabled(!page.answer || number == page.answer->choice ||
                              (page.given && number == page.given->choice));
     choices_->addButton(button, number);
     column->addWidget(line);
     connect(button, &QRadioButton::toggled, this, &LessonPane::showButtons);
   }
-  inputPlace_->addWidget(input_);
+  inputLayout_->addWidget(input_);
   QWidget* before = question_;
   for (QAbstractButton* button : choices_->buttons()) {
     setTabOrder(before, button);
@@ -317,7 +316,7 @@ void LessonPane::addNumber(const LessonPage& page) {
   connect(number_, &QLineEdit::returnPressed, this, [this] {
     if (next_->isEnabled()) next_->click();
   });
-  inputPlace_->addWidget(input_);
+  inputLayout_->addWidget(input_);
   setTabOrder(question_, number_);
 }
 

@@ -1,6 +1,6 @@
-// The pane of a lesson: the text of a step, the question with its choices or its number, what was
-// right, and the buttons that lead on. It holds no lesson: it shows a step and tells what the
-// student does. The buttons stay where they are. GUI thread; belongs to its parent. Cannot fail.
+// The pane of a lesson: the text of a step, the question with its choices or its number, the right
+// answer, and the buttons to go on. It holds no lesson: it shows a step and reports the student's
+// actions by signals. The buttons do not move. GUI thread; owned by its parent. Cannot fail.
 #pragma once
 
 #include <QWidget>
@@ -18,7 +18,7 @@ class QVBoxLayout;
 
 namespace asperity {
 
-/// What the pane shows. The pointers are valid during the call of showStep().
+/// The content of the pane. The pointers need to be valid only during the call of showStep().
 struct LessonPage {
   const Lesson* lesson = nullptr;
   int step = 0;
@@ -36,22 +36,22 @@ class LessonPane : public QWidget {
   explicit LessonPane(QWidget* parent = nullptr);
 
   void showStep(const LessonPage& page);
-  /// Whether the answer is still being computed, after "Check" was pressed.
+  /// Shows that the answer is still being computed, after "Check" was pressed.
   void setWaiting(bool isWaiting);
-  /// Says something below the answer, such as why it cannot be computed.
+  /// Shows a note below the answer, such as the reason why it cannot be computed.
   void showNote(const QString& text);
-  /// Tells that a point was placed on the chart.
+  /// Reports that a point was placed on the chart.
   void setPointPlaced(bool isPlaced);
 
   /// Puts the focus where a student answers, or reads.
   void focusStep();
 
  signals:
-  void backWanted();
-  void nextWanted();
-  /// The student has answered; of a point, the chart knows the answer.
+  void backRequested();
+  void nextRequested();
+  /// Emitted when the student has answered; the chart has the answer of a point.
   void answered(const asperity::GivenAnswer& given);
-  void surrendered();
+  void solutionRequested();
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -69,7 +69,7 @@ class LessonPane : public QWidget {
 
   QScrollArea* scroll_;
   QWidget* input_ = nullptr;
-  QVBoxLayout* inputPlace_;
+  QVBoxLayout* inputLayout_;
   QLabel *title_, *text_, *question_, *verdict_, *reveal_, *note_, *progress_;
   QPushButton *back_, *show_, *next_;
   QButtonGroup* choices_ = nullptr;

@@ -76,7 +76,7 @@ QString richText(const std::string& text) {
 
 std::string numberInWords(const LessonNumber& number) {
   if (!number.unit.empty()) return quantity(number.value, number.unit, 3);
-  // Of a ratio near 1 the difference from it is what matters: "1.002", not "1".
+  // The digits of a ratio near 1 show its difference from 1: "1.002", not "1".
   const bool isNearOne = std::abs(number.value - 1) < 0.02;
   return shortNumber(number.value, isNearOne ? 4 : 3);
 }

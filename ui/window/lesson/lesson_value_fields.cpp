@@ -20,12 +20,12 @@ namespace asperity {
 
 namespace {
 
-enum Kind { kThere, kRatio, kPeak, kExponent };  // as in the list
+enum Kind { kStateValue, kRatio, kPeak, kExponent };  // as in the list
 
 Kind kindOf(const LessonValue& value) {
   if (value.kind == LessonValue::Kind::Peak) return kPeak;
   if (value.kind == LessonValue::Kind::Exponent) return kExponent;
-  return value.over.empty() ? kThere : kRatio;
+  return value.over.empty() ? kStateValue : kRatio;
 }
 
 /// Returns a quantity of the friction curve in words.
@@ -66,7 +66,7 @@ QString valueOfKey(const std::string& key, double value) {
 std::optional<double> numberOfKey(const std::string& key, const QString& text) {
   const Parameter* row = findParameter(key);
   const QString number = withPoint(text.trimmed());
-  return numberIn(row ? plainNumberOf(number, ruleOf(*row)) : number);
+  return numberIn(row ? toPlainNumber(number, numberRule(*row)) : number);
 }
 
 LessonValueFields::LessonValueFields(LessonForm& page) : QObject(&page), page_(page) {
@@ -106,11 +106,11 @@ void LessonValueFields::show(const LessonValue& value, const Scene& scene) {
   for (const Parameter& row : parameters())
     if (std::holds_alternative<RealField>(row.field) && isApplicable(row, scene) &&
         row.key.find('.') != row.key.npos)
-      key_->addItem(ParameterRow::labelOf(row), fromUtf8(row.key));
+      key_->addItem(ParameterRow::labelText(row), fromUtf8(row.key));
   const QString key = QString::fromStdString(value.key.empty() ? "sliding.velocity" : value.key);
   if (key_->findData(key) < 0) {
     const Parameter* row = findParameter(key.toStdString());
-    key_->addItem(row ? ParameterRow::labelOf(*row) : key, key);
+    key_->addItem(row ? ParameterRow::labelText(*row) : key, key);
   }  // it has a meaning with the keys below
   key_->setCurrentIndex(key_->findData(key));
   from_->setText(value.from == 0 ? QString() : valueOfKey(value.key, value.from));
@@ -142,7 +142,7 @@ void LessonValueFields::proposeEnds() {
   const double to = present > 0 ? std::min(10 * present, most) : 1;
   from_->setText(valueOfKey(key, roundedToDigits(0.1 * to, 4)));
   to_->setText(valueOfKey(key, roundedToDigits(to, 4)));
-  page_.tell();
+  page_.notifyEdited();
 }
 
 /// Returns the value in SI, 0 where nothing can be read: the lesson is then complained about.
@@ -150,7 +150,7 @@ double LessonValueFields::endOf(const QLineEdit& entry) const {
   return numberOfKey(key_->currentData().toString().toStdString(), entry.text()).value_or(0);
 }
 
-LessonValue LessonValueFields::taken(const LessonValue& before) const {
+LessonValue LessonValueFields::edited(const LessonValue& before) const {
   LessonValue value = before;
   value.column = column_->currentData().toString().toStdString();
   value.set = set_->assignments();
@@ -162,7 +162,7 @@ LessonValue LessonValueFields::taken(const LessonValue& before) const {
     value.over.clear();
     if (kind == kRatio) value.over.push_back(LessonValue{});
   }
-  // The value below a ratio is of the same column, unless a file says otherwise.
+  // The divisor of a ratio is of the same column, unless the file names another one.
   for (LessonValue& under : value.over)
     if (kind != kindOf(before) || under.column == before.column) under.column = value.column;
   value.key.clear();

@@ -1,6 +1,6 @@
 // The rows of the lesson editor for a number that the program computes as the answer: a column of
-// the curve, its ratio to the value of the step, the place of its largest value, or the exponent
-// with which it depends on a key. GUI thread; belongs to the page.
+// the curve, its ratio to the value of the step, the position of its largest value, or the exponent
+// with which it depends on a key. GUI thread; owned by the page.
 #pragma once
 
 #include <QObject>
@@ -27,7 +27,7 @@ class LessonValueFields : public QObject {
   void show(const LessonValue& value, const Scene& scene);
   void setShown(bool isShown);
   /// Returns the value with what is written. What the rows do not show is kept.
-  LessonValue taken(const LessonValue& before) const;
+  LessonValue edited(const LessonValue& before) const;
 
  private:
   void showRows();

@@ -43,10 +43,10 @@ namespace asperity {
 namespace {
 
 // Pixels of the pane and of the parameters below it, of which a step frees a few.
-constexpr int kUsualHeight = 430, kParametersHeight = 230;
-constexpr int kLeastHeight = 260;  // of the pane
+constexpr int kDefaultHeight = 430, kParametersHeight = 230;
+constexpr int kMinHeight = 260;  // of the pane
 
-/// Returns the scene under the step's name: what a scene says of itself may be the answer.
+/// Returns the scene under the step's name: its own title may reveal the answer.
 Scene inLesson(Scene scene, const LessonStep& step) {
   scene.title = shown(step.title);
   scene.description.clear();
@@ -102,17 +102,17 @@ Lessons::Lessons(const Parts& parts)
       pane_(new LessonPane),
       point_(new PredictionPoint(parts.tabs.plot())) {
   buildDock();
-  connect(pane_, &LessonPane::backWanted, this, [this] { show(step_ - 1); });
-  connect(pane_, &LessonPane::nextWanted, this, &Lessons::next);
+  connect(pane_, &LessonPane::backRequested, this, [this] { show(step_ - 1); });
+  connect(pane_, &LessonPane::nextRequested, this, &Lessons::next);
   connect(pane_, &LessonPane::answered, this,
           [this](const GivenAnswer& given) { answer(given, false); });
-  connect(pane_, &LessonPane::surrendered, this, [this] { answer({}, true); });
+  connect(pane_, &LessonPane::solutionRequested, this, [this] { answer({}, true); });
   connect(point_, &PredictionPoint::placed, this, [this] { pane_->setPointPlaced(true); });
   // Another scene was opened, or the tour begins.
   connect(&parts_.document, &SceneDocument::trialEnded, this, &Lessons::end);
   connect(&parts_.document, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
-            if (isRunning() && change == SceneChange::Edited) holdControls(scene);
+            if (isRunning() && change == SceneChange::Edited) lockControls(scene);
           });
 }
 
@@ -121,7 +121,7 @@ Lessons::~Lessons() = default;
 void Lessons::buildDock() {
   dock_->setObjectName("lessonDock");
   dock_->setFeatures(QDockWidget::DockWidgetClosable);
-  pane_->setMinimumHeight(kLeastHeight);
+  pane_->setMinimumHeight(kMinHeight);
   dock_->setWidget(pane_);
   auto* bar = new QWidget;
   bar->setObjectName("dockTitle");
@@ -193,8 +193,8 @@ LessonList& Lessons::showList() {
   for (LessonList* open : parts_.window.findChildren<LessonList*>()) delete open;
   auto* list = new LessonList(&parts_.window);
   list->setAttribute(Qt::WA_DeleteOnClose);
-  connect(list, &LessonList::lessonWanted, this, [this](const QString& name) { open(name); });
-  connect(list, &LessonList::editorWanted, this, [this](const QString& name) {
+  connect(list, &LessonList::lessonRequested, this, [this](const QString& name) { open(name); });
+  connect(list, &LessonList::editorRequested, this, [this](const QString& name) {
     try {
       showEditor(readNamedLesson(name.toStdString(), readNamedScene),
                  QFileInfo::exists(name) ? name : QString());
@@ -212,7 +212,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
       open->show();
       return *open;
     }
-    if (!open->mayClose()) return *open;
+    if (!open->canClose()) return *open;
     delete open;
   }
   const auto shownNow = [this] {
@@ -227,13 +227,14 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
   };
   auto* editor = new LessonEditor(lesson, file, shownNow, &parts_.window);
   editor->setAttribute(Qt::WA_DeleteOnClose);
-  connect(editor, &LessonEditor::tryWanted, this, [this, editor](const Lesson& edited, int step) {
-    // The editor steps aside for the lesson, and comes back when that ends.
-    start(edited, step);
-    editor->hide();
-    connect(
-        this, &Lessons::ended, editor, [editor] { editor->show(); }, Qt::SingleShotConnection);
-  });
+  connect(
+      editor, &LessonEditor::trialRequested, this, [this, editor](const Lesson& edited, int step) {
+        // The editor steps aside for the lesson, and comes back when that ends.
+        start(edited, step);
+        editor->hide();
+        connect(
+            this, &Lessons::ended, editor, [editor] { editor->show(); }, Qt::SingleShotConnection);
+      });
   editor->show();
   return *editor;
 }
@@ -267,10 +268,10 @@ void Lessons::start(const Lesson& lesson, int step) {
   results_ = emptyResults(*lesson_);
   resultsFile_.clear();
   file_.clear();
-  // The lesson may have been begun with the parameters closed, of which a step frees some.
+  // A lesson may begin while the panel is closed; a step that frees parameters opens it.
   parts_.parameters.show();
   dock_->show();
-  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kUsualHeight, kParametersHeight},
+  parts_.window.resizeDocks({dock_, &parts_.parameters}, {kDefaultHeight, kParametersHeight},
                             Qt::Vertical);
   commands_->get("lessonEnd")->setEnabled(true);
   show(std::clamp(step, 0, static_cast<int>(lesson_->steps.size()) - 1));
@@ -348,20 +349,20 @@ void Lessons::showScene() {
 void Lessons::showControls() {
   std::map<std::string, RowAccess> access;
   const LessonControls& controls = present().controls;
-  const auto accessOf = [&](ControlState state) {
+  const auto rowAccess = [&](ControlState state) {
     if (state == ControlState::Hidden) return RowAccess::Hidden;
     return state == ControlState::Free && isRevealed() ? RowAccess::Free : RowAccess::Locked;
   };
-  access["*"] = accessOf(controls.others);
+  access["*"] = rowAccess(controls.others);
   for (const auto& [keys, state] : {std::pair(&controls.free, ControlState::Free),
                                     {&controls.locked, ControlState::Locked},
                                     {&controls.hidden, ControlState::Hidden}})
-    for (const std::string& key : *keys) access[key] = accessOf(state);
+    for (const std::string& key : *keys) access[key] = rowAccess(state);
   parts_.panel.setRowAccess(access);
 }
 
 /// Returns a change of a control that is not free to what the step has.
-void Lessons::holdControls(const Scene& scene) {
+void Lessons::lockControls(const Scene& scene) {
   LessonControls controls = present().controls;
   if (!isRevealed()) controls = {{}, {}, {}, ControlState::Locked};
   const Scene shown = inLesson(isRevealed() ? present().revealedScene : present().scene, present());
@@ -381,7 +382,7 @@ void Lessons::showChart() {
   const LessonStep& step = present();
   const LessonView& view = step.show;
   const bool hides = view.hidesCurve && (!isRevealed() || !step.prediction || view.hidesCurveAfter);
-  beside_.cancel();
+  comparisons_.cancel();
   parts_.tabs.plot().fit();
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.unpinAll();
@@ -391,7 +392,7 @@ void Lessons::showChart() {
   });
   if (!view.beside.empty()) {
     const Scene scene = step.scene;
-    beside_.request(
+    comparisons_.request(
         [scene, beside = view.beside](const BackgroundWork::Run& run) {
           std::vector<std::shared_ptr<const CurveUpdate>> curves;
           for (const std::vector<std::string>& keys : beside)
@@ -441,11 +442,10 @@ void Lessons::takeAnswer(int step, const LessonAnswer& answer) {
   if (isRevealed()) showPage();  // of results from a file: its texts have their values now
 }
 
-/// surrenders: the answer is wanted without a guess.
-void Lessons::answer(const GivenAnswer& said, bool surrenders) {
+/// Takes the user's answer. givesUp: the user asks for the solution without a guess.
+void Lessons::answer(GivenAnswer given, bool givesUp) {
   if (!isRunning() || isRevealed() || waiting_) return;
-  GivenAnswer given = said;
-  if (present().prediction->kind == PredictionKind::Point && !surrenders && point_->point()) {
+  if (present().prediction->kind == PredictionKind::Point && !givesUp && point_->point()) {
     given.x = point_->point()->x();
     given.number = point_->point()->y();
   }
@@ -527,7 +527,7 @@ void Lessons::writeResultsFile() {
 void Lessons::end() {
   if (!isRunning()) return;
   finding_.cancel();
-  beside_.cancel();
+  comparisons_.cancel();
   waiting_.reset();
   lesson_.reset();
   point_->dismiss();
@@ -535,12 +535,12 @@ void Lessons::end() {
   parts_.panel.setRowAccess({});
   for (QAction* action : commands_->get({"lessonBackStep", "lessonNextStep", "lessonEnd"}))
     action->setEnabled(false);
-  comeBack();
+  restore();
   emit ended();
 }
 
-/// Puts back what the lesson found, as far as it is still wanted.
-void Lessons::comeBack() {
+/// Restores the state before the lesson.
+void Lessons::restore() {
   const std::optional<Before> before = std::exchange(before_, std::nullopt);
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.conceal(std::nullopt);

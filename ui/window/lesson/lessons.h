@@ -60,7 +60,7 @@ class Lessons : public QObject {
   LessonList& showList();
   /// Shows the page on which a lesson is written; empty: a new one.
   LessonEditor& showEditor(const Lesson& lesson, const QString& file);
-  /// Begins a lesson at a step, in place of the present one.
+  /// Begins a lesson at a step; it replaces the present one.
   void start(const Lesson& lesson, int step = 0);
   /// Reads a lesson's file, or a shipped one by its name, and begins it; returns whether it did.
   bool open(const QString& nameOrFile);
@@ -70,7 +70,7 @@ class Lessons : public QObject {
   bool isRunning() const { return lesson_ != nullptr; }
   const Lesson* lesson() const { return lesson_.get(); }
   int step() const { return step_; }
-  /// Whether the answer of the present step is seen, or there is none.
+  /// Returns whether the answer of the present step is visible, or there is none.
   bool isRevealed() const;
   const LessonResults& results() const { return results_; }
   LessonPane& pane() { return *pane_; }
@@ -81,7 +81,7 @@ class Lessons : public QObject {
   bool keepResults(const QString& file);
 
  signals:
-  /// A step is shown, or its answer.
+  /// Emitted when a step or its answer is shown.
   void stepShown();
   void ended();
 
@@ -95,13 +95,13 @@ class Lessons : public QObject {
   void showChart();
   void findAnswer();
   void takeAnswer(int step, const LessonAnswer& answer);
-  void answer(const GivenAnswer& said, bool surrenders);
+  void answer(GivenAnswer given, bool givesUp);
   void settle(const GivenAnswer& given);
   void next();
   void askResultsFile();
   void writeResultsFile();
-  void holdControls(const Scene& scene);
-  void comeBack();
+  void lockControls(const Scene& scene);
+  void restore();
   QString summary() const;
   void showTitle();
 
@@ -120,7 +120,7 @@ class Lessons : public QObject {
   QString file_;  // of the lesson; empty: a shipped one, or one that was never saved
   QString resultsFile_;
 
-  /// What the lesson found, and puts back; the document keeps the user's scene.
+  /// The state before the lesson, which its end restores; the document keeps the user's scene.
   struct Before {
     std::vector<std::shared_ptr<const CurveUpdate>> pinned;
     CurveQuantity quantity;
@@ -129,8 +129,8 @@ class Lessons : public QObject {
     bool hasDimensionlessAxes;
   };
   std::optional<Before> before_;
-  BackgroundWork beside_;   // curves to compare with
-  BackgroundWork finding_;  // last: its thread ends before other members are destroyed
+  BackgroundWork comparisons_;  // curves to compare with
+  BackgroundWork finding_;      // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

@@ -18,10 +18,10 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostChoices = 6;
+constexpr int kMaxChoices = 6;
 
-enum Kind { kNone, kChoice, kNumber, kPoint };                          // as in the list
-enum CurveSight { kInSight, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
+enum Kind { kNone, kChoice, kNumber, kPoint };                               // as in the list
+enum CurveVisibility { kVisible, kHiddenUntilAnswered, kHiddenThroughout };  // as in the list
 
 QString endText(double end) {
   return std::isfinite(end) ? shownNumber(end) : QString();
@@ -55,7 +55,7 @@ PredictionFields::PredictionFields(LessonForm& page) : QObject(&page), page_(pag
 }
 
 void PredictionFields::addChoices() {
-  choices_ = new QTableWidget(kMostChoices, 4);
+  choices_ = new QTableWidget(kMaxChoices, 4);
   choices_->setObjectName("editorChoices");
   choices_->setAccessibleName(tr("choices"));
   choices_->setHorizontalHeaderLabels({tr("Choice"), tr("Right"), tr("From"), tr("To")});
@@ -68,11 +68,11 @@ void PredictionFields::addChoices() {
   choices_->verticalHeader()->hide();
   const int row = choices_->fontMetrics().lineSpacing() + 10;
   choices_->verticalHeader()->setDefaultSectionSize(row);
-  choices_->setFixedHeight(choices_->horizontalHeader()->sizeHint().height() + kMostChoices * row +
+  choices_->setFixedHeight(choices_->horizontalHeader()->sizeHint().height() + kMaxChoices * row +
                            2 * choices_->frameWidth());
   choices_->setTabKeyNavigation(false);
   page_.addRow(tr("Choices"), choices_);
-  connect(choices_, &QTableWidget::itemChanged, &page_, &LessonForm::tell);
+  connect(choices_, &QTableWidget::itemChanged, &page_, &LessonForm::notifyEdited);
 }
 
 // ---- Showing
@@ -86,7 +86,7 @@ void PredictionFields::show(const LessonStep& step) {
   tolerance_->setText(shownNumber(roundedToDigits(100 * prediction.tolerance, 12)));
   x_->setText(prediction.x ? valueOfKey(step.scene.sweep.key, *prediction.x) : QString());
   value_->show(prediction.answer.value_or(LessonValue{}), step.scene);
-  hides_->setCurrentIndex(!step.show.hidesCurve       ? kInSight
+  hides_->setCurrentIndex(!step.show.hidesCurve       ? kVisible
                           : step.show.hidesCurveAfter ? kHiddenThroughout
                                                       : kHiddenUntilAnswered);
   after_->show(step.after, step.revealedScene);
@@ -96,7 +96,7 @@ void PredictionFields::show(const LessonStep& step) {
 }
 
 void PredictionFields::showChoices(const LessonPrediction& prediction) {
-  for (int i = 0; i < kMostChoices; ++i) {
+  for (int i = 0; i < kMaxChoices; ++i) {
     const bool has = i < static_cast<int>(prediction.choices.size());
     const LessonChoice choice =
         has ? prediction.choices[static_cast<std::size_t>(i)] : LessonChoice{};
@@ -128,7 +128,7 @@ void PredictionFields::showRows() {
 bool PredictionFields::takeChoices(LessonPrediction& prediction) const {
   const std::vector<LessonChoice> before = std::exchange(prediction.choices, {});
   bool hasRanges = false;
-  for (int i = 0; i < kMostChoices; ++i) {
+  for (int i = 0; i < kMaxChoices; ++i) {
     LessonChoice choice =
         i < static_cast<int>(before.size()) ? before[static_cast<std::size_t>(i)] : LessonChoice{};
     page_.write(choice.text, choices_->item(i, 0)->text());
@@ -145,7 +145,7 @@ bool PredictionFields::takeChoices(LessonPrediction& prediction) const {
 }
 
 void PredictionFields::take(LessonStep& step) const {
-  step.show.hidesCurve = hides_->currentIndex() != kInSight;
+  step.show.hidesCurve = hides_->currentIndex() != kVisible;
   step.show.hidesCurveAfter = hides_->currentIndex() == kHiddenThroughout;
   const int kind = kind_->currentIndex();
   if (kind == kNone) {
@@ -160,7 +160,7 @@ void PredictionFields::take(LessonStep& step) const {
   page_.write(prediction.question, LessonForm::writtenIn(*question_));
   page_.write(prediction.right, right_->text());
   page_.write(prediction.wrong, wrong_->text());
-  // What was not edited stays as it is, to the last digit.
+  // Values that were not edited keep all their digits.
   const double percent = numberIn(tolerance_->text().remove('%')).value_or(0);
   if (std::abs(percent - 100 * prediction.tolerance) > 1e-9 * percent || percent == 0)
     prediction.tolerance = percent / 100;
@@ -172,7 +172,7 @@ void PredictionFields::take(LessonStep& step) const {
   else
     prediction.choices.clear();
   if (isComputed)
-    prediction.answer = value_->taken(prediction.answer.value_or(LessonValue{}));
+    prediction.answer = value_->edited(prediction.answer.value_or(LessonValue{}));
   else
     prediction.answer.reset();
   step.prediction = prediction;

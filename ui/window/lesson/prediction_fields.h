@@ -1,6 +1,6 @@
-// The rows of the lesson editor for what a step asks: the kind of prediction, the question, the
-// choices, what is computed as the answer (lesson_value_fields.h), and what is said and done when
-// it is revealed. The rows are those of a page. GUI thread; belongs to the page.
+// The rows of the lesson editor for the question of a step: the kind of prediction, the question,
+// the choices, the computed answer (lesson_value_fields.h), and the texts and actions after it is
+// revealed. The rows are those of a page. GUI thread; owned by the page.
 #pragma once
 
 #include <QObject>

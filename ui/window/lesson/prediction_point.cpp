@@ -28,8 +28,8 @@ struct PixelAxis {
 
   double value(double pixel) const {
     const double part = std::clamp((pixel - pixelFrom) / (pixelTo - pixelFrom), 0.0, 1.0);
-    const double place = from + part * (to - from);
-    return axisValue(scale, place);
+    const double position = from + part * (to - from);
+    return axisValue(scale, position);
   }
 };
 
@@ -57,7 +57,7 @@ void PredictionPoint::ask(std::optional<double> x, const QString& name) {
   setToolTip(x ? tr("Drag up and down, or use the arrow keys (with Shift finer)")
                : tr("Drag, or use the arrow keys (with Shift finer)"));
   setGeometry(chart_.rect());
-  sayPlace();
+  describePosition();
   show();
   raise();
 }
@@ -69,7 +69,7 @@ void PredictionPoint::showDecided(double x, double y) {
   setFocusPolicy(Qt::NoFocus);
   setToolTip({});
   setGeometry(chart_.rect());
-  sayPlace();
+  describePosition();
   show();
   raise();
   update();
@@ -81,23 +81,23 @@ bool PredictionPoint::hasAxes() const {
   return !range.x.isEmpty() && !range.y.isEmpty();
 }
 
-QPointF PredictionPoint::pixelOf(QPointF value) const {
-  return chart_.positionOf(value.x(), value.y());
+QPointF PredictionPoint::toPixel(QPointF value) const {
+  return chart_.mapToPosition(value.x(), value.y());
 }
 
 QPointF PredictionPoint::valueAt(QPointF pixel) const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
-  const QPointF low = chart_.positionOf(axisValue(diagram.x.scale, range.x.from),
-                                        axisValue(diagram.y.scale, range.y.from));
-  const QPointF high = chart_.positionOf(axisValue(diagram.x.scale, range.x.to),
-                                         axisValue(diagram.y.scale, range.y.to));
+  const QPointF low = chart_.mapToPosition(axisValue(diagram.x.scale, range.x.from),
+                                           axisValue(diagram.y.scale, range.y.from));
+  const QPointF high = chart_.mapToPosition(axisValue(diagram.x.scale, range.x.to),
+                                            axisValue(diagram.y.scale, range.y.to));
   const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
   const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
   return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
 }
 
-/// Where a point begins that nobody has placed.
+/// Returns the initial position of a point that has not been placed.
 QPointF PredictionPoint::middle() const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
@@ -107,13 +107,13 @@ QPointF PredictionPoint::middle() const {
 
 void PredictionPoint::place(QPointF value) {
   point_ = value;
-  sayPlace();
+  describePosition();
   update();
   emit placed();
 }
 
-/// Tells a screen reader what is asked and where the point is.
-void PredictionPoint::sayPlace() {
+/// Sets the accessible description: the question and the position of the point.
+void PredictionPoint::describePosition() {
   QString text = name_;
   if (point_ && hasAxes()) {
     const Diagram& diagram = chart_.sheet().diagrams.front();
@@ -131,15 +131,15 @@ void PredictionPoint::sayPlace() {
 void PredictionPoint::paintEvent(QPaintEvent*) {
   if (!hasAxes()) return;
   const QPointF value = point_.value_or(middle());
-  QPointF at = pixelOf(value);
+  QPointF at = toPixel(value);
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = colour_.isValid() ? colour_ : palette().color(QPalette::Highlight);
   const VisibleRange range = chart_.visibleRange();
   const Diagram& diagram = chart_.sheet().diagrams.front();
-  const double top = pixelOf({value.x(), axisValue(diagram.y.scale, range.y.to)}).y();
-  const double bottom = pixelOf({value.x(), axisValue(diagram.y.scale, range.y.from)}).y();
+  const double top = toPixel({value.x(), axisValue(diagram.y.scale, range.y.to)}).y();
+  const double bottom = toPixel({value.x(), axisValue(diagram.y.scale, range.y.from)}).y();
   // A guess may lie beyond the axis of the curve, which is shown once it is made.
   const QString arrow = at.y() < top      ? QStringLiteral("↑")
                         : at.y() > bottom ? QStringLiteral("↓")
@@ -159,22 +159,23 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
       (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
-  const QRectF label = roomOf(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
-                              {rect().left() + 8.0, top, rect().width() - 16.0, bottom - top});
+  const QRectF label =
+      labelRect(QSizeF(metrics.horizontalAdvance(text) + 6, metrics.height() + 2), at,
+                {rect().left() + 8.0, top, rect().width() - 16.0, bottom - top});
   QColor ground = palette().color(QPalette::Base);
   ground.setAlpha(210);
   painter.fillRect(label, ground);
   painter.drawText(label, Qt::AlignCenter, text);
 }
 
-/// Returns the place beside a point, within `frame`, where a label hides the fewest points of the
-/// curves: above at the right where others are no better.
-QRectF PredictionPoint::roomOf(QSizeF label, QPointF at, const QRectF& frame) const {
+/// Returns the rectangle beside a point, within `frame`, in which a label hides the fewest points
+/// of the curves; above at the right where others are no better.
+QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame) const {
   constexpr double kAside = 1.6 * kReach, kAbove = 0.4 * kReach;
   QRectF best(
       {std::clamp(at.x(), frame.left(), std::max(frame.left(), frame.right() - label.width())),
        frame.top()},
-      label);  // where there is no room beside the point
+      label);  // where the label does not fit beside the point
   int fewest = std::numeric_limits<int>::max();
   for (const bool isBelow : {false, true})
     for (const bool isLeft : {false, true}) {
@@ -182,14 +183,14 @@ QRectF PredictionPoint::roomOf(QSizeF label, QPointF at, const QRectF& frame) co
       const double y = isBelow ? at.y() + kAbove : at.y() - kAbove - label.height();
       if (x < frame.left() || x + label.width() > frame.right()) continue;
       const double highest = std::max(frame.top(), frame.bottom() - label.height());
-      const QRectF place({x, std::clamp(y, frame.top(), highest)}, label);
+      const QRectF candidate({x, std::clamp(y, frame.top(), highest)}, label);
       int hidden = 0;
       for (const DiagramSeries& series : chart_.sheet().diagrams.front().series)
         for (const DiagramPoint& point : series.points)
-          if (place.contains(pixelOf({point.x, point.y}))) ++hidden;
+          if (candidate.contains(toPixel({point.x, point.y}))) ++hidden;
       if (hidden >= fewest) continue;
       fewest = hidden;
-      best = place;
+      best = candidate;
     }
   return best;
 }
@@ -210,7 +211,7 @@ void PredictionPoint::keyPressEvent(QKeyEvent* event) {
   if ((dx == 0 && dy == 0) || !hasAxes() || event->modifiers() & Qt::AltModifier)
     return QWidget::keyPressEvent(event);
   const double step = event->modifiers() & Qt::ShiftModifier ? kFineStep : kStep;
-  const QPointF at = pixelOf(point_.value_or(middle()));
+  const QPointF at = toPixel(point_.value_or(middle()));
   place(valueAt(at + QPointF(dx * step * width(), dy * step * height())));
   QAccessibleEvent changed(this, QAccessible::NameChanged);
   QAccessible::updateAccessibility(&changed);

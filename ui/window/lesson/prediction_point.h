@@ -1,7 +1,7 @@
 // A point over the friction chart that a student places where the curve is expected: by clicking,
-// by dragging, or with the arrow keys (with Shift finer). It can move along the whole chart, or at
-// one place of the axis only up and down. Once the answer is known it stays as a mark. GUI thread;
-// child of the chart. Cannot fail: where the chart is not laid out yet nothing is drawn.
+// by dragging, or with the arrow keys (with Shift finer). It can move over the whole chart, or only
+// up and down at one x. Once the answer is known it stays as a mark. GUI thread; child of the
+// chart. Cannot fail: until the chart is laid out nothing is drawn.
 #pragma once
 
 #include <QColor>
@@ -20,13 +20,14 @@ class PredictionPoint : public QWidget {
  public:
   explicit PredictionPoint(ChartView& chart);
 
-  /// Asks for a point; x: its place on the axis, or none. name: what is asked, for a screen reader.
+  /// Lets the user place a point; x: its fixed position on the axis, or none. name: the question,
+  /// for screen readers.
   void ask(std::optional<double> x, const QString& name);
   /// Shows a point that is decided.
   void showDecided(double x, double y);
   void dismiss() { hide(); }
 
-  /// The place (in the units of the axes), once it was placed.
+  /// Returns the position in the units of the axes, once the point was placed.
   std::optional<QPointF> point() const { return point_; }
   void setColour(const QColor& colour);
 
@@ -44,12 +45,12 @@ class PredictionPoint : public QWidget {
 
  private:
   bool hasAxes() const;
-  QPointF pixelOf(QPointF value) const;
+  QPointF toPixel(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
-  QRectF roomOf(QSizeF label, QPointF at, const QRectF& frame) const;
+  QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
   QPointF middle() const;
   void place(QPointF value);
-  void sayPlace();
+  void describePosition();
 
   ChartView& chart_;
   std::optional<double> x_;

@@ -26,11 +26,11 @@ QColor accent(const Theme& theme) {
 /// Returns the colour of bars and docks; in the dark theme they are a little lighter than the
 /// views.
 QColor panelOf(const Theme& theme) {
-  return isDark(theme) ? mixed(colourOf(theme.background), Qt::white, 0.06) : colourOf(theme.panel);
+  return isDark(theme) ? mixed(toQColor(theme.background), Qt::white, 0.06) : toQColor(theme.panel);
 }
 
 QColor edge(const Theme& theme) {
-  return mixed(panelOf(theme), colourOf(theme.text), isDark(theme) ? 0.22 : 0.18);
+  return mixed(panelOf(theme), toQColor(theme.text), isDark(theme) ? 0.22 : 0.18);
 }
 
 }  // namespace
@@ -40,10 +40,10 @@ bool systemIsDark() {
   return dark;
 }
 
-QPalette paletteOf(const Theme& theme) {
+QPalette themePalette(const Theme& theme) {
   const QColor panel = panelOf(theme);
-  const QColor text = colourOf(theme.text);
-  const QColor base = isDark(theme) ? colourOf(theme.background) : QColor(Qt::white);
+  const QColor text = toQColor(theme.text);
+  const QColor base = isDark(theme) ? toQColor(theme.background) : QColor(Qt::white);
   QPalette palette;
   palette.setColor(QPalette::Window, panel);
   palette.setColor(QPalette::WindowText, text);
@@ -54,7 +54,7 @@ QPalette paletteOf(const Theme& theme) {
   palette.setColor(QPalette::ButtonText, text);
   palette.setColor(QPalette::ToolTipBase, base);
   palette.setColor(QPalette::ToolTipText, text);
-  palette.setColor(QPalette::PlaceholderText, colourOf(theme.faintText));
+  palette.setColor(QPalette::PlaceholderText, toQColor(theme.faintText));
   palette.setColor(QPalette::Highlight, accent(theme));
   palette.setColor(QPalette::HighlightedText,
                    isDark(theme) ? QColor(Qt::black) : QColor(Qt::white));
@@ -69,15 +69,15 @@ QPalette paletteOf(const Theme& theme) {
 }
 
 double presentedScale(const QSizeF& screen) {
-  constexpr double kLeast = 1.5;
+  constexpr double kMin = 1.5;
   constexpr QSizeF kEnoughFor(1600, 900);
-  return kLeast * std::max(1.0, std::min(screen.width() / kEnoughFor.width(),
-                                         screen.height() / kEnoughFor.height()));
+  return kMin * std::max(1.0, std::min(screen.width() / kEnoughFor.width(),
+                                       screen.height() / kEnoughFor.height()));
 }
 
 QString windowStyleSheet(const Theme& theme) {
   const QColor panel = panelOf(theme);
-  const QColor text = colourOf(theme.text);
+  const QColor text = toQColor(theme.text);
   const bool dark = isDark(theme);
   return QStringLiteral(R"(
     QMainWindow, QStatusBar, QToolBar, QMenuBar, QDockWidget { background: %1; color: %2; }
@@ -149,10 +149,10 @@ QString windowStyleSheet(const Theme& theme) {
     QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
   )")
       .arg(panel.name(), text.name(), edge(theme).name(), mixed(panel, text, 0.1).name(),
-           accent(theme).name(), colourOf(theme.faintText).name(),
+           accent(theme).name(), toQColor(theme.faintText).name(),
            dark ? QStringLiteral("#5b2a2a") : QStringLiteral("#fde3e1"),
            dark ? QStringLiteral("#ffd9d6") : QStringLiteral("#8c1d18"),
-           mixed(panel, accent(theme), 0.12).name(), colourOf(theme.background).name());
+           mixed(panel, accent(theme), 0.12).name(), toQColor(theme.background).name());
 }
 
 Appearance::Appearance(QWidget& window) : QObject(&window), window_(window) {}
@@ -195,9 +195,9 @@ void Appearance::setColours(Colours colours) {
 
 void Appearance::setDark(bool dark) {
   isDark_ = dark;
-  QApplication::setPalette(paletteOf(theme()));
+  QApplication::setPalette(themePalette(theme()));
   window_.setStyleSheet(windowStyleSheet(theme()));
-  commands_->setColour(paletteOf(theme()).color(QPalette::WindowText));
+  commands_->setColour(themePalette(theme()).color(QPalette::WindowText));
   commands_->refresh("light");
   emit themeChanged(theme());
 }

@@ -53,7 +53,7 @@ class Appearance : public QObject {
 
 /// Returns whether the desktop's own colours are dark, read at the first call, before setPalette().
 bool systemIsDark();
-QPalette paletteOf(const Theme& theme);
+QPalette themePalette(const Theme& theme);
 
 /// Returns the factor of all texts in a presentation on a screen of this size in pixels. It keeps
 /// the size of texts relative to a large screen, so that they can be read from the back of a room.

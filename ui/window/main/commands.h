@@ -51,7 +51,7 @@ class Commands : public QObject {
  public:
   explicit Commands(QMainWindow& window);
 
-  /// The keys of the command work in the whole window.
+  /// Adds a command, whose keys work in the whole window.
   QAction* add(Command command);
 
   /// Returns a command that was added; the name must be correct.

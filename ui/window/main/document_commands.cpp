@@ -31,7 +31,7 @@ namespace {
 const QString kRecentFiles = QStringLiteral("recentFiles");
 
 /// Returns the name of a file of the scene as it has to be in another folder.
-std::string nameSeenFrom(const std::filesystem::path& folder, const Scene& scene,
+std::string relativeName(const std::filesystem::path& folder, const Scene& scene,
                          const std::string& name) {
   if (name.empty() || std::filesystem::path(name).is_absolute()) return name;
   return std::filesystem::absolute(scene.folder / name)
@@ -42,9 +42,9 @@ std::string nameSeenFrom(const std::filesystem::path& folder, const Scene& scene
 
 /// Returns the scene as it has to be written into `folder`: its files are named relative to it.
 Scene writtenInto(const std::filesystem::path& folder, Scene scene) {
-  scene.surface.file = nameSeenFrom(folder, scene, scene.surface.file);
+  scene.surface.file = relativeName(folder, scene, scene.surface.file);
   if (!materialFile(scene.elastomer.material, scene.folder).empty())
-    scene.elastomer.material = nameSeenFrom(folder, scene, scene.elastomer.material);
+    scene.elastomer.material = relativeName(folder, scene, scene.elastomer.material);
   return scene;
 }
 
@@ -133,7 +133,7 @@ void DocumentCommands::openFile(const QString& file) {
 }
 
 void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
-  const bool isShown = mayShow(file, found);
+  const bool isShown = confirmOpen(file, found);
   if (isShown) {
     // A scene that was opened from a picture must not be saved over the picture.
     document_.open({{}, found.isEmbedded ? QString() : file, found.scene});
@@ -145,7 +145,7 @@ void DocumentCommands::showFound(const QString& file, const FoundScene& found) {
 
 /// Asks a question where a scene, which another user may have put into a file, reads other files or
 /// needs much memory or time.
-bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
+bool DocumentCommands::confirmOpen(const QString& file, const FoundScene& found) {
   const SceneDemands demands = found.isEmbedded ? sceneDemands(found.scene) : SceneDemands{};
   if (!demands.any()) return true;
   QStringList wants;
@@ -173,7 +173,7 @@ bool DocumentCommands::mayShow(const QString& file, const FoundScene& found) {
 // ---- Saving
 
 bool DocumentCommands::saveTo(const QString& file) {
-  if (const Missing missing = missingOf(panel_.scene()); !missing.text.isEmpty()) {
+  if (const Missing missing = missingValue(panel_.scene()); !missing.text.isEmpty()) {
     const InputError error("", std::string(missing.key), missing.text.toStdString());
     messages_.showFailure(MessageBar::Failure::Files, translatedError(error));
     return false;
@@ -208,15 +208,15 @@ bool DocumentCommands::askSave() {
   return !file.isEmpty() && saveTo(file);
 }
 
-bool DocumentCommands::mayClose() {
+bool DocumentCommands::canClose() {
   document_.endTrial();
   for (const SceneState& state : document_.unsavedFiles())
-    if (!mayLose(state)) return false;
+    if (!maybeSave(state)) return false;
   return true;
 }
 
 /// Asks whether the changes of a file are to be saved, and saves them.
-bool DocumentCommands::mayLose(const SceneState& state) {
+bool DocumentCommands::maybeSave(const SceneState& state) {
   const bool isPresent = state.origin.file == document_.file();
   const QString file = QFileInfo(state.origin.file).absoluteFilePath();
   QString name = sceneText(state.scene.title);
@@ -286,7 +286,7 @@ void addRecentFile(const QString& file) {
   QStringList files = recentFiles();
   files.removeAll(path);
   files.prepend(path);
-  QSettings().setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
+  QSettings().setValue(kRecentFiles, files.mid(0, kMaxRecentFiles));
 }
 
 void clearRecentFiles() {

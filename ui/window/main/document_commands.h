@@ -27,7 +27,7 @@ class DocumentCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// `panel`: an invalid entry that is being typed there cannot be saved.
+  /// `panel`: saving fails while an entry typed there is invalid.
   DocumentCommands(SceneDocument& document, const ParameterPanel& panel, MessageBar& messages,
                    QWidget& window);
 
@@ -48,18 +48,18 @@ class DocumentCommands : public QObject {
   /// Asks about each file whose changes would be lost at the end of the program. Returns whether
   /// the window may close: every file is as it was, has just been saved, or the user discards its
   /// changes, which then also are not kept for the next start.
-  bool mayClose();
+  bool canClose();
 
  signals:
   /// Emitted when a requested file has been read, and its scene is shown or not.
   void sceneRead(const QString& file, bool isShown);
 
  private:
-  bool mayShow(const QString& file, const FoundScene& found);
+  bool confirmOpen(const QString& file, const FoundScene& found);
   bool save();
   bool askSave();
   bool write(const QString& file, const Scene& scene);
-  bool mayLose(const SceneState& state);
+  bool maybeSave(const SceneState& state);
   void askOpen();
   void fillRecent();
   void showHistory();
@@ -75,7 +75,7 @@ class DocumentCommands : public QObject {
 
 /// The recent files, the newest first, as absolute paths, kept in the user's settings. Files that
 /// no longer exist are left out.
-inline constexpr int kMostRecentFiles = 8;
+inline constexpr int kMaxRecentFiles = 8;
 QStringList recentFiles();
 void addRecentFile(const QString& file);
 void clearRecentFiles();

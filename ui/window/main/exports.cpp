@@ -69,7 +69,7 @@ void Exports::addTo(Commands& commands) {
          copyText(curveCommand(parts_.document.origin(), parts_.document.scene(), shownCurves()));
        }});
   const auto show = [this, &commands] { showCommands(commands); };
-  connect(&parts_.figures, &FigurePages::switched, this, show);
+  connect(&parts_.figures, &FigurePages::pageChanged, this, show);
   connect(&parts_.figures, &FigurePages::figureShown, this, show);
 }
 
@@ -89,7 +89,7 @@ std::optional<ContactShot> Exports::shot() const {
   const ContactCanvas& canvas = parts_.canvas;
   const std::shared_ptr<const Frame> frame = canvas.viewer().frame();
   if (!frame) return std::nullopt;
-  ContactShot shot{stillOf(*frame), {}};
+  ContactShot shot{stillCopy(*frame), {}};
   shot.options = canvas.viewer().options();
   const QSize size = devicePixels(canvas);
   shot.options.width = size.width();
@@ -99,7 +99,7 @@ std::optional<ContactShot> Exports::shot() const {
   return shot;
 }
 
-/// Draws in the background, so that the window goes on meanwhile.
+/// Draws in the background, so that the window stays responsive.
 void Exports::run(std::function<void()> work, std::function<void()> done) {
   work_.request([work = std::move(work)](const BackgroundWork::Run&) { work(); },
                 [this, done = std::move(done)] {
@@ -116,10 +116,10 @@ void Exports::copyPicture() {
   const std::optional<ContactShot> present = shot();
   if (!present) return;
   const auto image = std::make_shared<QImage>();
-  run([shot = *present, image] { *image = imageOf(shot); },
+  run([shot = *present, image] { *image = renderContact(shot); },
       [this, image] {
         QGuiApplication::clipboard()->setImage(*image);
-        parts_.status.say(tr("The picture is on the clipboard"));
+        parts_.status.showMessage(tr("The picture is on the clipboard"));
         emit exported({});
       });
 }
@@ -136,7 +136,7 @@ void Exports::savePicture(const QString& file) {
   if (!present) return;
   run([shot = *present, file] { writeContact(file.toStdString(), shot); },
       [this, file] {
-        parts_.status.say(tr("Saved %1").arg(QFileInfo(file).fileName()));
+        parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
         emit exported(file);
       });
 }
@@ -187,7 +187,7 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
   if (kind == ExportKind::Figure && parts_.figures.isShowingFigures())
     dialog->form().setContent(fromUtf8(figureEntry(parts_.figures.gallery().chosen()).word));
   connect(dialog, &ExportDialog::exported, this, [this](const QString& file) {
-    parts_.status.say(tr("Saved %1").arg(QFileInfo(file).fileName()));
+    parts_.status.showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()));
     emit exported(file);
   });
   dialog->open();
@@ -196,7 +196,7 @@ ExportDialog& Exports::openDialog(ExportKind kind) {
 
 void Exports::copyText(const QString& text) {
   QGuiApplication::clipboard()->setText(text);
-  parts_.status.say(tr("On the clipboard: %1").arg(text.section(' ', 0, 2) + " …"));
+  parts_.status.showMessage(tr("On the clipboard: %1").arg(text.section(' ', 0, 2) + " …"));
 }
 
 }  // namespace asperity

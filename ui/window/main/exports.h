@@ -82,7 +82,7 @@ class Exports : public QObject {
   ExportParts parts_;
   const CurveCommands* curves_ = nullptr;
   QString program_;
-  BackgroundWork work_{Overtaking::WaitsForItsTurn};  // last: its thread ends first
+  BackgroundWork work_{RequestPolicy::RunInOrder};  // last: its thread ends first
 };
 
 }  // namespace asperity

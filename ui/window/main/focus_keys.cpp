@@ -20,8 +20,8 @@ bool isSpace(int key) {
   return key == Qt::Key_Space || key == Qt::Key_Select;
 }
 
-/// The keys that go to the ends of a slider or a list. (Pages are turned by a presenter's remote
-/// control, whatever has the focus.)
+/// Returns whether a key goes to an end of a slider or a list. (The page keys do not: a presenter's
+/// remote control sends them to the tour.)
 bool isEnd(int key) {
   return key == Qt::Key_Home || key == Qt::Key_End;
 }
@@ -30,7 +30,7 @@ bool isArrow(int key) {
   return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
 }
 
-/// Whether a control does something itself with a key that is a shortcut of the window.
+/// Returns whether a control handles a key that is also a shortcut of the window.
 bool needs(const QWidget& widget, const QKeyEvent& event) {
   const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
   const int key = event.key();
@@ -51,7 +51,7 @@ bool isReturn(const QKeyEvent& event) {
   return isPlain && (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter);
 }
 
-/// Presses a button that does something, in place of one that says what is chosen.
+/// Clicks a push or tool button, or opens its menu. Returns whether the widget is such a button.
 bool press(QWidget& widget) {
   auto* tool = qobject_cast<QToolButton*>(&widget);
   auto* button = qobject_cast<QPushButton*>(&widget);

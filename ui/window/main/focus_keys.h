@@ -1,7 +1,6 @@
 // Keys that a control with the focus needs, and which are shortcuts of the window elsewhere: the
-// space bar presses a button rather than pausing, Home goes to the end of a slider rather than
-// fitting the picture. Return presses a button, too. GUI thread; belongs to its window. Cannot
-// fail.
+// space bar presses a button and does not pause the run, Home goes to the end of a slider and does
+// not fit the picture. Return presses a button, too. GUI thread; owned by its window. Cannot fail.
 #pragma once
 
 #include <QObject>

@@ -10,22 +10,22 @@
 namespace asperity {
 
 QString guideFile(const QString& programFolder) {
-  for (const char* place : {"../share/asperity/guide.html", "../resources/guide/guide.html"}) {
-    const QFileInfo file(QDir(programFolder).filePath(QString::fromLatin1(place)));
+  for (const char* path : {"../share/asperity/guide.html", "../resources/guide/guide.html"}) {
+    const QFileInfo file(QDir(programFolder).filePath(QString::fromLatin1(path)));
     if (file.isFile() && file.isReadable()) return file.canonicalFilePath();
   }
   return {};
 }
 
-QString openGuideOf(const QString& programFolder, const QString& anchor) {
+QString openGuideFile(const QString& programFolder, const QString& anchor) {
   const QString file = guideFile(programFolder);
   if (file.isEmpty())
     return MessageBar::tr(
         "The guide is not here: it is built with the program where pandoc is installed. Its pages "
         "can be read in the folder resources/guide of the sources.");
-  QUrl place = QUrl::fromLocalFile(file);
-  if (!anchor.isEmpty()) place.setFragment(anchor);
-  if (!QDesktopServices::openUrl(place))
+  QUrl path = QUrl::fromLocalFile(file);
+  if (!anchor.isEmpty()) path.setFragment(anchor);
+  if (!QDesktopServices::openUrl(path))
     return MessageBar::tr("No browser opens the guide; it is the file %1.")
         .arg(QDir::toNativeSeparators(file));
   return {};

@@ -6,11 +6,11 @@
 
 namespace asperity {
 
-/// Returns the guide of the program that lies in this folder; empty where there is none.
+/// Returns the guide of the program in this folder; empty where there is none.
 QString guideFile(const QString& programFolder);
 
-/// Opens that guide at a place ("eq-11"), or at its beginning. Returns a sentence why not; empty
-/// where it opens.
-QString openGuideOf(const QString& programFolder, const QString& anchor = {});
+/// Opens the guide at an anchor ("eq-11"), or at its beginning. Returns the error message; empty on
+/// success.
+QString openGuideFile(const QString& programFolder, const QString& anchor = {});
 
 }  // namespace asperity

@@ -27,7 +27,7 @@ struct LastSessionText {
 
 const QString kGroup = QStringLiteral("lastSession");
 
-/// Returns where the scene came from, read again; an unknown origin where it is gone.
+/// Reads the origin of the scene again; returns an unknown origin where it no longer exists.
 SceneOrigin originFrom(const QString& shipped, const QString& file) {
   const std::vector<LibraryScene>& library = libraryScenes();
   if (const auto found = std::ranges::find(library, shipped, &LibraryScene::name);
@@ -38,7 +38,7 @@ SceneOrigin originFrom(const QString& shipped, const QString& file) {
   return {};
 }
 
-/// Throws InputError where a file is gone that the scene reads only when it runs.
+/// Throws InputError where a file is missing that the scene reads only when it runs.
 void checkFiles(const Scene& scene) {
   if (!hasSurfaceFile(scene.surface)) return;
   const std::filesystem::path file = scene.folder / scene.surface.file;
@@ -105,8 +105,8 @@ LastSession restoreLastSession(MainWindow& window, bool hasScene) {
       restoreView(window.canvas(), settings);
     } catch (const std::exception& error) {
       answer = LastSession::Broken;
-      window.status().say(LastSessionText::tr("The scene of last time cannot be shown: %1")
-                              .arg(translatedError(error)));
+      window.status().showMessage(LastSessionText::tr("The scene of last time cannot be shown: %1")
+                                      .arg(translatedError(error)));
     }
   }
   window.tabs().bringToFront(settings.value("tab").toString());

@@ -1,7 +1,7 @@
-// What the window showed when it was closed, kept in the user's settings until the next start: the
+// The state of the window when it was closed, kept in the user's settings until the next start: the
 // scene with its changes and where it came from, the front tab, the zoomed part of the contact and
 // its colours. (Size, docks and theme are kept by window_layout.h.) GUI thread. Failure: a scene
-// that cannot be read again is left out, with a sentence that says why.
+// that cannot be read again is left out, and the status line shows the reason.
 #pragma once
 
 namespace asperity {
@@ -12,15 +12,15 @@ class MainWindow;
 /// were discarded by the user, so they are not kept.
 void saveLastSession(MainWindow& window);
 
-/// What restoreLastSession() found.
+/// The result of restoreLastSession().
 enum class LastSession {
   None,      // a first start
   Restored,  // the scene, or only the tab
-  Broken     // the scene cannot be read; the status line says why
+  Broken     // the scene cannot be read; the status line shows the reason
 };
 
-/// Shows the scene of the last session, its part of the contact and its tab. hasScene: the window
-/// has a scene that was asked for, so only the tab is restored.
+/// Shows the scene of the last session, its part of the contact and its tab. hasScene: the command
+/// line or a file gave the window its scene, so only the tab is restored.
 LastSession restoreLastSession(MainWindow& window, bool hasScene);
 
 }  // namespace asperity

@@ -63,8 +63,8 @@ namespace asperity {
 namespace {
 
 constexpr int kPollInterval = 16;  // ms, 60 times a second
-constexpr int kRestingPoll = 100;  // ms, while time stands still and nothing is computed
-constexpr int kUnseenPoll = 250;   // ms, while nobody sees the frames
+constexpr int kIdlePoll = 100;     // ms, while the run is paused and nothing is computed
+constexpr int kHiddenPoll = 250;   // ms, while the window is hidden
 
 /// Updates the texts of Qt's own buttons of a dock, which its title covers; they keep their first
 /// language.
@@ -141,7 +141,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   new FocusKeys(*this);
   appearance_->setColours(Colours::System);
   showScene(scene);
-  setMinimumSize(kLeastWindow);
+  setMinimumSize(kMinWindowSize);
   resize(1280, 800);
   windowLayout_->keepAsDefault();
 
@@ -149,11 +149,11 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
   poll_->setTimerType(Qt::PreciseTimer);
   connect(poll_, &QTimer::timeout, this, [this] {
     session_->poll();
-    choosePoll();
+    updatePollInterval();
   });
-  connect(session_, &Session::stirred, this, &MainWindow::choosePoll);
+  connect(session_, &Session::commandSent, this, &MainWindow::updatePollInterval);
   visibility_ = new WindowVisibility(*this);
-  connect(visibility_, &WindowVisibility::changed, this, &MainWindow::followVisibility);
+  connect(visibility_, &WindowVisibility::changed, this, &MainWindow::updateVisibility);
   session_->begin();
   poll_->start(kPollInterval);
 }
@@ -198,7 +198,7 @@ void MainWindow::buildViews() {
   setCentralWidget(inColumn({messages_, hint_, tourBar_, figures_}));
 
   status_ = new StatusLine;
-  status_->follow(*session_, *canvas_);
+  status_->monitor(*session_, *canvas_);
   statusBar()->addWidget(status_, 1);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
@@ -235,7 +235,7 @@ void MainWindow::buildCommands() {
                   Symbol::Reset});
   commands_->add({"describe",
                   [] { return tr("Describe the contact in words"); },
-                  [this] { ContactWords::speak(*session_, *canvas_, *this); },
+                  [this] { ContactWords::showFor(*session_, *canvas_, *this); },
                   {Qt::CTRL | Qt::Key_D}});
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
@@ -244,7 +244,7 @@ void MainWindow::buildCommands() {
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
-  connect(imports_, &ImportCommands::taken, figures_, &FigurePages::closeFigures);
+  connect(imports_, &ImportCommands::imported, figures_, &FigurePages::closeFigures);
   comparisons_ = new ComparisonCommands(
       {*this, *document_, *appearance_, *tabs_, [this] { return imports_->askFriction(); }});
   comparisons_->addTo(*commands_);
@@ -258,7 +258,7 @@ void MainWindow::buildCommands() {
   tabs_->addTo(*commands_);
   tour_ = new Tour(*document_, *tourBar_, *hint_, *this);
   tour_->addTo(*commands_);
-  connect(tour_, &Tour::controlWanted, panel_, &ParameterPanel::reveal);
+  connect(tour_, &Tour::controlRequested, panel_, &ParameterPanel::reveal);
   lessons_ = new Lessons(
       {*this, *document_, *session_, *panel_, *dock_, *tabs_, *messages_, *appearance_});
   lessons_->addTo(*commands_);
@@ -277,34 +277,35 @@ void MainWindow::buildCommands() {
   new AxisChoosers(*session_, tabs_->plot(), *curveCommands_);
 }
 
-// ---- Connections: whatever changes the scene changes the document, which informs all parts
+// ---- Connections: every change of the scene is a change of the document, which informs all parts
 
 void MainWindow::connectScene() {
   connect(panel_, &ParameterPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
-  connect(panel_, &ParameterPanel::guideWanted, this, &MainWindow::openGuide);
-  connect(canvas_, &ContactCanvas::guideWanted, this, &MainWindow::openGuide);
+  connect(panel_, &ParameterPanel::guideRequested, this, &MainWindow::openGuide);
+  connect(canvas_, &ContactCanvas::guideRequested, this, &MainWindow::openGuide);
   connect(&tabs_->accuracy(), &AccuracyPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(&tabs_->map(), &MapPanel::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
   connect(canvas_, &ContactCanvas::sceneEdited, this,
           [this](const Scene& scene) { document_->edit(scene); });
-  connect(figures_, &FigurePages::sceneWanted, this,
+  connect(figures_, &FigurePages::sceneRequested, this,
           [this](const Scene& scene) { document_->open(scene); });
-  connect(figures_, &FigurePages::shippedWanted, this, &MainWindow::openShipped);
-  connect(figures_, &FigurePages::galleryWanted, this, &MainWindow::openGallery);
+  connect(figures_, &FigurePages::shippedSceneRequested, this, &MainWindow::openShipped);
+  connect(figures_, &FigurePages::galleryRequested, this, &MainWindow::openGallery);
   connect(document_, &SceneDocument::opening, messages_, &MessageBar::forget);
   connect(document_, &SceneDocument::sceneChanged, this,
           [this](const Scene& scene, SceneChange change) {
             const bool isOpened = change == SceneChange::Opened;
             if (isOpened) described_.reset();
             if (isOpened) panel_->showNotes({});
-            // Whoever opens a scene wants to see it, and no further choice.
+            // An opened scene is shown at once, so the gallery closes.
             if (isOpened && figures_->isShowingScenes()) figures_->closeFigures();
             // A scene that comes from the panel must not replace what is being typed there.
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
-            session_->setScene(scene, isOpened ? Session::Begin::Opened : Session::Begin::GoesOn);
+            session_->setScene(scene,
+                               isOpened ? Session::Begin::Restart : Session::Begin::Continue);
             showScene(scene);
           });
   connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
@@ -354,12 +355,12 @@ void MainWindow::showTitle() {
   setWindowModified(document_->isChanged());
 }
 
-// ---- News from the session
+// ---- Signals of the session
 
 void MainWindow::connectFrames() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
-  connect(session_, &Session::complained, messages_, &MessageBar::complain);
-  connect(messages_, &MessageBar::complained, panel_, &ParameterPanel::showError);
+  connect(session_, &Session::errorOccurred, messages_, &MessageBar::showSceneError);
+  connect(messages_, &MessageBar::sceneErrorShown, panel_, &ParameterPanel::showError);
   connect(session_, &Session::sceneRuns, messages_, &MessageBar::sceneRuns);
   connect(session_, &Session::sceneRuns, panel_, &ParameterPanel::clearErrors);
   connect(session_, &Session::playingChanged, this, [this](bool playing) {
@@ -374,29 +375,29 @@ void MainWindow::connectFrames() {
   keepTranslated(*canvas_, showVeil);
   connect(session_, &Session::waitingChanged, this, showVeil);
   connect(canvas_, &ContactCanvas::failed, messages_, &MessageBar::showMessage);
-  connect(canvas_, &ContactCanvas::fieldsWanted, this, &MainWindow::wantFields);
-  connect(tabs_, &SceneTabs::fieldsWanted, this, &MainWindow::wantFields);
+  connect(canvas_, &ContactCanvas::fieldsChanged, this, &MainWindow::requestFields);
+  connect(tabs_, &SceneTabs::fieldsChanged, this, &MainWindow::requestFields);
   connect(appearance_, &Appearance::themeChanged, this, [this](const Theme& theme) {
     canvas_->setTheme(theme);
     tabs_->setTheme(theme);
     figures_->setTheme(theme);
   });
-  connect(figures_, &FigurePages::switched, this, [this](bool areShown) {
+  connect(figures_, &FigurePages::pageChanged, this, [this](bool areShown) {
     // The space bar presses the buttons of the page of figures; it does not pause the run behind
     // it.
     for (QAction* action : commands_->get({"play", "step", "stepFinely", "reset", "describe"}))
       action->setEnabled(!areShown);
-    followVisibility();
+    updateVisibility();
     if (areShown) return;
     if (session_->frame()) canvas_->setFrame(session_->frame());
     canvas_->setFocus();
   });
-  connect(status_, &StatusLine::stopWanted, session_, &Session::stopCurve);
-  connect(status_, &StatusLine::againWanted, this, [this] {
+  connect(status_, &StatusLine::stopRequested, session_, &Session::stopCurve);
+  connect(status_, &StatusLine::restartRequested, this, [this] {
     tabs_->beginCurve();
     session_->startCurve();
   });
-  connect(status_, &StatusLine::backWanted, this, [this] { document_->history().undo(); });
+  connect(status_, &StatusLine::backRequested, this, [this] { document_->history().undo(); });
 }
 
 void MainWindow::showFrame() {
@@ -412,8 +413,8 @@ void MainWindow::showFrame() {
 }
 
 /// Shows at the parameters how far the present result holds. Until the curve of a changed scene is
-/// complete, the warnings of before stay, so that rows do not move back and forth while it is
-/// computed.
+/// complete, the previous warnings stay, so that rows do not move back and forth during the
+/// computation.
 void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
   const CurveUpdate* curve = session_->curve();
   if (!curve || !haveSameCurve(*frame.scene, *curve->scene)) return;
@@ -423,24 +424,25 @@ void MainWindow::showWarnings(const Frame& frame, NoteSet notes) {
 }
 
 /// Pauses the moving picture while the window is hidden; curves are still computed.
-void MainWindow::followVisibility() {
-  choosePoll();
-  session_->setSeen(visibility_->isSeen() && figures_->isShowingViews());
+void MainWindow::updateVisibility() {
+  updatePollInterval();
+  session_->setVisible(visibility_->isVisible() && figures_->isShowingViews());
 }
 
-/// Asks for news as often as there may be some: a window at rest costs next to nothing.
-void MainWindow::choosePoll() {
+/// Sets the interval of the timer: an idle window polls rarely, so that it takes almost no
+/// processor time.
+void MainWindow::updatePollInterval() {
   if (!poll_) return;
-  const bool isSeen = !visibility_ || visibility_->isSeen();
-  const int interval = !isSeen ? kUnseenPoll : session_->isResting() ? kRestingPoll : kPollInterval;
+  const bool isVisible = !visibility_ || visibility_->isVisible();
+  const int interval = !isVisible ? kHiddenPoll : session_->isIdle() ? kIdlePoll : kPollInterval;
   if (poll_->interval() != interval) poll_->setInterval(interval);
 }
 
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
-  connect(timeBar_, &TimeBar::momentWanted, session_, &Session::seek);
-  connect(&tabs_->motion(), &MotionView::momentWanted, session_, &Session::seek);
-  // A drag of the moment stops the time, which goes on afterwards if it did before.
+  connect(timeBar_, &TimeBar::seekRequested, session_, &Session::seek);
+  connect(&tabs_->motion(), &MotionView::seekRequested, session_, &Session::seek);
+  // Dragging the slider of time pauses the run, which resumes afterwards if it was playing.
   connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
     if (isOn) wasPlaying_ = session_->isPlaying();
     if (isOn && wasPlaying_) session_->setPlaying(false);
@@ -449,11 +451,11 @@ void MainWindow::connectTime() {
 }
 
 /// Requests only the optional values that the contact shows and the statistics count.
-void MainWindow::wantFields() {
-  session_->wantFields(canvas_->fields() | tabs_->fields());
+void MainWindow::requestFields() {
+  session_->requestFields(canvas_->fields() | tabs_->fields());
 }
 
-/// Moves the line by a part of the view that is seen well, or by a pixel or two.
+/// Moves the line by a clearly visible part of the view, or by a pixel or two.
 void MainWindow::step(bool finely) {
   const double ofView = finely ? 1.0 / 800 : 1.0 / 50;
   const Frame* frame = canvas_->frame();
@@ -466,14 +468,14 @@ void MainWindow::step(bool finely) {
 
 void MainWindow::connectCurve() {
   connect(curveCommands_, &CurveCommands::exported, this, [this](const QString& file) {
-    status_->say(file.isEmpty() ? tr("The curve's picture is on the clipboard")
-                                : tr("Saved %1").arg(QFileInfo(file).fileName()));
+    status_->showMessage(file.isEmpty() ? tr("The curve's picture is on the clipboard")
+                                        : tr("Saved %1").arg(QFileInfo(file).fileName()));
     emit exports_->exported(file);
   });
   connect(tabs_, &SceneTabs::saved, this, [this](const QString& file) {
     messages_->end(MessageBar::Failure::Export);
-    status_->say(file.isEmpty() ? tr("The picture is on the clipboard")
-                                : tr("Saved %1").arg(QFileInfo(file).fileName()));
+    status_->showMessage(file.isEmpty() ? tr("The picture is on the clipboard")
+                                        : tr("Saved %1").arg(QFileInfo(file).fileName()));
   });
   connect(tabs_, &SceneTabs::failed, this, [this](const QString& reason) {
     messages_->showFailure(MessageBar::Failure::Export, reason);
@@ -487,7 +489,7 @@ void MainWindow::connectCurve() {
   connect(curveCommands_, &CurveCommands::axisChosen, this, [this](const Scene& scene) {
     document_->edit(scene, QT_TRANSLATE_NOOP("asperity::SceneDocument", "Axis of the curve"));
   });
-  connect(curveCommands_, &CurveCommands::guideWanted, this, &MainWindow::openGuide);
+  connect(curveCommands_, &CurveCommands::guideRequested, this, &MainWindow::openGuide);
   connect(curveCommands_, &CurveCommands::failed, this, [this](const QString& reason) {
     messages_->showFailure(MessageBar::Failure::Comparison, reason);
   });
@@ -535,7 +537,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!documents_->mayClose()) return event->ignore();
+  if (!documents_->canClose()) return event->ignore();
   lessons_->end();
   if (windowLayout_->remembers()) saveLastSession(*this);
   windowLayout_->save();

@@ -1,9 +1,8 @@
 // The main window: contact view above, friction diagram below it, parameters at the right, bars for
-// commands and readings; or, in place of the views, the page of the
-// paper's figures or the gallery of scenes. It makes the
-// parts, each of which has its own header, and connects them: the document holds the scene, the
-// session runs it, and everything shown about a state comes from the session's frame. GUI thread.
-// Failure: messages appear in a bar over the views and the window stays usable.
+// commands and readings; or, instead of the views, the page of the paper's figures or the gallery
+// of scenes. It makes the parts, each of which has its own header, and connects them: the document
+// holds the scene, the session runs it, and everything shown about a state comes from the session's
+// frame. GUI thread. Failure: messages appear in a bar over the views and the window stays usable.
 #pragma once
 
 #include <QMainWindow>
@@ -58,8 +57,7 @@ class MainWindow : public QMainWindow {
   Session& session() { return *session_; }         // the running scene
   ParameterPanel& panel() { return *panel_; }
   ContactCanvas& canvas() { return *canvas_; }
-  TimeBar& timeBar() { return *timeBar_; }  // under the contact
-  SceneTabs& tabs() { return *tabs_; }      // under the bar
+  SceneTabs& tabs() { return *tabs_; }  // under the contact
   ChartView& plotView();
   CurveCommands& curveCommands() { return *curveCommands_; }
   ComparisonCommands& comparisons() { return *comparisons_; }  // theories, measured friction, fits
@@ -73,7 +71,7 @@ class MainWindow : public QMainWindow {
   Appearance& appearance() { return *appearance_; }
   WindowLayout& windowLayout() { return *windowLayout_; }
 
-  /// Shows the gallery of scenes in place of the views.
+  /// Shows the gallery of scenes instead of the views.
   void openGallery();
   /// Opens the shipped scene of this name; an unknown name changes nothing.
   void openShipped(const QString& name);
@@ -83,8 +81,8 @@ class MainWindow : public QMainWindow {
   void setLanguage(std::string_view code);
 
  protected:
-  /// A scene, a picture or table made from one, a measured surface or a material is opened when it
-  /// is dropped on the window.
+  /// These handlers open a dropped file: a scene, a picture or table made from one, a measured
+  /// surface or a material.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
@@ -105,9 +103,9 @@ class MainWindow : public QMainWindow {
   void showAbout();
 
   void connectTime();
-  void followVisibility();
-  void choosePoll();
-  void wantFields();
+  void updateVisibility();
+  void updatePollInterval();
+  void requestFields();
   void showScene(const Scene& scene);
   void showDescription();
   void showTitle();

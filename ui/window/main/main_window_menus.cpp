@@ -172,7 +172,7 @@ void MainWindow::buildToolBar(QMenu& scenesMenu) {
   scenes->setPopupMode(QToolButton::InstantPopup);
   scenes->setMenu(&scenesMenu);
   connect(appearance_, &Appearance::themeChanged, scenes, [scenes](const Theme& theme) {
-    scenes->setIcon(symbolIcon(Symbol::Scenes, paletteOf(theme).color(QPalette::WindowText)));
+    scenes->setIcon(symbolIcon(Symbol::Scenes, themePalette(theme).color(QPalette::WindowText)));
   });
   bar->addWidget(scenes);
   bar->addActions(commands_->get({"figures", "open", "save"}));
@@ -209,7 +209,7 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::openGuide(const QString& anchor) {
-  const QString reason = openGuideOf(QCoreApplication::applicationDirPath(), anchor);
+  const QString reason = openGuideFile(QCoreApplication::applicationDirPath(), anchor);
   if (reason.isEmpty())
     messages_->end(MessageBar::Failure::Files);
   else

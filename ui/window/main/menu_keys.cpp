@@ -27,14 +27,14 @@ QString withoutMarks(QString text) {
   return text.replace(QStringLiteral("&&"), kAnd).remove(u'&');
 }
 
-/// Whether keyboards have the letter or digit, unlike that of a symbol such as "λᵣ".
+/// Returns whether keyboards have the letter or digit, unlike that of a symbol such as "λᵣ".
 bool isTyped(QChar letter) {
   constexpr char16_t kAfterLatin = 0x250;
   return letter.isLetterOrNumber() && letter.unicode() < kAfterLatin;
 }
 
 /// Returns the positions of letters and digits, those at the beginning of a word first.
-std::vector<qsizetype> placesIn(const QString& text) {
+std::vector<qsizetype> letterPositions(const QString& text) {
   std::vector<qsizetype> first, others;
   for (qsizetype i = 0; i < text.size(); ++i)
     if (isTyped(text[i])) (i == 0 || text[i - 1].isSpace() ? first : others).push_back(i);
@@ -53,28 +53,28 @@ class Letters {
     take(entry, asked);
   }
 
-  qsizetype placeOf(int entry) const {
-    for (const qsizetype place : placesIn(texts_[entry]))
-      if (owners_.value(letter(entry, place), -1) == entry) return place;
+  qsizetype positionOf(int entry) const {
+    for (const qsizetype position : letterPositions(texts_[entry]))
+      if (owners_.value(letter(entry, position), -1) == entry) return position;
     return -1;
   }
 
  private:
-  QChar letter(int entry, qsizetype place) const { return texts_[entry][place].toLower(); }
+  QChar letter(int entry, qsizetype position) const { return texts_[entry][position].toLower(); }
 
   bool take(int entry, QSet<QChar>& asked) {
-    const std::vector<qsizetype> places = placesIn(texts_[entry]);
-    for (const qsizetype place : places) {
-      if (owners_.contains(letter(entry, place))) continue;
-      owners_[letter(entry, place)] = entry;
+    const std::vector<qsizetype> positions = letterPositions(texts_[entry]);
+    for (const qsizetype position : positions) {
+      if (owners_.contains(letter(entry, position))) continue;
+      owners_[letter(entry, position)] = entry;
       return true;
     }
-    for (const qsizetype place : places) {
-      const QChar wanted = letter(entry, place);
-      if (asked.contains(wanted)) continue;
-      asked += wanted;
-      if (!take(owners_[wanted], asked)) continue;
-      owners_[wanted] = entry;
+    for (const qsizetype position : positions) {
+      const QChar requested = letter(entry, position);
+      if (asked.contains(requested)) continue;
+      asked += requested;
+      if (!take(owners_[requested], asked)) continue;
+      owners_[requested] = entry;
       return true;
     }
     return false;
@@ -91,10 +91,10 @@ QStringList withMnemonics(const QStringList& texts) {
   for (const QString& text : texts) marked += withoutMarks(text);
   Letters letters(marked);
   for (int i = 0; i < marked.size(); ++i) letters.give(i);
-  QList<qsizetype> places;
-  for (int i = 0; i < marked.size(); ++i) places += letters.placeOf(i);
+  QList<qsizetype> positions;
+  for (int i = 0; i < marked.size(); ++i) positions += letters.positionOf(i);
   for (int i = 0; i < marked.size(); ++i) {
-    if (places[i] >= 0) marked[i].insert(places[i], u'&');
+    if (positions[i] >= 0) marked[i].insert(positions[i], u'&');
     marked[i].replace(kAnd, QStringLiteral("&&"));
   }
   return marked;
@@ -118,9 +118,9 @@ void keepMnemonics(QMenu& menu) {
 
 namespace {
 
-constexpr int kAround = 40;             // pixels around the groups, including a scroll bar
-constexpr double kLeastLetters = 0.72;  // smallest factor of the usual size
-constexpr double kSmaller = 0.97;       // factor of one step
+constexpr int kAround = 40;           // pixels around the groups, including a scroll bar
+constexpr double kMinLetters = 0.72;  // smallest factor of the usual size
+constexpr double kSmaller = 0.97;     // factor of one step
 
 QString plain(QString text) {
   return text.remove('&').remove(u'…');
@@ -274,13 +274,13 @@ QSize ShortcutSheet::neededSize() const {
 }
 
 /// Makes the list as large as needed, once fonts and style are those of the screen, and its letters
-/// smaller where the window, within which its frame stays, is too small.
+/// smaller where the list would be larger than the window.
 void ShortcutSheet::showEvent(QShowEvent* event) {
-  const QSize most = parentWidget() ? parentWidget()->size() - kFrameRoom : neededSize();
+  const QSize most = parentWidget() ? parentWidget()->size() - kWindowFrame : neededSize();
   const auto isTooLarge = [&](const QSize& size) {
     return size.width() > most.width() || size.height() > most.height();
   };
-  for (double part = 1; isTooLarge(neededSize()) && part > kLeastLetters; part *= kSmaller)
+  for (double part = 1; isTooLarge(neededSize()) && part > kMinLetters; part *= kSmaller)
     for (QLabel* label : content_->findChildren<QLabel*>()) {
       QFont font = label->font();  // with a style sheet it differs from the list's font
       font.setPointSizeF(kSmaller * font.pointSizeF());

@@ -21,7 +21,7 @@ namespace asperity {
 /// a word where possible. Earlier marks are removed, "&&" stays.
 QStringList withMnemonics(const QStringList& texts);
 
-/// Gives the visible entries their letters each time the menu opens.
+/// Assigns letters to the visible entries each time the menu opens.
 void keepMnemonics(QMenu& menu);
 
 struct ShortcutGroup {

@@ -48,7 +48,7 @@ void MessageBar::showTexts() {
     showText(offer_());
     accept_->setText(offerButton_());
   }
-  if (complaint_ && !isHidden() && failure_ == Failure::Scene) showComplaint();
+  if (sceneError_ && !isHidden() && failure_ == Failure::Scene) updateSceneError();
 }
 
 void MessageBar::showOffer(Text text, Text button) {
@@ -60,29 +60,29 @@ void MessageBar::showOffer(Text text, Text button) {
   show();
 }
 
-void MessageBar::complain(const QString& key, const Message& english) {
-  complaint_ = {key, english};
-  showComplaint();
+void MessageBar::showSceneError(const QString& key, const Message& english) {
+  sceneError_ = {key, english};
+  updateSceneError();
 }
 
-void MessageBar::showComplaint() {
-  const auto& [key, english] = *complaint_;
+void MessageBar::updateSceneError() {
+  const auto& [key, english] = *sceneError_;
   const QString text = withLabels(translatedText(english));
   const Parameter* parameter = findParameter(key.section('[', 0, 0).toStdString());
-  QString subject = parameter ? ParameterRow::labelOf(*parameter) : key;
+  QString subject = parameter ? ParameterRow::labelText(*parameter) : key;
   if (const QString row = key.section('[', 1).section(']', 0, 0); parameter && !row.isEmpty())
     subject = tr("%1, row %2").arg(subject).arg(row.toInt() + 1);
   showFailure(Failure::Scene, subject.isEmpty() ? text : subject + ": " + text);
-  emit complained(key, text);
+  emit sceneErrorShown(key, text);
 }
 
 void MessageBar::sceneRuns() {
-  complaint_.reset();
+  sceneError_.reset();
   end(Failure::Scene);
 }
 
 void MessageBar::forget() {
-  complaint_.reset();
+  sceneError_.reset();
   hide();
 }
 
@@ -94,7 +94,7 @@ void MessageBar::showFailure(Failure of, const QString& text) {
 bool MessageBar::end(Failure of) {
   if (isHidden() || failure_ != of) return false;
   hide();
-  if (complaint_) showComplaint();
+  if (sceneError_) updateSceneError();
   return true;
 }
 

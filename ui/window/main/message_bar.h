@@ -1,6 +1,6 @@
-// A line over the views for errors. It is not modal, and closes by its button or when the error is
-// over. A message about the scene returns when another message that covered it leaves. GUI thread;
-// belongs to its parent.
+// A bar over the views for error messages. It is not modal, and closes by its button or when the
+// error is over. A message about the scene reappears when another message that replaced it is
+// removed. GUI thread; owned by its parent.
 #pragma once
 
 #include <QFrame>
@@ -24,15 +24,15 @@ class MessageBar : public QFrame {
 
   void showMessage(const QString& text);
 
-  /// Sources of errors. A message leaves with end(), once its source succeeds again; end() returns
+  /// The sources of errors. end() removes a message once its source succeeds again; end() returns
   /// whether the message was visible.
   enum class Failure { None, Scene, Files, Export, Comparison };
   void showFailure(Failure of, const QString& text);
   bool end(Failure of);
 
-  /// Shows what is wrong with the scene, until sceneRuns(): a key, which may be empty, and core's
-  /// English message.
-  void complain(const QString& key, const Message& english);
+  /// Shows an error of the scene until sceneRuns(): a key, which may be empty, and core's English
+  /// message.
+  void showSceneError(const QString& key, const Message& english);
   void sceneRuns();
   /// Hides every message, because another scene was opened.
   void forget();
@@ -47,10 +47,10 @@ class MessageBar : public QFrame {
   void accepted();
   void closed();  // by its button
   /// Emitted with the translated message about the scene when it appears or changes.
-  void complained(const QString& key, const QString& text);
+  void sceneErrorShown(const QString& key, const QString& text);
 
  private:
-  void showComplaint();
+  void updateSceneError();
   void showTexts();
   void showText(const QString& text);
 
@@ -60,7 +60,7 @@ class MessageBar : public QFrame {
   QString text_;
   Text offer_, offerButton_;
   Failure failure_ = Failure::None;
-  std::optional<std::pair<QString, Message>> complaint_;  // key and text
+  std::optional<std::pair<QString, Message>> sceneError_;  // key and text
 };
 
 }  // namespace asperity

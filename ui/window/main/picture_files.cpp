@@ -34,13 +34,13 @@ QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
-std::shared_ptr<const Frame> stillOf(const Frame& frame) {
+std::shared_ptr<const Frame> stillCopy(const Frame& frame) {
   const auto still = std::make_shared<Frame>(frame);
   still->timeScale = 0;
   return still;
 }
 
-QImage imageOf(const ContactShot& shot) {
+QImage renderContact(const ContactShot& shot) {
   return renderImage(contextOfThread(), composeContact(*shot.frame, shot.options));
 }
 

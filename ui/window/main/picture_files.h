@@ -32,9 +32,9 @@ struct ContactShot {
 
 /// Returns the frame without the texts of a moving picture: the slow motion, and in steady sliding
 /// the readings of the last steps.
-std::shared_ptr<const Frame> stillOf(const Frame& frame);
+std::shared_ptr<const Frame> stillCopy(const Frame& frame);
 
-QImage imageOf(const ContactShot& shot);
+QImage renderContact(const ContactShot& shot);
 
 /// Writes PNG, SVG or PDF, by the extension. Throws InputError for any other one, and as
 /// writeFileAtomically.

@@ -106,15 +106,15 @@ void prepareApplication(QApplication& application) {
 
 int runWindow(QApplication& application, const std::optional<Scene>& scene, RunnerOptions options,
               const WindowStart& start) {
-  if (start.timing) sayTime("connected to the display");
+  if (start.timing) printTime("connected to the display");
   prepareApplication(application);
   useLanguage(start.language.empty() ? windowLanguage() : start.language);
   const SceneState first = scene ? stateOf(*scene, start.file) : firstScene();
   auto window = std::make_unique<MainWindow>(first.scene, options);
   window->document().begin(first);
   window->windowLayout().remember();
-  const bool isWanted = scene.has_value() || start.found;
-  if (restoreLastSession(*window, isWanted) == LastSession::None && !isWanted)
+  const bool isRequested = scene.has_value() || start.found;
+  if (restoreLastSession(*window, isRequested) == LastSession::None && !isRequested)
     window->openGallery();
   window->tour().offer();
   if (start.timing) new StartTimes(*window);
@@ -169,7 +169,7 @@ double secondsSinceStart() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) - start;
 }
 
-void sayTime(const char* name) {
+void printTime(const char* name) {
   timespec busy{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &busy);
   std::fprintf(stderr, "%s after %.3f s, %.3f s of them computing\n", name, secondsSinceStart(),
@@ -177,16 +177,16 @@ void sayTime(const char* name) {
 }
 
 StartTimes::StartTimes(MainWindow& window) : QObject(&window) {
-  sayTime("window made");
+  printTime("window made");
   window.installEventFilter(this);
   connect(&window.canvas(), &ContactCanvas::painted, this, [this, &window] {
-    sayTime("first picture of the contact");
+    printTime("first picture of the contact");
     disconnect(&window.canvas(), nullptr, this, nullptr);
   });
   connect(&window.session(), &Session::plotChanged, this, [this, &window] {
     const CurveUpdate* curve = window.session().curve();
     if (!curve) return;
-    sayTime("first curve");
+    printTime("first curve");
     disconnect(&window.session(), nullptr, this, nullptr);
   });
 }
@@ -196,7 +196,7 @@ bool StartTimes::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Paint) {
     watched->removeEventFilter(this);
     QMetaObject::invokeMethod(
-        this, [] { sayTime("window on the screen"); }, Qt::QueuedConnection);
+        this, [] { printTime("window on the screen"); }, Qt::QueuedConnection);
   }
   return QObject::eventFilter(watched, event);
 }

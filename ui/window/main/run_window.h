@@ -1,4 +1,5 @@
 // The window as a program: fonts, style, language, one MainWindow, the event loop, and a quick end.
+// Main thread.
 #pragma once
 
 #include <QObject>
@@ -25,7 +26,7 @@ struct FoundScene;
 void prepareApplication(QApplication& application);
 
 /// Returns the code of the window's language: the one that was chosen and is remembered between
-/// runs; else the first available one of the desktop's; else English. Call it after
+/// runs; otherwise the first available one of the desktop's; otherwise English. Call it after
 /// prepareApplication.
 std::string_view windowLanguage();
 /// Returns the chosen language; empty where none was chosen. Choosing an empty code follows the
@@ -75,7 +76,7 @@ double secondsSinceStart();
 
 /// Prints "NAME after 0.312 s, 0.210 s of them computing": the processor time of this thread
 /// distinguishes a slow start from a busy machine.
-void sayTime(const char* name);
+void printTime(const char* name);
 
 /// Watches the window until all times have been printed. Owned by the window.
 class StartTimes : public QObject {

@@ -19,7 +19,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kMostSteps = 500;
+constexpr int kMaxSteps = 500;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ class GestureCounter : public QObject {
   bool isTurning_ = false;  // the wheel
 };
 
-/// A step of the history, from one scene to the next.
+/// A command of the undo history, from one scene to the next.
 class SceneStep : public QUndoCommand {
  public:
   SceneStep(SceneDocument& document, SceneState after, SceneChange change, std::uint64_t gesture,
@@ -139,7 +139,7 @@ SceneDocument::SceneDocument(const Scene& scene, QObject* parent)
     : QObject(parent), scene_(scene), gestures_(new GestureCounter(this)) {
   origin_.scene = scene;
   for (QUndoStack* history : {&history_, &trialHistory_}) {
-    history->setUndoLimit(kMostSteps);
+    history->setUndoLimit(kMaxSteps);
     connect(history, &QUndoStack::indexChanged, this, &SceneDocument::historyChanged);
   }
   keepTranslated(*this, [this] { nameSteps(); });
@@ -153,12 +153,12 @@ SceneDocument::~SceneDocument() {
 void SceneDocument::open(const SceneOrigin& origin) {
   endTrial();
   const SceneState next{origin, origin.scene};
-  // The same scene again begins anew, but there is nothing to undo.
+  // Opening the same scene again restarts it, but there is nothing to undo.
   const bool isSame = next.scene == scene_ && origin.shipped == origin_.shipped &&
                       origin.file == origin_.file && origin.scene == origin_.scene;
   if (isSame) return goTo(next, SceneChange::Opened);
   if (const SceneState now{origin_, scene_}; now.isUnsavedFile()) left_[origin_.file] = now;
-  left_.erase(origin.file);  // who opens the file again wants it as it is on the disk
+  left_.erase(origin.file);  // the opened state is the one on the disk
   history_.push(new SceneStep(*this, next, SceneChange::Opened, gestures_->present(), nullptr));
 }
 
@@ -189,16 +189,16 @@ void SceneDocument::endTrial() {
 std::vector<SceneState> SceneDocument::unsavedFiles() const {
   std::vector<SceneState> unsaved;
   QStringList named;
-  const auto look = [&](const SceneState& state) {
+  const auto add = [&](const SceneState& state) {
     const QString& file = state.origin.file;
     if (file.isEmpty() || named.contains(file)) return;
     named += file;
     if (state.isUnsavedFile()) unsaved.push_back(state);
   };
-  look(trialBegan_ ? *trialBegan_ : SceneState{origin_, scene_});
+  add(trialBegan_ ? *trialBegan_ : SceneState{origin_, scene_});
   for (int i = history_.index(); i-- > 0;)
-    if (const SceneStep& step = stepAt(history_, i); step.isOpening()) look(step.before());
-  for (const auto& [file, state] : left_) look(state);  // that the history has lost
+    if (const SceneStep& step = stepAt(history_, i); step.isOpening()) add(step.before());
+  for (const auto& [file, state] : left_) add(state);  // that the history has lost
   return unsaved;
 }
 
@@ -254,7 +254,7 @@ QString SceneDocument::name() const {
 
 QString SceneDocument::proposedFile() const {
   if (!origin_.shipped.isEmpty()) return origin_.shipped + QStringLiteral(".json");
-  // Letters lose their accents, and other signs between words become one sign.
+  // Letters lose their accents; other characters between words become one underscore.
   static const QRegularExpression mark(QStringLiteral("\\p{M}"));
   static const QRegularExpression between(QStringLiteral("[^A-Za-z0-9]+"));
   const QString plain = QString::fromStdString(scene_.title)
@@ -291,8 +291,8 @@ QString stepName(const Scene& before, const Scene& after) {
     return std::holds_alternative<ChoiceField>(findParameter(key)->field);
   };
   const auto choice = std::ranges::find_if(keys, isChoice);
-  if (choice != keys.end()) return capitalized(ParameterRow::labelOf(*findParameter(*choice)));
-  if (keys.size() == 1) return capitalized(ParameterRow::labelOf(*findParameter(keys.front())));
+  if (choice != keys.end()) return capitalized(ParameterRow::labelText(*findParameter(*choice)));
+  if (keys.size() == 1) return capitalized(ParameterRow::labelText(*findParameter(keys.front())));
   return SceneDocument::tr("%1 parameters").arg(keys.size());
 }
 

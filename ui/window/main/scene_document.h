@@ -1,10 +1,10 @@
 // The scene as a document: its undo history, its origin, and whether it differs from the scene that
 // was opened or saved last. Every change is a step from one immutable Scene to the next; changes of
 // the same parameters within one gesture (a drag, a key held down) are one step, and so is opening
-// another scene: undo brings back the one before, with its changes and its file. A trial, as in the
-// guided tour or a lesson, has a history of its own and ends where it began. This is the only place
-// that holds the window's scene; everything that shows it follows sceneChanged(). Owned by the main
-// window; GUI thread. Cannot fail.
+// another scene: undo restores the previous one, with its changes and its file. A trial, as in the
+// guided tour or a lesson, has a history of its own, and its end restores the scene before it. This
+// is the only place that holds the window's scene; everything that shows it follows sceneChanged().
+// Owned by the main window; GUI thread. Cannot fail.
 #pragma once
 
 #include <QObject>
@@ -22,7 +22,7 @@ namespace asperity {
 
 class GestureCounter;
 
-/// Where a scene can be read again: a shipped scene by its name, a file by its path, or nowhere.
+/// The source of a scene: a shipped scene with its name, a file with its path, or none.
 struct SceneOrigin {
   QString shipped;  // "figure_1"
   QString file;     // path of a JSON file
@@ -86,7 +86,7 @@ class SceneDocument : public QObject {
   /// out counts.
   std::vector<SceneState> unsavedFiles() const;
 
-  /// Returns the title of the scene, or else the name of its file; may be empty.
+  /// Returns the title of the scene or, without one, the name of its file; may be empty.
   QString name() const;
 
   const Scene& scene() const { return scene_; }
@@ -110,7 +110,7 @@ class SceneDocument : public QObject {
   void opening();
   /// Emitted when a trial ends, before the scene before it returns.
   void trialEnded();
-  /// Emitted when the scene has changed, whatever changed it: a control, undo, a file.
+  /// Emitted when the scene has changed, by a control, undo or a file.
   void sceneChanged(const asperity::Scene& scene, asperity::SceneChange change);
   /// Emitted when origin or history have changed, or their names.
   void historyChanged();

@@ -1,4 +1,5 @@
 // The scenes that are shipped with the program, from resources/scenes through Qt's resource system.
+// They do not change after the first call. Any thread.
 #pragma once
 
 #include <QString>

@@ -34,9 +34,9 @@ namespace asperity {
 namespace {
 
 constexpr int kMotionTab = 1;
-constexpr int kTabAir = 14, kCrowdedTabAir = 7;  // pixels at each side of a title
-constexpr int kSpare = 24;                       // pixels of the bar beside its titles, at least
-constexpr int kOnePlot = 170, kTwoPlots = 300;   // minimum heights, pixels
+constexpr int kTabPadding = 14, kCrowdedTabPadding = 7;  // pixels at each side of a title
+constexpr int kSpare = 24;                      // minimum pixels of the bar beside its titles
+constexpr int kOnePlot = 170, kTwoPlots = 300;  // minimum heights, pixels
 
 /// Returns the root mean square over the points that have such a value; NaN where none has one.
 double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(const CurvePoint&)) {
@@ -52,7 +52,7 @@ double rootMeanSquare(const std::vector<CurvePoint>& points, double (*value)(con
 
 }  // namespace
 
-/// The frequencies that a line excites, which stay while the velocity alone changes. Any thread.
+/// Caches the frequencies that a line excites, which do not depend on the velocity. Any thread.
 class ExcitationOfScene {
  public:
   std::shared_ptr<const Excitation> of(const Scene& scene) {
@@ -113,11 +113,11 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
     action->setCheckable(true);
     action->setChecked(true);
     action->setVisible(i != kMotionTab);
-    connect(action, &QAction::toggled, this, [this, i](bool on) { setWanted(i, on); });
+    connect(action, &QAction::toggled, this, [this, i](bool on) { setTabRequested(i, on); });
     wanted_ += action;
   }
   keepTranslated(*this, [this] { showTexts(); });
-  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::keepRoomForPlots);
+  connect(accuracy_, &AccuracyPanel::comparisonChanged, this, &SceneTabs::updatePlotHeight);
   for (DiagramView* view : {spectrum_, statistics_, material_}) {
     connect(view, &DiagramView::saved, this, &SceneTabs::saved);
     connect(view, &DiagramView::failed, this, &SceneTabs::failed);
@@ -128,7 +128,7 @@ SceneTabs::SceneTabs(Session& session, QWidget* parent)
   connect(map_, &MapPanel::failed, this, &SceneTabs::failed);
   connect(influences_, &InfluencePage::saved, this, &SceneTabs::saved);
   connect(influences_, &InfluencePage::failed, this, &SceneTabs::failed);
-  connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsWanted);
+  connect(statistics_, &DiagramView::visibilityChanged, this, &SceneTabs::fieldsChanged);
   connect(&session_, &Session::plotChanged, this, &SceneTabs::showMeasuredCurve);
 }
 
@@ -156,36 +156,38 @@ void SceneTabs::showTexts() {
 }
 
 /// Returns the width of the visible tabs with these titles.
-int SceneTabs::widthOf(const QStringList& titles, int air) const {
+int SceneTabs::widthOf(const QStringList& titles, int padding) const {
   const QFontMetrics metrics(tabBar()->font());
   int width = 0;
   for (int i = 0; i < count(); ++i)
-    if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * air;
+    if (isTabVisible(i)) width += metrics.horizontalAdvance(titles[i]) + 2 * padding;
   return width;
 }
 
-/// Qt keeps room for the button in the corner, also where it is hidden.
+/// Qt reserves the width of the button in the corner even while it is hidden.
 int SceneTabs::cornerWidth() const {
   return cornerWidget() ? cornerWidget()->sizeHint().width() : 0;
 }
 
-/// Room for all tabs, before which the parameters become narrower.
+/// Returns the size in which all tabs fit; the dock of parameters becomes narrower first.
 QSize SceneTabs::minimumSizeHint() const {
   QSize size = QTabWidget::minimumSizeHint();
   if (!mayScroll_ && !briefTitles_.isEmpty())
     size.setWidth(
-        std::max(size.width(), widthOf(briefTitles_, kCrowdedTabAir) + kSpare + cornerWidth()));
+        std::max(size.width(), widthOf(briefTitles_, kCrowdedTabPadding) + kSpare + cornerWidth()));
   return size;
 }
 
-/// Gives the tabs as much air, and as long titles, as their bar has room for.
+/// Gives the tabs margins and titles that fit into the bar: wide or narrow, long or short.
 void SceneTabs::fitTitles() {
-  const auto needed = [this](const QStringList& titles, int air) { return widthOf(titles, air); };
-  const int room = width() - cornerWidth();
-  const bool isCrowded = needed(titles_, kTabAir) > room;
+  const auto needed = [this](const QStringList& titles, int padding) {
+    return widthOf(titles, padding);
+  };
+  const int available = width() - cornerWidth();
+  const bool isCrowded = needed(titles_, kTabPadding) > available;
   const QStringList& shown =
-      isCrowded && needed(titles_, kCrowdedTabAir) > room ? briefTitles_ : titles_;
-  const bool needsButtons = mayScroll_ && needed(shown, kCrowdedTabAir) > room;
+      isCrowded && needed(titles_, kCrowdedTabPadding) > available ? briefTitles_ : titles_;
+  const bool needsButtons = mayScroll_ && needed(shown, kCrowdedTabPadding) > available;
   if (tabBar()->usesScrollButtons() != needsButtons) {
     tabBar()->setUsesScrollButtons(needsButtons);
     tabBar()->setElideMode(needsButtons ? Qt::ElideNone : Qt::ElideRight);
@@ -194,12 +196,12 @@ void SceneTabs::fitTitles() {
     if (tabText(i) != shown[i]) setTabText(i, shown[i]);
     setTabToolTip(i, titles_[i]);
   }
-  updateGeometry();  // other tabs need another least width
+  updateGeometry();  // the minimum width depends on the visible tabs
   if (tabBar()->property("crowded").toBool() == isCrowded) return;
   tabBar()->setProperty("crowded", isCrowded);  // for the style sheet of the window
   tabBar()->style()->unpolish(tabBar());
   tabBar()->style()->polish(tabBar());
-  // The bar keeps the sizes of its tabs until it is told.
+  // The bar updates the sizes of its tabs only after a StyleChange event.
   QEvent changed(QEvent::StyleChange);
   QCoreApplication::sendEvent(tabBar(), &changed);
 }
@@ -238,14 +240,14 @@ void SceneTabs::addMenu(QMenu& menu) {
   tabs->addActions(wanted_);
 }
 
-/// Two plots need more room than one.
-void SceneTabs::keepRoomForPlots() {
+/// Sets the minimum height of the chart: two plots need more than one.
+void SceneTabs::updatePlotHeight() {
   const bool hasTwo = accuracy_->comparison() || hasMeasuredFriction_;
   plot_->setMinimumHeight(hasTwo ? kTwoPlots : kOnePlot);
 }
 
-void SceneTabs::setWanted(int index, bool isWanted) {
-  setTabVisible(index, isWanted && wanted_.at(index)->isVisible());
+void SceneTabs::setTabRequested(int index, bool isRequested) {
+  setTabVisible(index, isRequested && wanted_.at(index)->isVisible());
   fitTitles();
   const auto isOn = [](const QAction* each) { return each->isVisible() && each->isChecked(); };
   setVisible(std::ranges::any_of(wanted_, isOn));
@@ -286,7 +288,7 @@ void SceneTabs::showScene(const Scene& scene) {
   if (moves && !moved) setCurrentIndex(kMotionTab);
   motion_->showScene(scene);
   hasMeasuredFriction_ = !scene.comparison.data.empty();
-  keepRoomForPlots();
+  updatePlotHeight();
   plan_->showScene(scene);
   spectrum_->show([scene] { return spectrumSheet(scene); },
                   {"spectrum", [scene] { return pictureOrigin("surface", scene); }, {}});

@@ -1,7 +1,7 @@
 // The tabs under the contact: the friction curve, the motion over time (only where the scene has
 // one), the spectrum of the line, statistics of the contact, where the rubber is used, the cost of
 // accuracy, the plan, the map over two parameters, and what friction depends on.
-// GUI thread; belongs to its parent.
+// GUI thread; owned by its parent.
 #pragma once
 
 #include <QElapsedTimer>
@@ -43,7 +43,6 @@ class SceneTabs : public QTabWidget {
   AccuracyPanel& accuracy() { return *accuracy_; }
   MapPanel& map() { return *map_; }
   MotionView& motion() { return *motion_; }
-  InfluencePage& influences() { return *influences_; }
 
   /// Adds a key for each tab, which brings it to the front.
   void addTo(Commands& commands);
@@ -54,8 +53,8 @@ class SceneTabs : public QTabWidget {
   /// settings.
   QStringList hiddenTabs() const;
   void hideTabs(const QStringList& names);
-  /// Whether titles may be scrolled by buttons, as for the large letters of a presentation on a
-  /// small screen. Otherwise the window keeps room for all of them.
+  /// Sets whether titles may be scrolled by buttons, as with the large letters of a presentation on
+  /// a small screen. Otherwise all titles fit into the minimum width.
   void setMayScroll(bool mayScroll);
   QSize minimumSizeHint() const override;
 
@@ -76,13 +75,13 @@ class SceneTabs : public QTabWidget {
   bool isShowingMotion() const;
 
  signals:
-  void fieldsWanted();
+  void fieldsChanged();
   /// Emitted when a diagram was saved, or put on the clipboard (no file), or could not be.
   void saved(const QString& file);
   void failed(const QString& reason);
 
  protected:
-  /// Qt would paint the foot of a tab bar beside the tabs, which have none.
+  /// Paints nothing: Qt would paint the base of a tab bar beside the tabs, which have none.
   void paintEvent(QPaintEvent*) override {}
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -90,12 +89,12 @@ class SceneTabs : public QTabWidget {
  private:
   void showTexts();
   void fitTitles();
-  int widthOf(const QStringList& titles, int air) const;
+  int widthOf(const QStringList& titles, int padding) const;
   int cornerWidth() const;
   void bringToFront(int index);
-  void setWanted(int index, bool isWanted);
+  void setTabRequested(int index, bool isRequested);
   void showMeasuredCurve();
-  void keepRoomForPlots();
+  void updatePlotHeight();
 
   Session& session_;
   ChartView* plot_;
@@ -106,9 +105,10 @@ class SceneTabs : public QTabWidget {
   MapPanel* map_;
   InfluencePage* influences_;
   Commands* commands_ = nullptr;
-  QList<QAction*> wanted_;            // one for each tab, checkable
-  QStringList titles_, briefTitles_;  // of the tabs; the latter where there is little room
-  std::optional<Scene> timed_;        // the scene whose curve is timed
+  QList<QAction*> wanted_;  // one for each tab, checkable
+  QStringList titles_,
+      briefTitles_;             // of the tabs; the brief ones are used where the bar is narrow
+  std::optional<Scene> timed_;  // the scene whose curve is timed
   bool mayScroll_ = false;
   bool hasMeasuredFriction_ = false;  // whose ratio to the curve is a plot of its own
   QElapsedTimer curveTime_;  // since the request for the curve; invalid once it is complete

@@ -11,14 +11,15 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSilentWait = 200;  // ms, until the window says that it waits
-constexpr int kCalm = 1000;       // ms without an order or a frame, until the session rests
+constexpr int kWaitingDelay =
+    200;  // ms, until waitingChanged() reports that the first frame is missing
+constexpr int kIdleDelay = 1000;  // ms without a command or a frame, until the session is idle
 
 bool sameOrBothMissing(double a, double b) {
   return a == b || (!std::isfinite(a) && !std::isfinite(b));
 }
 
-/// Returns whether two frames put the diagram's marker at the same place.
+/// Returns whether two frames put the diagram's marker at the same position.
 bool sameMark(const Frame* before, const Frame& now) {
   return before && !before->transient && !now.transient &&
          before->scene->sliding.velocity == now.scene->sliding.velocity &&
@@ -33,7 +34,7 @@ bool areFinite(const std::vector<double>& values) {
 
 }  // namespace
 
-QString troubleOf(const Frame& frame) {
+QString frameError(const Frame& frame) {
   const bool finite =
       std::ranges::all_of(std::initializer_list<double>{frame.length, frame.indentation,
                                                         frame.normalForce, frame.contactFraction},
@@ -46,7 +47,7 @@ QString troubleOf(const Frame& frame) {
 }
 
 Session::Session(const Scene& scene, RunnerOptions options, QObject* parent)
-    : QObject(parent), scene_(scene), runner_(withNews(std::move(options))) {
+    : QObject(parent), scene_(scene), runner_(withCurveNotification(std::move(options))) {
   friction_.expect(scene_);
 }
 
@@ -56,9 +57,9 @@ void Session::begin() {
 }
 
 /// Returns options that take a curve when it arrives, not at the next step of the window's timer.
-RunnerOptions Session::withNews(RunnerOptions options) {
+RunnerOptions Session::withCurveNotification(RunnerOptions options) {
   options.curveUpdated = [this] {
-    if (hasNews_.exchange(true)) return;
+    if (hasCurveUpdate_.exchange(true)) return;
     QMetaObject::invokeMethod(
         this, [this] { takeCurves(); }, Qt::QueuedConnection);
   };
@@ -80,22 +81,22 @@ void Session::setScene(const Scene& scene, Begin begin) {
   }
   const bool wasStale = friction_.isStale();
   friction_.expect(scene_);
-  if (begin == Begin::Opened && !sameCurve) friction_.beginAxesAnew();
-  sceneNumber_ = begin == Begin::Opened ? runner_.open(scene_) : runner_.post(scene_);
+  if (begin == Begin::Restart && !sameCurve) friction_.resetAxes();
+  sceneNumber_ = begin == Begin::Restart ? runner_.open(scene_) : runner_.post(scene_);
   // Names of pinned curves contain their differences from the scene.
   if (wasStale != friction_.isStale() || !friction_.pinned().empty()) emit plotChanged();
-  stir();
+  notifyCommandSent();
 }
 
-void Session::stir() {
-  stirTime_.start();
-  emit stirred();
+void Session::notifyCommandSent() {
+  activityTime_.start();
+  emit commandSent();
 }
 
-bool Session::isResting() const {
+bool Session::isIdle() const {
   return !isPlaying() && averaging() != Averaging::Running &&
-         (runningNumber_ == sceneNumber_ || brokenNumber_ == sceneNumber_) && stirTime_.isValid() &&
-         stirTime_.elapsed() > kCalm;
+         (runningNumber_ == sceneNumber_ || brokenNumber_ == sceneNumber_) &&
+         activityTime_.isValid() && activityTime_.elapsed() > kIdleDelay;
 }
 
 void Session::setPace(double secondsPerPeriod) {
@@ -105,34 +106,34 @@ void Session::setPace(double secondsPerPeriod) {
 void Session::seek(double time) {
   if (runner_.isPlaying()) setPlaying(false);
   runner_.seek(time);
-  stir();
+  notifyCommandSent();
 }
 
-void Session::wantFields(const FrameFields& fields) {
+void Session::requestFields(const FrameFields& fields) {
   runner_.requestFields(fields);
-  stir();
+  notifyCommandSent();
 }
 
 void Session::setPlaying(bool playing) {
   playing ? runner_.play() : runner_.pause();
-  stir();
+  notifyCommandSent();
   emit playingChanged(playing);
 }
 
 void Session::singleStep(double part) {
   if (runner_.isPlaying()) setPlaying(false);
   runner_.singleStep(part);
-  stir();
+  notifyCommandSent();
 }
 
-void Session::setSeen(bool seen) {
-  isSeen_ = seen;
-  runner_.setVisible(seen);
+void Session::setVisible(bool visible) {
+  isVisible_ = visible;
+  runner_.setVisible(visible);
 }
 
 void Session::reset() {
   runner_.reset();
-  stir();
+  notifyCommandSent();
 }
 
 Session::Averaging Session::averaging() const {
@@ -151,18 +152,18 @@ void Session::startCurve() {
   curve_.reset();
   curveTime_.start();
   runner_.startCurve();
-  stir();
+  notifyCommandSent();
 }
 
 bool Session::isWaiting() const {
   return runningNumber_ != sceneNumber_ && brokenNumber_ != sceneNumber_ &&
-         sceneTime_.elapsed() > kSilentWait;
+         sceneTime_.elapsed() > kWaitingDelay;
 }
 
 /// Measures the rate. The same curve may come again under another scene's number.
 void Session::measureRate(const CurveUpdate& update) {
-  const bool isNews = !curve() || update.realizationsDone > curve_->realizationsDone;
-  if (!isNews || curveTime_.nsecsElapsed() == 0) return;
+  const bool isNew = !curve() || update.realizationsDone > curve_->realizationsDone;
+  if (!isNew || curveTime_.nsecsElapsed() == 0) return;
   rate_ = 1e9 * static_cast<double>(update.realizationsDone) *
           static_cast<double>(update.points.size()) /
           static_cast<double>(curveTime_.nsecsElapsed());
@@ -172,11 +173,11 @@ void Session::poll() {
   takeMessages();
   takeCurves();
   takeFrame();
-  tellWaiting();
+  updateWaiting();
 }
 
 /// Fades the marker of the chart while it still belongs to the previous scene.
-void Session::tellWaiting() {
+void Session::updateWaiting() {
   const bool waits = isWaiting();
   if (std::exchange(wasWaiting_, waits) == waits) return;
   friction_.fadeMark(waits);
@@ -188,12 +189,12 @@ void Session::takeMessages() {
   for (const RunnerMessage& message : runner_.takeMessages()) {
     if (message.sceneNumber != sceneNumber_) continue;
     brokenNumber_ = sceneNumber_;
-    emit complained(QString::fromStdString(message.key), message.text);
+    emit errorOccurred(QString::fromStdString(message.key), message.text);
   }
 }
 
 void Session::takeCurves() {
-  hasNews_ = false;
+  hasCurveUpdate_ = false;
   bool changed = false;
   for (const CurveUpdate& update : runner_.takeCurveUpdates()) {
     if (!friction_.take(update)) continue;
@@ -202,7 +203,7 @@ void Session::takeCurves() {
     changed = true;
   }
   if (changed) emit plotChanged();
-  const bool isSound = runningNumber_ == sceneNumber_ && trouble_.isEmpty();
+  const bool isSound = runningNumber_ == sceneNumber_ && frameError_.isEmpty();
   if (brokenNumber_ == sceneNumber_ && isSound && changed && curve_->isComplete) {
     brokenNumber_ = 0;  // the curve was computed again without an error
     emit sceneRuns();
@@ -212,7 +213,7 @@ void Session::takeCurves() {
 void Session::takeFrame() {
   std::shared_ptr<const Frame> newest = runner_.newestFrame();
   if (!newest || newest == frame_) return;
-  stirTime_.start();
+  activityTime_.start();
   const bool marked = sameMark(frame_.get(), *newest);
   frame_ = std::move(newest);
   if (!marked) {
@@ -222,17 +223,17 @@ void Session::takeFrame() {
       emit plotChanged();
   }
   emit frameArrived();
-  if (frame_->sceneNumber == sceneNumber_) judgeFrame();
+  if (frame_->sceneNumber == sceneNumber_) checkFrame();
 }
 
-void Session::judgeFrame() {
-  const QString trouble = troubleOf(*frame_);
-  const bool isNews = runningNumber_ != sceneNumber_ || trouble != trouble_;
+void Session::checkFrame() {
+  const QString error = frameError(*frame_);
+  const bool isNew = runningNumber_ != sceneNumber_ || error != frameError_;
   runningNumber_ = sceneNumber_;
-  trouble_ = trouble;
-  if (!isNews) return;
-  if (!trouble.isEmpty())
-    emit complained({}, Message::name(trouble.toStdString()));
+  frameError_ = error;
+  if (!isNew) return;
+  if (!error.isEmpty())
+    emit errorOccurred({}, Message::name(error.toStdString()));
   else if (brokenNumber_ != sceneNumber_)  // the curve may fail where the present velocity is fine
     emit sceneRuns();
 }

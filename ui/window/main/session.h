@@ -1,7 +1,7 @@
 // The link between the background runner and the widgets: the present scene and its number, the
 // newest frame, the friction diagram so far. The window's timer calls poll(); signals report
 // changes. Owned by the main window; GUI thread. Failure: a signal reports the runner's errors; the
-// session goes on.
+// session continues.
 #pragma once
 
 #include <QElapsedTimer>
@@ -27,9 +27,9 @@ class Session : public QObject {
   /// otherwise wait for the processors that the runner uses.
   void begin();
 
-  /// Sets the scene; the newest one wins. Opened: time begins at 0, whatever the scene was before.
-  enum class Begin { GoesOn, Opened };
-  void setScene(const Scene& scene, Begin begin = Begin::GoesOn);
+  /// Sets the scene; the newest one wins. Restart: time begins at 0.
+  enum class Begin { Continue, Restart };
+  void setScene(const Scene& scene, Begin begin = Begin::Continue);
   const Scene& scene() const { return scene_; }
   std::uint64_t sceneNumber() const { return sceneNumber_; }
 
@@ -43,18 +43,18 @@ class Session : public QObject {
   /// Goes to a moment of a motion, s, and pauses there.
   void seek(double time);
   /// Sets whether the frames are visible; time does not advance otherwise.
-  void setSeen(bool seen);
-  bool isSeen() const { return isSeen_; }
+  void setVisible(bool visible);
+  bool isVisible() const { return isVisible_; }
   /// Requests frames with these optional values from now on.
-  void wantFields(const FrameFields& fields);
+  void requestFields(const FrameFields& fields);
   void reset();
 
-  /// Returns whether nothing is on its way: time stands still, the curve is complete or stopped,
-  /// and no order or frame is new.
-  bool isResting() const;
+  /// Returns whether the session is idle: the run is paused, the curve is complete or stopped, and
+  /// no command or frame is recent.
+  bool isIdle() const;
 
   /// The averaging of the present scene's curve. It can be stopped, which keeps the present result,
-  /// and begun again.
+  /// and restarted.
   enum class Averaging { Running, Stopped, Done };
   Averaging averaging() const;
   void stopCurve();
@@ -81,8 +81,8 @@ class Session : public QObject {
 
  signals:
   void playingChanged(bool playing);
-  /// Emitted when an order goes to the runner, whose answer is expected soon.
-  void stirred();
+  /// Emitted when a command was sent to the runner, whose result is expected soon.
+  void commandSent();
   void frameArrived();
   void plotChanged();
   /// Emitted when only the marker has changed, and it lies within the present axes.
@@ -92,40 +92,40 @@ class Session : public QObject {
   void waitingChanged(bool isWaiting);
   /// Emitted with the error of the present scene from the runner or its frame; the key may be
   /// empty.
-  void complained(const QString& key, const Message& text);
+  void errorOccurred(const QString& key, const Message& text);
   /// Emitted when a valid frame of the present scene arrives without an error, so that an earlier
   /// error is over.
   void sceneRuns();
 
  private:
-  RunnerOptions withNews(RunnerOptions options);
-  void stir();
+  RunnerOptions withCurveNotification(RunnerOptions options);
+  void notifyCommandSent();
   void takeMessages();
   void takeCurves();
   void measureRate(const CurveUpdate& update);
   void takeFrame();
-  void judgeFrame();
-  void tellWaiting();
+  void checkFrame();
+  void updateWaiting();
 
   Scene scene_;
-  std::atomic<bool> hasNews_ = false;  // announced by the runner, but not taken yet
+  std::atomic<bool> hasCurveUpdate_ = false;  // the runner has an update that is not taken yet
   Runner runner_;
   std::uint64_t sceneNumber_ = 0;
   std::uint64_t runningNumber_ = 0;  // newest scene with a frame
   std::uint64_t brokenNumber_ = 0;   // newest scene with an error of the runner
-  QString trouble_;                  // last error in that scene's frames
+  QString frameError_;               // last error in the frames of the present scene
   std::shared_ptr<const Frame> frame_;
   FrictionChartModel friction_;
   std::optional<CurveUpdate> curve_;
-  QElapsedTimer sceneTime_, curveTime_;  // since the scene was set, and since its curve was begun
-  QElapsedTimer stirTime_;               // since the last order or frame
+  QElapsedTimer sceneTime_, curveTime_;  // since the scene was set, and since its curve was started
+  QElapsedTimer activityTime_;           // since the last command or frame
   bool isStopped_ = false;
   bool wasWaiting_ = false;
-  bool isSeen_ = true;
+  bool isVisible_ = true;
   double rate_ = 0;  // 1/s
 };
 
-/// Returns one sentence about an untrustworthy frame; empty where nothing is wrong.
-QString troubleOf(const Frame& frame);
+/// Returns the error of an untrustworthy frame in one sentence; empty without an error.
+QString frameError(const Frame& frame);
 
 }  // namespace asperity

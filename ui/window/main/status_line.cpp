@@ -31,7 +31,7 @@ namespace asperity {
 
 namespace {
 
-constexpr int kSaidFor = 5000;         // ms, how long a message is shown
+constexpr int kMessageTime = 5000;     // ms, how long a message is shown
 constexpr int kDrawingInterval = 500;  // ms
 constexpr int kWorkInterval = 100;     // ms
 
@@ -64,12 +64,13 @@ QString rateText(double rate) {
   return locale.toString(static_cast<qlonglong>(roundedToDigits(rate, 2)));
 }
 
-/// Why there is no dimensionless velocity: a short text and a sentence; empty where there is one.
+/// The reason why there is no dimensionless velocity: a short text and a sentence; empty where
+/// there is one.
 struct Reason {
   QString brief, sentence;
 };
 
-Reason whyNoVelocity(const Frame& frame) {
+Reason missingVelocityReason(const Frame& frame) {
   const ElementKind kind = elementLaw(frame.scene->elastomer).kind();
   if (kind == ElementKind::Elastic)
     return {StatusLine::tr("elastic"),
@@ -89,7 +90,7 @@ QString velocityTip() {
       "a motion at this moment");
 }
 
-Work workOf(const Session& session) {
+Work currentWork(const Session& session) {
   Work work;
   work.simulationsPerSecond = session.simulationsPerSecond();
   work.progress = session.friction().progress();
@@ -123,8 +124,8 @@ ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
 }
 
 QString ElidedLabel::shownText() const {
-  const int room = contentsRect().width();
-  return fontMetrics().elidedText(text(), Qt::ElideMiddle, room);
+  const int available = contentsRect().width();
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, available);
 }
 
 bool ElidedLabel::event(QEvent* event) {
@@ -145,11 +146,12 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(12, 3, 12, 3);
   line->setSpacing(20);
-  // What is left out first in a narrow window is in the middle, so that nothing else moves.
-  mu_ = addFact(*line, "factMu");
-  regime_ = addFact(*line, "factRegime");
-  force_ = addFact(*line, "factForce");
-  velocity_ = addFact(*line, "factVelocity");
+  // The readings that a narrow window leaves out first are in the middle, so that the others do not
+  // move.
+  mu_ = addReading(*line, "factMu");
+  regime_ = addReading(*line, "factRegime");
+  force_ = addReading(*line, "factForce");
+  velocity_ = addReading(*line, "factVelocity");
   notes_ = new QToolButton;
   notes_->setObjectName("factNotes");
   notes_->setAutoRaise(true);
@@ -163,26 +165,26 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent) {
     menu.exec(notes_->mapToGlobal(QPoint(0, -menu.sizeHint().height())));
   });
   line->addWidget(notes_);
-  settling_ = addFact(*line, "factSettling");
-  said_ = new ElidedLabel;
-  said_->setObjectName("said");
-  line->addWidget(said_, 1);
-  silence_ = new QTimer(this);
-  silence_->setSingleShot(true);
-  connect(silence_, &QTimer::timeout, this, [this] {
-    said_->setText({});
-    fitFacts();
+  settling_ = addReading(*line, "factSettling");
+  message_ = new ElidedLabel;
+  message_->setObjectName("said");
+  line->addWidget(message_, 1);
+  messageTimer_ = new QTimer(this);
+  messageTimer_->setSingleShot(true);
+  connect(messageTimer_, &QTimer::timeout, this, [this] {
+    message_->setText({});
+    fitReadings();
   });
   addWork(*line);
-  backend_ = addFact(*line, "factBackend");
-  rate_ = addFact(*line, "factRate");
-  simulations_ = addFact(*line, "factSimulations");
+  backend_ = addReading(*line, "factBackend");
+  rate_ = addReading(*line, "factRate");
+  simulations_ = addReading(*line, "factSimulations");
   showTips();
-  keepRooms();
+  reserveWidths();
   showWork({});
 }
 
-QLabel* StatusLine::addFact(QHBoxLayout& line, const char* name) {
+QLabel* StatusLine::addReading(QHBoxLayout& line, const char* name) {
   auto* label = new QLabel;
   label->setObjectName(name);
   line.addWidget(label);
@@ -208,9 +210,9 @@ void StatusLine::showTips() {
   backend_->setToolTip(tr("What draws the contact"));
 }
 
-/// Gives readings that come and go with the work their room for good, so that nothing beside them
-/// moves when work begins or ends.
-void StatusLine::keepRooms() {
+/// Reserves the width of readings that appear only during work, so that the others do not move when
+/// work begins or ends.
+void StatusLine::reserveWidths() {
   const auto widthOf = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text);
   };
@@ -222,7 +224,8 @@ void StatusLine::keepRooms() {
   velocity_->setMinimumWidth(widthOf(tr("velocity v̄ = %1").arg(number)));
   simulations_->setMinimumWidth(widthOf(tr("%1 simulations/s").arg(rateText(8800000))));
   rate_->setMinimumWidth(widthOf(tr("%1 frames/s").arg(888)));
-  for (QLabel* fact : {simulations_, rate_}) fact->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  for (QLabel* reading : {simulations_, rate_})
+    reading->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   int widest = 0;
   for (const char* name : {"I", "II", "III", "IV"})
     widest = std::max(widest, widthOf(regionText(name)));
@@ -237,21 +240,21 @@ void StatusLine::keepRooms() {
 /// Updates the texts. The readings follow with the next frame, which the main window shows again.
 void StatusLine::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && stop_) keepRooms();
+  if (event->type() == QEvent::FontChange && stop_) reserveWidths();
   if (event->type() != QEvent::LanguageChange) return;
   showTips();
-  keepRooms();
+  reserveWidths();
   showWork(work_);
   if (!rate_->text().isEmpty()) showDrawing(framesPerSecond_, backend_->text());
 }
 
-void StatusLine::follow(const Session& session, const ContactCanvas& canvas) {
+void StatusLine::monitor(const Session& session, const ContactCanvas& canvas) {
   auto* drawing = new QTimer(this);
   connect(drawing, &QTimer::timeout, this,
           [this, &canvas] { showDrawing(canvas.framesPerSecond(), canvas.backendName()); });
   drawing->start(kDrawingInterval);
   auto* work = new QTimer(this);
-  connect(work, &QTimer::timeout, this, [this, &session] { showWork(workOf(session)); });
+  connect(work, &QTimer::timeout, this, [this, &session] { showWork(currentWork(session)); });
   work->start(kWorkInterval);
 }
 
@@ -267,11 +270,11 @@ void StatusLine::addWork(QHBoxLayout& line) {
   stop_->setAutoRaise(true);
   stop_->setFocusPolicy(Qt::TabFocus);
   connect(stop_, &QToolButton::clicked, this, &StatusLine::pressed);
-  auto* room = new QHBoxLayout;
-  room->setSpacing(4);
-  room->addWidget(progress_);
-  room->addWidget(stop_);
-  line.addLayout(room);
+  auto* workLayout = new QHBoxLayout;
+  workLayout->setSpacing(4);
+  workLayout->addWidget(progress_);
+  workLayout->addWidget(stop_);
+  line.addLayout(workLayout);
   QSize size;
   for (const QString& sign : {kStopSign, kAgainSign}) {
     stop_->setText(sign);
@@ -282,9 +285,9 @@ void StatusLine::addWork(QHBoxLayout& line) {
 }
 
 void StatusLine::pressed() {
-  if (work_.state == Work::State::Running) emit stopWanted();
-  if (work_.state == Work::State::Stopped) emit againWanted();
-  if (work_.state == Work::State::Waiting) emit backWanted();
+  if (work_.state == Work::State::Running) emit stopRequested();
+  if (work_.state == Work::State::Stopped) emit restartRequested();
+  if (work_.state == Work::State::Waiting) emit backRequested();
 }
 
 void StatusLine::showWork(const Work& work) {
@@ -305,7 +308,7 @@ void StatusLine::showWork(const Work& work) {
   simulations_->setText(work.simulationsPerSecond > 0
                             ? tr("%1 simulations/s").arg(rateText(work.simulationsPerSecond))
                             : QString());
-  fitFacts();
+  fitReadings();
 }
 
 void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
@@ -320,11 +323,11 @@ void StatusLine::showFrame(const Frame& frame, const CurveReading& reading) {
   showVelocity(frame);
   showNotes(reading.notes);
   settling_->setText(frame.isSettling ? tr("settling") : QString());
-  fitFacts();
+  fitReadings();
 }
 
-/// Shows that there is something to know, in a few letters; tooltip and menu have all sentences.
-/// The sign comes and goes beside the readings, so that no view moves.
+/// Shows the number of notes; tooltip and menu have all sentences. The sign appears beside the
+/// readings, so that no view moves.
 void StatusLine::showNotes(const NoteSet& notes) {
   present_ = notes;
   QStringList sentences;
@@ -338,57 +341,59 @@ void StatusLine::showNotes(const NoteSet& notes) {
   notes_->setText(text);
   notes_->setAccessibleDescription(sentences.join('\n'));
   notes_->setToolTip(wrappedTip(sentences.join(QStringLiteral(". "))));
-  fitFacts();
+  fitReadings();
 }
 
-/// Shows each reading in full or not at all: in a narrow window the least important ones are left
+/// Shows each reading in full or not at all: in a narrow window the less important ones are left
 /// out. A hidden reading returns only with some extra space, so that it does not flicker with the
 /// digits of the others. Readings are hidden before others are shown, because Qt lays a line out as
 /// soon as a widget in it is shown, and would squeeze the readings of one line too many.
-void StatusLine::fitFacts() {
-  constexpr int kAir = 40;  // pixels
+void StatusLine::fitReadings() {
+  constexpr int kExtraSpace = 40;  // pixels
   const QMargins around = layout()->contentsMargins();
-  int room = width() - around.left() - around.right();
+  int available = width() - around.left() - around.right();
   for (const QWidget* work : std::initializer_list<const QWidget*>{progress_, stop_})
-    room -= work->width() + layout()->spacing();
-  // Friction and what limits it stay, however narrow the window is.
+    available -= work->width() + layout()->spacing();
+  // Friction and the notes stay even in the narrowest window.
   notes_->setVisible(!present_.empty());
-  if (!present_.empty()) room -= notes_->sizeHint().width() + layout()->spacing();
+  if (!present_.empty()) available -= notes_->sizeHint().width() + layout()->spacing();
   bool fits = true;
   std::vector<QLabel*> shown;
-  // That the picture still settles comes and goes with every change: it hides no other reading.
-  for (QLabel* fact : {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
-    const bool isSaidOver =
-        silence_->isActive() && (fact == simulations_ || fact == rate_ || fact == backend_);
-    // Those that come with the work have their room while they say nothing.
-    const bool keepsRoom = fact == simulations_ || (fact == regime_ && hasRegions_);
-    if ((fact->text().isEmpty() && !keepsRoom) || isSaidOver) {
-      fact->hide();
+  // "Settling" comes last, because it appears after every change and must hide no other reading.
+  for (QLabel* reading :
+       {mu_, regime_, force_, velocity_, simulations_, rate_, backend_, settling_}) {
+    const bool isBehindMessage =
+        messageTimer_->isActive() &&
+        (reading == simulations_ || reading == rate_ || reading == backend_);
+    // Readings that appear only during work keep their space while they are empty.
+    const bool keepsSpace = reading == simulations_ || (reading == regime_ && hasRegions_);
+    if ((reading->text().isEmpty() && !keepsSpace) || isBehindMessage) {
+      reading->hide();
       continue;
     }
     const int needed =
-        std::max(fact->sizeHint().width(), fact->minimumWidth()) + layout()->spacing();
-    fits = fits && room >= needed + (fact->isHidden() ? kAir : 0);
-    if (fits || fact == mu_)
-      shown.push_back(fact);
+        std::max(reading->sizeHint().width(), reading->minimumWidth()) + layout()->spacing();
+    fits = fits && available >= needed + (reading->isHidden() ? kExtraSpace : 0);
+    if (fits || reading == mu_)
+      shown.push_back(reading);
     else
-      fact->hide();
-    room -= needed;
+      reading->hide();
+    available -= needed;
   }
-  for (QLabel* fact : shown) fact->show();
+  for (QLabel* reading : shown) reading->show();
 }
 
 void StatusLine::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitFacts();
+  fitReadings();
 }
 
 /// Shows the dimensionless velocity. Where there is none, the reason is shown beside it if there is
 /// enough space.
 void StatusLine::showVelocity(const Frame& frame) {
-  constexpr int kLeastLeft = 4, kAir = 16;  // pixels; different, to avoid flicker
+  constexpr int kMinLeft = 4, kExtraSpace = 16;  // pixels; different, to avoid flicker
   const QString plain = tr("velocity v̄ = %1").arg(readingLabel(dimensionlessVelocity(frame)));
-  const Reason reason = whyNoVelocity(frame);
+  const Reason reason = missingVelocityReason(frame);
   velocity_->setToolTip(reason.sentence.isEmpty()
                             ? wrappedTip(velocityTip())
                             : wrappedTip(velocityTip() + QStringLiteral(". ") + reason.sentence));
@@ -396,21 +401,22 @@ void StatusLine::showVelocity(const Frame& frame) {
   const QString whole = tr("%1 (%2)").arg(plain, reason.brief);
   const int more = fontMetrics().horizontalAdvance(whole) - fontMetrics().horizontalAdvance(plain);
   const bool isWhole = velocity_->text() == whole;
-  const bool hasRoom = isWhole ? said_->width() >= kLeastLeft : said_->width() >= more + kAir;
-  velocity_->setText(hasRoom && !velocity_->isHidden() ? whole : plain);
+  const bool fits =
+      isWhole ? message_->width() >= kMinLeft : message_->width() >= more + kExtraSpace;
+  velocity_->setText(fits && !velocity_->isHidden() ? whole : plain);
 }
 
-void StatusLine::say(const QString& text) {
-  said_->setText(text);
-  silence_->start(kSaidFor);
-  fitFacts();
+void StatusLine::showMessage(const QString& text) {
+  message_->setText(text);
+  messageTimer_->start(kMessageTime);
+  fitReadings();
 }
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
   framesPerSecond_ = framesPerSecond;
   rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
   backend_->setText(backend);
-  fitFacts();
+  fitReadings();
 }
 
 }  // namespace asperity

@@ -49,42 +49,43 @@ class StatusLine : public QWidget {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
-  /// Reads from session and canvas several times a second what is computed and drawn.
-  void follow(const Session& session, const ContactCanvas& canvas);
+  /// Shows the rates of computing and drawing, which a timer reads from session and canvas several
+  /// times a second.
+  void monitor(const Session& session, const ContactCanvas& canvas);
 
   void showFrame(const Frame& frame, const CurveReading& reading);
   void showWork(const Work& work);
 
-  /// Shows a text for a few seconds in place of the readings at the right.
-  void say(const QString& text);
+  /// Shows a message for a few seconds instead of the readings at the right.
+  void showMessage(const QString& text);
 
   void showDrawing(int framesPerSecond, const QString& backend);
 
  signals:
   /// Emitted by the button of the present work, as showWork() left it.
-  void stopWanted();
-  void againWanted();
-  void backWanted();  // from the state Waiting
+  void stopRequested();
+  void restartRequested();
+  void backRequested();  // from the state Waiting
 
  protected:
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  static QLabel* addFact(QHBoxLayout& line, const char* name);
+  static QLabel* addReading(QHBoxLayout& line, const char* name);
   void showTips();
   void showVelocity(const Frame& frame);
   void showNotes(const NoteSet& notes);
   void addWork(QHBoxLayout& line);
   void pressed();
-  void keepRooms();
-  void fitFacts();
+  void reserveWidths();
+  void fitReadings();
 
   Work work_;
   int framesPerSecond_ = 0;
-  bool hasRegions_ = true;  // the curve goes over velocity
-  ElidedLabel* said_;
-  QTimer* silence_;
+  bool hasRegions_ = true;  // the horizontal axis of the curve is velocity
+  ElidedLabel* message_;
+  QTimer* messageTimer_;
   QLabel* regime_;
   QLabel* mu_;
   QToolButton* notes_;  // opens all of them

@@ -11,7 +11,7 @@
 
 #include "ui/language/translated.h"
 #include "ui/window/main/commands.h"
-#include "ui/window/main/halo.h"
+#include "ui/window/main/highlight_frame.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_document.h"
 #include "ui/window/main/scene_library.h"
@@ -112,8 +112,8 @@ TourBar::TourBar(QWidget* parent) : QFrame(parent), text_(new QLabel) {
   next_ = addButton("tourNext");
   end_ = addButton("tourEnd");
   showTexts();
-  connect(back_, &QPushButton::clicked, this, [this] { emit stepWanted(step_ - 1); });
-  connect(next_, &QPushButton::clicked, this, [this] { emit stepWanted(step_ + 1); });
+  connect(back_, &QPushButton::clicked, this, [this] { emit stepRequested(step_ - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] { emit stepRequested(step_ + 1); });
   connect(end_, &QPushButton::clicked, this, &TourBar::ended);
   hide();
 }
@@ -172,11 +172,11 @@ Tour::Tour(SceneDocument& document, TourBar& bar, MessageBar& hint, QWidget& win
     : QObject(&window),
       document_(document),
       window_(window),
-      halo_(new Halo(window)),
+      highlight_(new HighlightFrame(window)),
       bar_(bar),
       hint_(hint) {
   connect(&document_, &SceneDocument::trialEnded, this, &Tour::close);
-  connect(&bar_, &TourBar::stepWanted, this, &Tour::show);
+  connect(&bar_, &TourBar::stepRequested, this, &Tour::show);
   connect(&bar_, &TourBar::ended, this, &Tour::end);
   connect(&hint_, &MessageBar::accepted, this, &Tour::start);
   connect(&hint_, &MessageBar::closed, this, [] { QSettings().setValue(kOffered, true); });
@@ -229,16 +229,16 @@ void Tour::show(int step) {
   commands_->get("tourStepBack")->setEnabled(step > 0);
   commands_->get("tourStepNext")->setEnabled(step + 1 < stepCount());
   emit stepShown();
-  surround(shown.key);
+  highlight(shown.key);
 }
 
 /// Draws the frame around the row of a parameter, once the panel shows the scene's rows.
-void Tour::surround(const char* key) {
-  emit controlWanted(QString::fromLatin1(key));
-  halo_->surround(window_.findChild<QWidget*>(QStringLiteral("row:") + QLatin1String(key)));
+void Tour::highlight(const char* key) {
+  emit controlRequested(QString::fromLatin1(key));
+  highlight_->highlight(window_.findChild<QWidget*>(QStringLiteral("row:") + QLatin1String(key)));
 }
 
-/// Ends the tour. The scene of before returns.
+/// Ends the tour and restores the previous scene.
 void Tour::end() {
   if (isRunning_)
     document_.endTrial();
@@ -248,7 +248,7 @@ void Tour::end() {
 
 void Tour::close() {
   isRunning_ = false;
-  halo_->surround(nullptr);
+  highlight_->highlight(nullptr);
   bar_.hide();
   for (QAction* action : commands_->get({"tourStepBack", "tourStepNext"}))
     action->setEnabled(false);

@@ -1,6 +1,6 @@
 // The guided tour: six shipped scenes in order, each with one sentence and one thing to try, and a
-// frame around the control to try it with; the bar over the views that leads through them; and the
-// offer of the tour. At its end the scene of before returns. GUI thread; owned by the main window.
+// frame around the control to try it with; the bar over the views with its texts and buttons; and
+// the offer of the tour. Its end restores the previous scene. GUI thread; owned by the main window.
 // Cannot fail: where a scene is missing the tour ends.
 #pragma once
 
@@ -16,7 +16,7 @@ class QPushButton;
 namespace asperity {
 
 class Commands;
-class Halo;
+class HighlightFrame;
 class MessageBar;
 class SceneDocument;
 
@@ -49,7 +49,7 @@ class TourBar : public QFrame {
   void changeEvent(QEvent* event) override;
 
  signals:
-  void stepWanted(int step);
+  void stepRequested(int step);
   void ended();
 
  private:
@@ -67,7 +67,7 @@ class Tour : public QObject {
   Q_OBJECT
 
  public:
-  /// `hint`: the bar that shows the offer. `window`: where the controls are.
+  /// `hint`: the bar that shows the offer. `window`: contains the controls.
   Tour(SceneDocument& document, TourBar& bar, MessageBar& hint, QWidget& window);
 
   void addTo(Commands& commands);
@@ -83,17 +83,17 @@ class Tour : public QObject {
   /// Emitted when a step is shown; the bar then replaces the description of the scene.
   void stepShown();
   /// Emitted when the frame goes around the control of this key, which has to be visible.
-  void controlWanted(const QString& key);
+  void controlRequested(const QString& key);
 
  private:
   void show(int step);
   void end();
   void close();
-  void surround(const char* key);
+  void highlight(const char* key);
 
   SceneDocument& document_;
   QWidget& window_;
-  Halo* halo_;
+  HighlightFrame* highlight_;
   TourBar& bar_;
   MessageBar& hint_;
   Commands* commands_ = nullptr;

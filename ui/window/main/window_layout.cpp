@@ -41,7 +41,7 @@ const QList<int>& defaultSplit() {
 
 WindowLayout::WindowLayout(const LayoutParts& parts) : QObject(&parts.window), parts_(parts) {
   parts_.splitter.setSizes(defaultSplit());
-  connect(&parts_.figures, &FigurePages::switched, this, &WindowLayout::makeRoomForFigures);
+  connect(&parts_.figures, &FigurePages::pageChanged, this, &WindowLayout::hideDocksForFigures);
 }
 
 WindowLayout::~WindowLayout() {
@@ -117,7 +117,7 @@ void WindowLayout::showScreenMode() {
 }
 
 /// Hides the parameters and readings of the contact while the figures are shown.
-void WindowLayout::makeRoomForFigures(bool areShown) {
+void WindowLayout::hideDocksForFigures(bool areShown) {
   QStatusBar& status = *parts_.window.statusBar();
   if (areShown) {
     hadDock_ = !parts_.dock.isHidden();
@@ -166,7 +166,7 @@ void WindowLayout::beginPresentation() {
     around->hide();
   parts_.appearance.setDark(
       parts_.appearance.isDark());  // repaints what was painted with the other font
-  // Large letters around it leave the chart little of a low screen.
+  // On a low screen large letters around the chart leave it little height.
   constexpr int kLow = 800;  // pixels
   if (window.screen()->size().height() < kLow) parts_.splitter.setSizes({540, 460});
   setFullScreen(true);
@@ -185,8 +185,8 @@ void WindowLayout::endPresentation() {
   window.restoreState(before.docks, kLayoutVersion);
   for (const auto& [splitter, sizes] : before.splits)
     if (splitter) splitter->restoreState(sizes);
-  // The dock gets its size again after the layouts have handled the smaller letters: until then
-  // their minimum sizes limit it.
+  // The size of the dock is restored after the layouts have handled the smaller letters: until then
+  // minimum sizes limit it.
   dockSize_ = before.dock;
   QTimer::singleShot(0, this, [this] {
     if (isPresenting() || !dockSize_) return;
@@ -216,7 +216,7 @@ void WindowLayout::remember() {
   parts_.window.restoreGeometry(settings.value("geometry").toByteArray());
   fitToScreen();
   if (!parts_.window.restoreState(settings.value("docks").toByteArray(), kLayoutVersion))
-    giveRoomToViews();
+    fitDockToScreen();
   parts_.splitter.restoreState(settings.value("split").toByteArray());
   parts_.tabs.hideTabs(settings.value("hiddenTabs").toStringList());
   const PanelView usual = ParameterPanel::defaultView();
@@ -228,7 +228,7 @@ void WindowLayout::remember() {
 }
 
 /// On a small screen the parameters take only the width that they need.
-void WindowLayout::giveRoomToViews() {
+void WindowLayout::fitDockToScreen() {
   constexpr int kSmall = 1200;  // pixels
   const int width = parts_.window.width() < kSmall ? parts_.panel.minimumWidth()
                                                    : parts_.panel.sizeHint().width();
@@ -257,16 +257,18 @@ void WindowLayout::save() {
 void WindowLayout::fitToScreen() {
   QMainWindow& window = parts_.window;
   const Qt::WindowStates state = window.windowState();
-  const QRect wanted = state == Qt::WindowNoState ? window.geometry() : window.normalGeometry();
+  const QRect requested = state == Qt::WindowNoState ? window.geometry() : window.normalGeometry();
   const bool hasPlace = window.testAttribute(Qt::WA_Moved);
-  const QScreen* there = hasPlace ? QGuiApplication::screenAt(wanted.center()) : nullptr;
-  const QRect room = (there ? there : window.screen())->availableGeometry().marginsRemoved(kFrame);
-  window.setMinimumSize(kLeastWindow.boundedTo(room.size()));
-  const QSize size = wanted.size().boundedTo(room.size());
-  const QRect fitted(std::clamp(wanted.x(), room.left(), room.right() + 1 - size.width()),
-                     std::clamp(wanted.y(), room.top(), room.bottom() + 1 - size.height()),
-                     size.width(), size.height());
-  if (fitted == wanted) return;
+  const QScreen* there = hasPlace ? QGuiApplication::screenAt(requested.center()) : nullptr;
+  const QRect available =
+      (there ? there : window.screen())->availableGeometry().marginsRemoved(kFrame);
+  window.setMinimumSize(kMinWindowSize.boundedTo(available.size()));
+  const QSize size = requested.size().boundedTo(available.size());
+  const QRect fitted(
+      std::clamp(requested.x(), available.left(), available.right() + 1 - size.width()),
+      std::clamp(requested.y(), available.top(), available.bottom() + 1 - size.height()),
+      size.width(), size.height());
+  if (fitted == requested) return;
   window.setWindowState(Qt::WindowNoState);
   if (hasPlace)
     window.setGeometry(fitted);
@@ -275,10 +277,10 @@ void WindowLayout::fitToScreen() {
   window.setWindowState(state);
 }
 
-QSize sizeOfPage(QSize usual, const QScreen& screen) {
+QSize pageSize(QSize usual, const QScreen& screen) {
   constexpr double kOfScreen = 0.7;  // of a large one
-  const QSize room = screen.availableSize();
-  return usual.expandedTo(kOfScreen * room).boundedTo(room - kFrameRoom);
+  const QSize available = screen.availableSize();
+  return usual.expandedTo(kOfScreen * available).boundedTo(available - kWindowFrame);
 }
 
 }  // namespace asperity

@@ -30,14 +30,14 @@ class SceneTabs;
 /// The minimum size of the window. It is fixed, because a temporary need for space, from large
 /// letters or a comparison, would otherwise push the window over the edge of the screen
 /// permanently.
-inline constexpr QSize kLeastWindow{900, 560};
+inline constexpr QSize kMinWindowSize{900, 560};
 
-/// Pixels that stay free around a page for the frame that a window manager draws.
-inline constexpr QSize kFrameRoom{40, 80};
+/// Pixels around a page that stay free for the frame of the window manager.
+inline constexpr QSize kWindowFrame{40, 80};
 
 /// Returns the size of a page over the window: the usual one, more on a large screen, and never
 /// more than a small one has.
-QSize sizeOfPage(QSize usual, const QScreen& screen);
+QSize pageSize(QSize usual, const QScreen& screen);
 
 struct LayoutParts {
   QMainWindow& window;
@@ -60,8 +60,8 @@ class WindowLayout : public QObject {
   void addTo(Commands& commands);
   void fillMenu(QMenu& menu);
 
-  /// Restores size, docks, tabs and colours from the settings, as far as the screen has room for
-  /// them. From then on closing the window saves its own. Call before the window is shown.
+  /// Restores size, docks, tabs and colours from the settings, as far as they fit on the screen.
+  /// From then on closing the window saves its layout. Call before the window is shown.
   void remember();
   bool remembers() const { return remembers_; }
   /// Saves the layout to the settings when the window closes, if remember() was called.
@@ -88,8 +88,8 @@ class WindowLayout : public QObject {
   void endPresentation();
   void setFullScreen(bool full);
   void showScreenMode();
-  void makeRoomForFigures(bool areShown);
-  void giveRoomToViews();
+  void hideDocksForFigures(bool areShown);
+  void fitDockToScreen();
 
   LayoutParts parts_;
   Commands* commands_ = nullptr;

@@ -11,8 +11,8 @@ namespace asperity {
 
 namespace {
 
-/// Draws the border of an entry. Fusion's own is darker than the window, and so cannot be seen in
-/// the dark theme.
+/// Draws the border of an entry. That of Fusion is darker than the window, and so invisible in the
+/// dark theme.
 void drawEntryFrame(QPainter& painter, const QStyleOption& option) {
   const bool hasFocus = option.state & QStyle::State_HasFocus;
   const QColor colour = option.palette.color(hasFocus ? QPalette::Highlight : QPalette::Mid);

@@ -1,5 +1,5 @@
-// The look of controls where Qt's Fusion style cannot be read: its check boxes, sliders and borders
-// of entries are black on black in the dark. GUI thread. Cannot fail.
+// Qt's Fusion style with visible check boxes, sliders and borders of entries in the dark theme,
+// where Fusion draws them black on black. GUI thread. Cannot fail.
 #pragma once
 
 #include <QProxyStyle>

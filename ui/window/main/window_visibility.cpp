@@ -39,9 +39,9 @@ void askForVisibility(QWidget& window) {
   const auto id = static_cast<xcb_window_t>(window.winId());
   auto* attributes = reply(x11->connection(), get(x11->connection(), id), nullptr);
   if (!attributes) return;
-  const std::uint32_t wanted = attributes->your_event_mask | XCB_EVENT_MASK_VISIBILITY_CHANGE;
+  const std::uint32_t requested = attributes->your_event_mask | XCB_EVENT_MASK_VISIBILITY_CHANGE;
   std::free(attributes);
-  change(x11->connection(), id, XCB_CW_EVENT_MASK, &wanted);
+  change(x11->connection(), id, XCB_CW_EVENT_MASK, &requested);
 }
 
 /// Returns whether the window is fully covered, where the message contains that.
@@ -98,7 +98,7 @@ bool WindowVisibility::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::WindowStateChange:
       // The check runs later, because the event has not had its effect yet.
       QMetaObject::invokeMethod(
-          this, [this] { judge(); }, Qt::QueuedConnection);
+          this, [this] { updateVisibility(); }, Qt::QueuedConnection);
       break;
     default:
       break;
@@ -110,14 +110,14 @@ bool WindowVisibility::nativeEventFilter(const QByteArray& type, void* message, 
   const std::optional<bool> cover = handle_ ? coverOf(*handle_, type, message) : std::nullopt;
   if (!cover) return false;
   isCovered_ = *cover;
-  judge();
+  updateVisibility();
   return false;
 }
 
-void WindowVisibility::judge() {
-  const bool isSeen = window_.isVisible() && !window_.isMinimized() && handle_ &&
-                      handle_->isExposed() && !isCovered_;
-  if (std::exchange(isSeen_, isSeen) != isSeen) emit changed(isSeen);
+void WindowVisibility::updateVisibility() {
+  const bool isVisible = window_.isVisible() && !window_.isMinimized() && handle_ &&
+                         handle_->isExposed() && !isCovered_;
+  if (std::exchange(isVisible_, isVisible) != isVisible) emit changed(isVisible);
 }
 
 }  // namespace asperity

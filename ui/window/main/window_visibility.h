@@ -1,6 +1,6 @@
-// Whether a window can be seen: it is shown, not minimised, on the visible desktop and not fully
+// Detects whether a window is visible: shown, not minimised, on the current desktop and not fully
 // covered, as far as the window system reports it. X11 reports covered windows only where no
-// compositor runs; Wayland and macOS do it by ending the exposure. GUI thread; belongs to the
+// compositor runs; Wayland and macOS do it by ending the exposure. GUI thread; owned by the
 // window. Cannot fail: what is not reported counts as visible.
 #pragma once
 
@@ -20,10 +20,10 @@ class WindowVisibility : public QObject, private QAbstractNativeEventFilter {
   explicit WindowVisibility(QWidget& window);
   ~WindowVisibility() override;
 
-  bool isSeen() const { return isSeen_; }
+  bool isVisible() const { return isVisible_; }
 
  signals:
-  void changed(bool isSeen);
+  void changed(bool isVisible);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -31,12 +31,12 @@ class WindowVisibility : public QObject, private QAbstractNativeEventFilter {
  private:
   bool nativeEventFilter(const QByteArray& type, void* message, qintptr* result) override;
   void watchHandle();
-  void judge();
+  void updateVisibility();
 
   QWidget& window_;
   QPointer<QWindow> handle_;
   bool isCovered_ = false;
-  bool isSeen_ = true;  // until an event says otherwise
+  bool isVisible_ = true;  // until an event says otherwise
 };
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kPoints = 64;                       // along each side
 constexpr int kPause = 40;                        // ms between two pictures
-constexpr double kCut = 0.42;                     // height of the cut over that of the map
+constexpr double kSectionHeight = 0.42;           // height of the cut over that of the map
 constexpr int kDigits = 3;                        // of a value that the cross sets
 constexpr int kShorterName = 3, kLongerName = 4;  // shares of the row for the lists
 constexpr int kWidestList = 360;                  // pixels
@@ -38,12 +38,12 @@ double rounded(double value) {
   return std::round(value / step) * step;
 }
 
-/// Whether two scenes are the same, but for these two parameters.
+/// Returns whether two scenes are the same except for these two parameters.
 bool differOnlyIn(const Scene& a, const Scene& b, const Parameter& x, const Parameter& y) {
   Scene same = a;
   for (const Parameter* row : {&x, &y})
     if (isApplicable(*row, b)) setValue(*row, same, parameterValue(*row, b));
-  // Texts and what stands beside a curve mean nothing for a map.
+  // Texts and comparisons of a curve do not matter for a map.
   same.title = b.title;
   same.description = b.description;
   same.chapter = b.chapter;
@@ -57,14 +57,14 @@ bool holds(const MapAxis& axis, double value) {
 }
 
 /// The cut above the map, which the view has for its cross.
-DiagramSheet sheetWithCut(const ParameterMap& map, const std::string& quantity) {
+DiagramSheet mapSheetWithSection(const ParameterMap& map, const std::string& quantity) {
   DiagramSheet sheet = mapSheet(map, quantity);
   sheet.title = {};
   sheet.subtitle = {};
   sheet.note = {};
   sheet.diagrams.front().marker.reset();  // the view draws the cross
   Diagram cut = mapCut(map, quantity, true);
-  cut.height = kCut;
+  cut.height = kSectionHeight;
   sheet.diagrams.insert(sheet.diagrams.begin(), std::move(cut));
   sheet.columns = 1;
   sheet.sharesAxis = true;
@@ -81,14 +81,14 @@ MapPanel::MapPanel(QWidget* parent)
       xLabel_(new QLabel),
       yLabel_(new QLabel),
       quantityLabel_(new QLabel),
-      complaint_(new QLabel),
+      errorLabel_(new QLabel),
       save_(new QPushButton),
       view_(new MapView) {
   setObjectName("mapPanel");
   x_->setObjectName("mapX");
   y_->setObjectName("mapY");
   quantity_->setObjectName("mapQuantity");
-  complaint_->setObjectName("mapComplaint");
+  errorLabel_->setObjectName("mapComplaint");
   save_->setObjectName("mapSave");
   save_->setEnabled(false);  // until there is a map
   view_->setObjectName("mapView");
@@ -110,9 +110,9 @@ MapPanel::MapPanel(QWidget* parent)
   row->setStretchFactor(quantity_, kLongerName);
   for (QComboBox* box : {x_, y_}) row->setStretchFactor(box, kShorterName);
   row->addStretch();  // what lists of full width leave over is not for the labels
-  complaint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  complaint_->hide();  // its room belongs to the lists until there is something to say
-  row->addWidget(complaint_, kShorterName);
+  errorLabel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  errorLabel_->hide();  // the lists use its space while there is no error
+  row->addWidget(errorLabel_, kShorterName);
   row->addWidget(save_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -199,7 +199,7 @@ void MapPanel::hideEvent(QHideEvent* event) {
   wanted_.reset();
 }
 
-/// Whether a map is that of the present scene, so that only the cross may be elsewhere.
+/// Returns whether a map belongs to the present scene, except for the position of the cross.
 bool MapPanel::isCoveredBy(const ParameterMap& map) const {
   const Parameter &x = *map.x.range.row, &y = *map.y.range.row;
   return x_->currentData().toString().toStdString() == x.key &&
@@ -234,17 +234,17 @@ void MapPanel::compute() {
   } catch (const InputError& error) {
     work_.cancel();
     wanted_.reset();
-    showComplaint(translatedError(error));
+    showError(translatedError(error));
     return;
   }
   wanted_ = ParameterMap{scene_, x, y, {}, 0, 0, false, false};
-  showComplaint({});
+  showError({});
   work_.request(
       [this, scene = scene_, x, y](const BackgroundWork::Run& run) {
         MapOptions options;
         options.stop = run.stop();
         options.preview = [this, &run](ParameterMap stage) {
-          run.tell([this, stage = std::make_shared<ParameterMap>(std::move(stage))] {
+          run.post([this, stage = std::make_shared<ParameterMap>(std::move(stage))] {
             take(std::move(*stage));
           });
         };
@@ -255,11 +255,11 @@ void MapPanel::compute() {
       [this](ParameterMap map) { take(std::move(map)); },
       [this](const QString& reason) {
         wanted_.reset();
-        showComplaint(reason);
+        showError(reason);
       });
 }
 
-/// Shows a stage; the cross may have moved since it was asked for.
+/// Shows a stage; the cross may have moved since it was requested.
 void MapPanel::take(ParameterMap map) {
   if (wanted_) map.scene = wanted_->scene;
   map_ = std::make_shared<const ParameterMap>(std::move(map));
@@ -269,12 +269,12 @@ void MapPanel::take(ParameterMap map) {
 void MapPanel::showMap() {
   showTips();
   if (!map_) return;
-  save_->setEnabled(map_->isFinal);  // a stage has fewer lines than its file would say
+  save_->setEnabled(map_->isFinal);  // a stage has fewer lines than a file of it would state
   const std::string shown = quantity().toStdString();
   view_->setCross(parameterNumber(*map_->x.range.row, map_->scene),
                   parameterNumber(*map_->y.range.row, map_->scene));
   const auto origin = [map = map_, shown] { return provenanceLine(mapProvenance(*map, shown)); };
-  view_->show([map = map_, shown] { return sheetWithCut(*map, shown); },
+  view_->show([map = map_, shown] { return mapSheetWithSection(*map, shown); },
               {"map", origin,
                [map = map_, shown, origin] {
                  return "# asperity: " + origin() + "\n" + mapCsv(*map, shown);
@@ -287,15 +287,15 @@ void MapPanel::moveTo(double x, double y) {
   try {
     emit sceneEdited(sceneAt(*map_, rounded(x), rounded(y)));
   } catch (const InputError&) {
-    // Rounding went past a limit; the cross goes on from the next place.
+    // Rounding exceeded a limit; the cross continues from the next position.
   }
 }
 
-/// Shows why there is no map. A text that has no room is whole in the tooltip.
-void MapPanel::showComplaint(const QString& text) {
-  complaint_->setText(text);
-  complaint_->setToolTip(text);
-  complaint_->setVisible(!text.isEmpty());
+/// Shows why there is no map. The tooltip has the complete text where the label is too narrow.
+void MapPanel::showError(const QString& text) {
+  errorLabel_->setText(text);
+  errorLabel_->setToolTip(text);
+  errorLabel_->setVisible(!text.isEmpty());
 }
 
 /// The boxes may shorten their texts.

@@ -1,7 +1,7 @@
 // The tab of the map: friction over two parameters that are chosen, around the present scene. The
-// map is computed in the background while the tab is visible, coarse first; a newer wish stops the
-// older one. Where only the two parameters change, the map stays and its cross moves. GUI thread;
-// belongs to its parent. Failure: a line of the panel gives the reason.
+// map is computed in the background while the tab is visible, coarse first; a newer request stops
+// the older one. Where only the two parameters change, the map stays and its cross moves. GUI
+// thread; owned by its parent. Failure: a line of the panel gives the reason.
 #pragma once
 
 #include <QWidget>
@@ -52,7 +52,7 @@ class MapPanel : public QWidget {
   void showMap();
   void moveTo(double x, double y);
   void read(double x, double y);
-  void showComplaint(const QString& text);
+  void showError(const QString& text);
   void showTips();
   QString quantity() const;
 
@@ -60,7 +60,7 @@ class MapPanel : public QWidget {
   bool hasScene_ = false;
   QComboBox *x_, *y_, *quantity_;
   QLabel *xLabel_, *yLabel_, *quantityLabel_;
-  QLabel* complaint_;
+  QLabel* errorLabel_;
   QPushButton* save_;
   MapView* view_;
   std::shared_ptr<const ParameterMap> map_;

@@ -102,8 +102,8 @@ void MapView::keyPressEvent(QKeyEvent* event) {
   if (!frame || !hasCross_) return;
   const double steps = event->modifiers().testFlag(Qt::ShiftModifier) ? kFineSteps : kSteps;
   moveCross(
-      {static_cast<qreal>(frame->rightOf(x_)) + right * static_cast<qreal>(frame->width) / steps,
-       static_cast<qreal>(frame->downOf(y_)) + down * static_cast<qreal>(frame->height) / steps});
+      {static_cast<qreal>(frame->mapX(x_)) + right * static_cast<qreal>(frame->width) / steps,
+       static_cast<qreal>(frame->mapY(y_)) + down * static_cast<qreal>(frame->height) / steps});
 }
 
 void MapView::leaveEvent(QEvent* event) {
@@ -115,7 +115,7 @@ void MapView::paintEvent(QPaintEvent* event) {
   DiagramView::paintEvent(event);
   const DiagramFrame* frame = map();
   if (!hasCross_ || !frame) return;
-  const QPointF at(static_cast<qreal>(frame->rightOf(x_)), static_cast<qreal>(frame->downOf(y_)));
+  const QPointF at(static_cast<qreal>(frame->mapX(x_)), static_cast<qreal>(frame->mapY(y_)));
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const qreal left = static_cast<qreal>(frame->left), top = static_cast<qreal>(frame->top);
@@ -123,7 +123,7 @@ void MapView::paintEvent(QPaintEvent* event) {
   painter.setClipRect(QRectF(left, top, width, height));
   for (const auto& [colour, broad] :
        {std::pair{kEdgeOnField, kEdgeOnFieldWidth}, std::pair{kLineOnField, kLineOnFieldWidth}}) {
-    painter.setPen(QPen(colourOf(colour), static_cast<qreal>(broad)));
+    painter.setPen(QPen(toQColor(colour), static_cast<qreal>(broad)));
     if (std::isfinite(at.x()))
       painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), top + height));
     if (std::isfinite(at.y()))
@@ -132,7 +132,7 @@ void MapView::paintEvent(QPaintEvent* event) {
   painter.setPen(Qt::NoPen);
   for (const auto& [colour, radius] : {std::pair{kEdgeOnField, 8.0}, std::pair{kLineOnField, 6.7},
                                        std::pair{seriesColour(kCrossColour, theme()), 5.2}}) {
-    painter.setBrush(colourOf(colour));
+    painter.setBrush(toQColor(colour));
     if (std::isfinite(at.x()) && std::isfinite(at.y())) painter.drawEllipse(at, radius, radius);
   }
   paintReading(painter, {left, top, width, height});
@@ -142,15 +142,15 @@ void MapView::paintReading(QPainter& painter, const QRectF& frame) const {
   if (reading_.isEmpty()) return;
   constexpr qreal kAround = 4;                               // pixels
   constexpr int kFlags = Qt::AlignRight | Qt::TextWordWrap;  // a narrow map has it in two lines
-  const QRectF room = frame.adjusted(2 * kAround, 0, -2 * kAround, 0);
-  const QSizeF size = QFontMetricsF(font()).boundingRect(room, kFlags, reading_).size();
+  const QRectF available = frame.adjusted(2 * kAround, 0, -2 * kAround, 0);
+  const QSizeF size = QFontMetricsF(font()).boundingRect(available, kFlags, reading_).size();
   QRectF box(frame.topLeft() + QPointF(0, kAround), size + QSizeF(2 * kAround, kAround));
   box.moveRight(frame.right() - kAround);
   painter.setClipping(false);
-  QColor ground = colourOf(theme().background);
+  QColor ground = toQColor(theme().background);
   ground.setAlphaF(0.85F);
   painter.fillRect(box, ground);
-  painter.setPen(colourOf(theme().text));
+  painter.setPen(toQColor(theme().text));
   painter.drawText(box.adjusted(kAround, 0.5 * kAround, -kAround, 0), kFlags, reading_);
 }
 

@@ -1,6 +1,6 @@
 // A map of friction with its cross, which is dragged: it sets both parameters at once, within the
 // map. Above the map is the cut through the cross. Pointing anywhere reads the map there. GUI
-// thread; belongs to its parent.
+// thread; owned by its parent.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ class MapView : public DiagramView {
  signals:
   /// Emitted while the cross is dragged or moved by the arrow keys, and where the map is clicked.
   void crossMoved(double x, double y);
-  /// Emitted with the place under the pointer; left: it is beside the map.
+  /// Emitted with the position under the pointer; left: the pointer is beside the map.
   void pointedAt(double x, double y);
   void left();
 

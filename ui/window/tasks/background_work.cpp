@@ -7,7 +7,7 @@
 
 namespace asperity {
 
-BackgroundWork::BackgroundWork(Overtaking overtaking) : overtaking_(overtaking) {}
+BackgroundWork::BackgroundWork(RequestPolicy policy) : policy_(policy) {}
 
 BackgroundWork::~BackgroundWork() {
   {
@@ -21,11 +21,11 @@ BackgroundWork::~BackgroundWork() {
 
 void BackgroundWork::start(Work work, Failed failed) {
   ++newest_;
-  if (overtaking_ == Overtaking::StopsTheRunning) oldestWanted_ = newest_;
+  if (policy_ == RequestPolicy::CancelRunning) oldestRequest_ = newest_;
   {
     const std::lock_guard lock(mutex_);
-    if (overtaking_ != Overtaking::WaitsForItsTurn) waiting_.clear();
-    if (overtaking_ == Overtaking::StopsTheRunning) {
+    if (policy_ != RequestPolicy::RunInOrder) waiting_.clear();
+    if (policy_ == RequestPolicy::CancelRunning) {
       stop_.request_stop();
       stop_ = std::stop_source();
     }
@@ -36,7 +36,7 @@ void BackgroundWork::start(Work work, Failed failed) {
 }
 
 void BackgroundWork::cancel() {
-  oldestWanted_ = newest_ + 1;
+  oldestRequest_ = newest_ + 1;
   const std::lock_guard lock(mutex_);
   waiting_.clear();
   stop_.request_stop();
@@ -48,8 +48,8 @@ void BackgroundWork::work() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
     // Requested files are written before the end.
-    const bool hasDuties = overtaking_ == Overtaking::WaitsForItsTurn && !waiting_.empty();
-    if (ending_ && !hasDuties) return;
+    const bool hasQueuedRequests = policy_ == RequestPolicy::RunInOrder && !waiting_.empty();
+    if (ending_ && !hasQueuedRequests) return;
     const Request request = std::move(waiting_.front());
     waiting_.pop_front();
     const std::stop_token stop = stop_.get_token();
@@ -66,16 +66,16 @@ void BackgroundWork::carryOut(const Request& request, const std::stop_token& sto
     return;
   } catch (const std::exception& error) {
     if (request.failed)
-      run.tell([failed = request.failed, reason = translatedError(error)] { failed(reason); });
+      run.post([failed = request.failed, reason = translatedError(error)] { failed(reason); });
   }
 }
 
 /// Posts the call to the owner; Qt drops posted calls when their object is destroyed.
-void BackgroundWork::Run::tell(std::function<void()> tell) const {
+void BackgroundWork::Run::post(std::function<void()> post) const {
   QMetaObject::invokeMethod(
       &owner_,
-      [owner = &owner_, number = number_, tell = std::move(tell)] {
-        if (number >= owner->oldestWanted_) tell();
+      [owner = &owner_, number = number_, post = std::move(post)] {
+        if (number >= owner->oldestRequest_) post();
       },
       Qt::QueuedConnection);
 }

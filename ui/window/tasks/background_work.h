@@ -6,7 +6,7 @@
 // Threading: all members are called on the window's thread, and only the destructor waits. The work
 // runs on the worker's thread. Its result and its progress arrive on the window's thread, and only
 // while they are still needed: nothing arrives after cancel(), after the destructor, or from work
-// that a newer request has replaced (see Overtaking). Cancelling: the work's stop token is set;
+// that a newer request has replaced (see RequestPolicy). Cancelling: the work's stop token is set;
 // work should check it at least every few milliseconds. The destructor waits for the work to stop.
 // Where work cannot be stopped, the end of the program does not wait for it (runUntilClosed in
 // ui/window/main/run_window.h). Failure: an exception of the work becomes one translated sentence
@@ -29,11 +29,11 @@
 
 namespace asperity {
 
-/// What a new request does to earlier ones.
-enum class Overtaking {
-  StopsTheRunning,  // only the newest answer matters
-  SkipsTheWaiting,  // the running one is finished and shown: pictures of something that moves
-  WaitsForItsTurn,  // every request is carried out: files are written
+/// The effect of a new request on earlier ones.
+enum class RequestPolicy {
+  CancelRunning,   // only the newest answer matters
+  ReplaceWaiting,  // the running one is finished and shown: pictures of something that moves
+  RunInOrder,      // every request is carried out: files are written
 };
 
 class BackgroundWork : public QObject {
@@ -42,8 +42,8 @@ class BackgroundWork : public QObject {
   class Run {
    public:
     const std::stop_token& stop() const { return stop_; }
-    /// Calls `tell` on the window's thread if the work is still needed.
-    void tell(std::function<void()> tell) const;
+    /// Calls `post` on the window's thread if the work is still needed.
+    void post(std::function<void()> post) const;
 
    private:
     friend class BackgroundWork;
@@ -57,7 +57,7 @@ class BackgroundWork : public QObject {
 
   using Failed = std::function<void(const QString& reason)>;
 
-  explicit BackgroundWork(Overtaking overtaking = Overtaking::StopsTheRunning);
+  explicit BackgroundWork(RequestPolicy policy = RequestPolicy::CancelRunning);
   ~BackgroundWork() override;
 
   /// Computes make(run) on the worker's thread and then calls `take` with the result, if there is
@@ -69,14 +69,14 @@ class BackgroundWork : public QObject {
     if constexpr (std::is_void_v<Result>) {
       work = [make = std::move(make), take = std::move(take)](const Run& run) {
         make(run);
-        run.tell(take);
+        run.post(take);
       };
     } else {
       work = [make = std::move(make), take = std::move(take)](const Run& run) {
         // The pointer is shared, because std::function copies what it holds and a result may be
         // large.
         const auto result = std::make_shared<Result>(make(run));
-        run.tell([take, result] { take(std::move(*result)); });
+        run.post([take, result] { take(std::move(*result)); });
       };
     }
     start(std::move(work), std::move(failed));
@@ -97,9 +97,9 @@ class BackgroundWork : public QObject {
   void work();
   void carryOut(const Request& request, const std::stop_token& stop);
 
-  const Overtaking overtaking_;
-  std::uint64_t oldestWanted_ = 1, newest_ = 0;  // numbers of requests; the window's thread only
-  std::mutex mutex_;                             // protects everything down to the thread
+  const RequestPolicy policy_;
+  std::uint64_t oldestRequest_ = 1, newest_ = 0;  // numbers of requests; the window's thread only
+  std::mutex mutex_;                              // protects everything down to the thread
   std::condition_variable changed_;
   std::deque<Request> waiting_;
   std::stop_source stop_;

@@ -16,7 +16,7 @@ namespace asperity {
 
 /// The appearance of a chart: the colours of its theme and its font; marks and pens grow with the
 /// font.
-struct ChartLook {
+struct ChartStyle {
   Theme theme = lightTheme();
   QFont font{};
   bool showsFocus = false;
@@ -48,6 +48,6 @@ void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size);
 void paintErrorBar(QPainter& painter, double x, double top, double bottom, double cap);
 
 /// Returns the pen of a curve.
-QPen strokeOf(const DiagramSeries& series, const ChartLook& look);
+QPen curvePen(const DiagramSeries& series, const ChartStyle& style);
 
 }  // namespace asperity

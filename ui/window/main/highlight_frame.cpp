@@ -1,4 +1,4 @@
-#include "ui/window/main/halo.h"
+#include "ui/window/main/highlight_frame.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -8,8 +8,8 @@ namespace asperity {
 
 namespace {
 
-constexpr int kRoom = 5;        // pixels between the control and the outer edge of the frame
-constexpr int kSideRoom = 8;    // the same at its sides, where its text begins
+constexpr int kMargin = 5;      // pixels between the control and the outer edge of the frame
+constexpr int kSideMargin = 8;  // the same at its sides, where its text begins
 constexpr double kWidth = 2.5;  // of the line, pixels
 constexpr double kCorner = 7;   // radius, pixels
 
@@ -21,7 +21,7 @@ QScrollArea* scrollAreaAround(QWidget& control) {
 
 }  // namespace
 
-Halo::Halo(QWidget& window) : QWidget(&window), window_(window) {
+HighlightFrame::HighlightFrame(QWidget& window) : QWidget(&window), window_(window) {
   setObjectName("halo");
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
@@ -29,7 +29,7 @@ Halo::Halo(QWidget& window) : QWidget(&window), window_(window) {
   hide();
 }
 
-void Halo::surround(QWidget* control) {
+void HighlightFrame::highlight(QWidget* control) {
   for (const QPointer<QWidget>& widget : watched_)
     if (widget) widget->removeEventFilter(this);
   watched_.clear();
@@ -43,11 +43,11 @@ void Halo::surround(QWidget* control) {
     window_.installEventFilter(this);
     if (QScrollArea* area = scrollAreaAround(*control)) area->ensureWidgetVisible(control);
   }
-  follow();
+  adjustToControl();
 }
 
-/// Places of several widgets may change one after the other; the frame moves once, afterwards.
-bool Halo::eventFilter(QObject* watched, QEvent* event) {
+/// Several widgets may move one after the other; the frame moves once, afterwards.
+bool HighlightFrame::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::Move:
     case QEvent::Resize:
@@ -55,7 +55,7 @@ bool Halo::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Hide:
     case QEvent::ParentChange:
       QMetaObject::invokeMethod(
-          this, [this] { follow(); }, Qt::QueuedConnection);
+          this, [this] { adjustToControl(); }, Qt::QueuedConnection);
       break;
     default:
       break;
@@ -64,7 +64,7 @@ bool Halo::eventFilter(QObject* watched, QEvent* event) {
 }
 
 /// Returns the part of the control that nothing around it cuts off, in pixels of the window.
-QRect Halo::visiblePart() const {
+QRect HighlightFrame::visiblePart() const {
   QRect part(control_->mapTo(&window_, QPoint()), control_->size());
   for (QWidget* each = control_->parentWidget(); each && each != &window_;
        each = each->parentWidget())
@@ -72,18 +72,18 @@ QRect Halo::visiblePart() const {
   return part;
 }
 
-void Halo::follow() {
+void HighlightFrame::adjustToControl() {
   // A panel that floats is a window of its own.
   const bool isHere = control_ && control_->window() == &window_ && control_->isVisible();
   const QRect part = isHere ? visiblePart() : QRect();
   setVisible(!part.isEmpty());
   if (part.isEmpty()) return;
-  setGeometry(part.adjusted(-kSideRoom, -kRoom, kSideRoom, kRoom) & window_.rect());
+  setGeometry(part.adjusted(-kSideMargin, -kMargin, kSideMargin, kMargin) & window_.rect());
   raise();
   update();
 }
 
-void Halo::paintEvent(QPaintEvent*) {
+void HighlightFrame::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor colour = palette().color(QPalette::Highlight);

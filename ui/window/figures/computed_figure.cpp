@@ -1,4 +1,4 @@
-#include "ui/window/figures/made_figure.h"
+#include "ui/window/figures/computed_figure.h"
 
 #include <algorithm>
 #include <string>
@@ -15,23 +15,23 @@
 
 namespace asperity {
 
-std::shared_ptr<const MadeFigure> makeFigureBeside(const BackgroundWork::Run& run,
-                                                   const FigureMaker& maker, FigureName name,
-                                                   std::int64_t realizations,
-                                                   const std::function<void(double)>& progressed) {
+std::shared_ptr<const ComputedFigure> computeFigure(const BackgroundWork::Run& run,
+                                                    const FigureMaker& maker, FigureName name,
+                                                    std::int64_t realizations,
+                                                    const std::function<void(double)>& progressed) {
   FigureOptions options;
   options.realizations = realizations;
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
   options.stop = run.stop();
-  options.progress = [&run, progressed, told = -1](double part) mutable {
+  options.progress = [&run, progressed, lastStep = -1](double part) mutable {
     const int step = static_cast<int>(std::clamp(part, 0.0, 1.0) * 1000);
-    if (step == told) return;
-    told = step;
-    run.tell([progressed, step] { progressed(step / 1000.0); });
+    if (step == lastStep) return;
+    lastStep = step;
+    run.post([progressed, step] { progressed(step / 1000.0); });
   };
-  MadeFigure made{maker(name, options), realizations, nullptr};
-  made.contact = contactOf(made.figure);
-  return std::make_shared<const MadeFigure>(std::move(made));
+  ComputedFigure made{maker(name, options), realizations, nullptr};
+  made.contact = contactFrame(made.figure);
+  return std::make_shared<const ComputedFigure>(std::move(made));
 }
 
 namespace {
@@ -47,13 +47,13 @@ QString figureFile(FigureName name, const QString& extension) {
   return "figure_" + fromUtf8(figureEntry(name).word) + extension;
 }
 
-void writeFigurePicture(const std::filesystem::path& file, const MadeFigure& made) {
+void writeFigurePicture(const std::filesystem::path& file, const ComputedFigure& made) {
   const Figure& figure = made.figure;
   writePicture(file, composeFigure(figure, made.contact.get(), printOptions(figure.sheet)),
                {translated(figure.sheet.title), originOf(figure)});
 }
 
-void writeFigureData(const std::filesystem::path& file, const MadeFigure& made) {
+void writeFigureData(const std::filesystem::path& file, const ComputedFigure& made) {
   const std::string extension = file.extension().string();
   if (extension == ".csv")
     writeFileAtomically(file, provenanceComment("figure", made.figure.scene) + made.figure.csv);

@@ -1,4 +1,4 @@
-#include "ui/chart/chart_look.h"
+#include "ui/chart/chart_style.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -17,57 +17,57 @@ constexpr double kTheory = 2, kCurve = 1.6;  // widths of lines, times the scale
 
 }  // namespace
 
-QColor ChartLook::background() const {
-  return colourOf(theme.background);
+QColor ChartStyle::background() const {
+  return toQColor(theme.background);
 }
-QColor ChartLook::text() const {
-  return colourOf(theme.text);
+QColor ChartStyle::text() const {
+  return toQColor(theme.text);
 }
-QColor ChartLook::faintText() const {
-  return colourOf(theme.faintText);
+QColor ChartStyle::faintText() const {
+  return toQColor(theme.faintText);
 }
-QColor ChartLook::axis() const {
+QColor ChartStyle::axis() const {
   return mixed(background(), text(), 0.5);
 }
-QColor ChartLook::grid() const {
+QColor ChartStyle::grid() const {
   return mixed(background(), text(), isDark(theme) ? 0.19 : 0.14);
 }
-QColor ChartLook::fineGrid() const {
+QColor ChartStyle::fineGrid() const {
   return mixed(background(), grid(), 0.55);
 }
-QColor ChartLook::span() const {
+QColor ChartStyle::span() const {
   return mixed(background(), text(), isDark(theme) ? 0.06 : 0.04);
 }
-QColor ChartLook::shade() const {
-  QColor colour = colourOf(theme.highlight);
+QColor ChartStyle::shade() const {
+  QColor colour = toQColor(theme.highlight);
   colour.setAlphaF(0.1F);
   return colour;
 }
-QColor ChartLook::marker() const {
-  return colourOf(seriesColour(1, theme));
+QColor ChartStyle::marker() const {
+  return toQColor(seriesColour(1, theme));
 }
-QColor ChartLook::of(const DiagramSeries& series) const {
-  return series.isTheory ? text() : colourOf(seriesColour(series.colour, theme));
+QColor ChartStyle::of(const DiagramSeries& series) const {
+  return series.isTheory ? text() : toQColor(seriesColour(series.colour, theme));
 }
-double ChartLook::scale() const {
+double ChartStyle::scale() const {
   return markScale(font);
 }
-double ChartLook::line() const {
+double ChartStyle::line() const {
   return QFontMetricsF(font).height();
 }
 
 double markScale(const QFont& font) {
-  constexpr double kUsual = 17;  // pixels, height of a usual line of text on a desktop
-  return std::max(1.0, QFontMetricsF(font).height() / kUsual);
+  constexpr double kDefault = 17;  // pixels, height of a usual line of text on a desktop
+  return std::max(1.0, QFontMetricsF(font).height() / kDefault);
 }
 
 void paintMark(QPainter& painter, SeriesMark mark, QPointF centre, double size) {
-  const std::vector<Place> corners =
+  const std::vector<DrawPoint> corners =
       markCorners(mark, {static_cast<float>(centre.x()), static_cast<float>(centre.y())},
                   static_cast<float>(size));
   if (corners.empty()) return painter.drawEllipse(centre, size / 2, size / 2);
   QPolygonF polygon;
-  for (const Place& corner : corners) polygon += QPointF(corner.x, corner.y);
+  for (const DrawPoint& corner : corners) polygon += QPointF(corner.x, corner.y);
   painter.drawPolygon(polygon);
 }
 
@@ -81,8 +81,8 @@ void paintErrorBar(QPainter& painter, double x, double top, double bottom, doubl
     painter.drawLine(QPointF(middle - cap, y), QPointF(middle + cap, y));
 }
 
-QPen strokeOf(const DiagramSeries& series, const ChartLook& look) {
-  QPen pen(look.of(series), (series.isTheory ? kTheory : kCurve) * look.scale());
+QPen curvePen(const DiagramSeries& series, const ChartStyle& style) {
+  QPen pen(style.of(series), (series.isTheory ? kTheory : kCurve) * style.scale());
   if (series.stroke == SeriesStroke::None) pen.setStyle(Qt::NoPen);
   if (series.stroke == SeriesStroke::Dashed) pen.setStyle(Qt::DashLine);
   if (series.stroke == SeriesStroke::Dotted) pen.setStyle(Qt::DotLine);

@@ -1,7 +1,6 @@
-// A frame around a control that a text speaks of, as the guided tour does. It is drawn over the
-// control without taking its place, its focus or its mouse, and follows it when it moves, is
-// resized, hidden or scrolled. GUI thread; a child of the window. Cannot fail: without a control
-// there is no frame.
+// A frame that highlights a control, used by the guided tour. It is drawn over the control, takes
+// no focus and no mouse events, and follows the control when it moves, is resized, hidden or
+// scrolled. GUI thread; a child of the window. Cannot fail: without a control there is no frame.
 #pragma once
 
 #include <QPointer>
@@ -10,12 +9,12 @@
 
 namespace asperity {
 
-class Halo : public QWidget {
+class HighlightFrame : public QWidget {
  public:
-  explicit Halo(QWidget& window);
+  explicit HighlightFrame(QWidget& window);
 
   /// Draws the frame around this control of the window and scrolls to it; null: around none.
-  void surround(QWidget* control);
+  void highlight(QWidget* control);
   const QWidget* control() const { return control_; }
 
  protected:
@@ -23,7 +22,7 @@ class Halo : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void follow();
+  void adjustToControl();
   QRect visiblePart() const;
 
   QWidget& window_;

@@ -1,0 +1,37 @@
+// Temperatures and moduli in the options of `asperity material`, which are the arguments of
+// asperity.material() in Python, too. Pure; any thread. Throw InputError with the name of the
+// option.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/base/input_error.h"
+#include "core/base/text_number.h"
+#include "core/base/units.h"
+#include "core/material/dma_columns.h"
+
+namespace asperity {
+
+/// Returns a temperature in K, such as 20C, 293.15K or 68F.
+inline double kelvinsFrom(const std::string& text, const std::string& option) {
+  constexpr double kHottest = 2000;
+  const auto temperature = temperatureFrom(text);
+  if (!temperature || !(*temperature > 0 && *temperature <= kHottest))
+    throw InputError("", option,
+                     message("'{}' is not a temperature such as 20C, 293.15K or 68F", text));
+  return *temperature;
+}
+
+/// Returns a modulus in Pa; the text may have a unit: 2.3MPa.
+inline double pascalsFrom(const std::string& text, const std::string& option) {
+  const auto quantity = quantityIn(text);
+  const auto unit = quantity ? sizeOfUnit(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
+                             : std::optional<double>();
+  if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
+    throw InputError("", option, message("'{}' is not a modulus such as 2.3MPa", text));
+  return quantity->number * *unit;
+}
+
+}  // namespace asperity
