@@ -84,8 +84,8 @@ TEST(ContactSigns, TheLegendExplainsTheColoursThatAreShown) {
       return sign.id == id && sign.box.x + sign.box.width > 900;
     });
     ASSERT_NE(legend, signs.end()) << id;
-    const auto found = contactSignAt(shown, options, legend->place.x + legend->place.width / 2,
-                                     legend->place.y + legend->place.height / 2);
+    const auto found = contactSignAt(shown, options, legend->box.x + legend->box.width / 2,
+                                     legend->box.y + legend->box.height / 2);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->id, id);
   }

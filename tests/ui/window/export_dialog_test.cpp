@@ -405,7 +405,7 @@ TEST_F(ExportDialogTest, TheFigureInSightIsChosen) {
   action("exportFigure").trigger();
   dialog_ = window_.findChild<ExportDialog*>();
   ASSERT_TRUE(dialog_);
-  EXPECT_EQ(dialog_->form().wish().content, "6");
+  EXPECT_EQ(dialog_->form().request().content, "6");
 }
 
 /// The command has to make what the window shows, whatever became of the file meanwhile.
