@@ -229,10 +229,11 @@ void MainWindow::buildCommands() {
                   [this] { step(true); },
                   {Qt::SHIFT | Qt::Key_Period, Qt::Key_Greater, Qt::Key_Colon}});
   commands_->add({"reset",
-                  [] { return tr("Reset"); },
+                  [] { return tr("Restart"); },
                   [this] { session_->reset(); },
                   {Qt::Key_R},
                   Symbol::Reset});
+  commands_->setTip("reset", [] { return tr("Time goes back to 0; parameters stay"); });
   commands_->add({"describe",
                   [] { return tr("Describe the contact in words"); },
                   [this] { ContactWords::speak(*session_, *canvas_, *this); },
@@ -439,6 +440,8 @@ void MainWindow::choosePoll() {
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
   connect(timeBar_, &TimeBar::momentWanted, session_, &Session::seek);
+  connect(timeBar_, &TimeBar::said, status_, &StatusLine::say);
+  connect(canvas_, &ContactCanvas::said, status_, &StatusLine::say);
   connect(&tabs_->motion(), &MotionView::momentWanted, session_, &Session::seek);
   // A drag of the moment stops the time, which goes on afterwards if it did before.
   connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
