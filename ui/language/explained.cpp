@@ -54,10 +54,11 @@ QString explanationHtml(const HoverExplanation& explanation, const QString& titl
                         const QString& sentence) {
   QString text;
   if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";
-  if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
   const QString said =
       sentence.isEmpty() ? translatedText(Message(explanation.sentence)) : sentence;
-  return text + "<p>" + said.toHtmlEscaped() + "</p>";
+  text += "<p>" + said.toHtmlEscaped() + "</p>";
+  if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
+  return text;
 }
 
 QString wrappedTip(const QString& text) {
