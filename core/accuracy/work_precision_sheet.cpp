@@ -88,6 +88,8 @@ Diagram regionDiagram(const WorkPrecision& comparison, const RegionPrecision& re
       methodSeries(region, Method::Nodal, "nodal (difference)", SeriesMark::Diamond, 1),
       methodSeries(region, Method::Linear, "linear \u00D71 to \u00D716", SeriesMark::Triangle, 4),
       methodSeries(region, Method::Cubic, "cubic \u00D71 to \u00D716", SeriesMark::Circle, 2)};
+  // A method that cannot compute this scene has no points, and no entry in the legend.
+  std::erase_if(diagram.series, [](const DiagramSeries& series) { return series.points.empty(); });
   if (const WorkPrecisionPoint* present = findPoint(region, comparison.present))
     diagram.series.push_back(presentSeries(*present));
   const double target = comparison.scene.accuracy.targetRelativeError;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,13 +20,17 @@ namespace {
 struct Variant {
   Message name;
   Scene scene;
-  int kind;  // the parameter that differs, as a colour
+  int kind;                                   // the parameter that differs, as a colour
+  SeriesStroke stroke = SeriesStroke::Solid;  // tells variants of one kind apart
 };
 
 std::vector<Variant> variantsOf(const Scene& base) {
   std::vector<Variant> variants{{"as given", base, 0}};
   const auto add = [&](Message name, int kind, const auto& change) {
-    Variant variant{std::move(name), base, kind};
+    constexpr std::array kStrokes{SeriesStroke::Solid, SeriesStroke::Dashed, SeriesStroke::Dotted};
+    const auto before =
+        static_cast<std::size_t>(std::ranges::count(variants, kind, &Variant::kind));
+    Variant variant{std::move(name), base, kind, kStrokes.at(before)};
     change(variant.scene);
     variants.push_back(std::move(variant));
   };
@@ -210,6 +215,7 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
 DiagramSeries plainSeries(const Study& study, const Variant& variant, bool isShifted) {
   DiagramSeries series = frictionSeries(study, 0, variant.name);
   series.colour = variant.kind;
+  series.stroke = variant.stroke;
   if (variant.kind == 0) series.mark = SeriesMark::Circle;
   const Shift shift = isShifted ? shiftOf(study) : Shift{1, 1};
   for (DiagramPoint& point : series.points) {

@@ -222,12 +222,12 @@ DiagramMarker frameMarker(const Frame& frame, CurveAxes axes, CurveQuantity y) {
   const bool isOfVelocity = axes == CurveAxes::Dimensionless || scene.sweep.isOfVelocity();
   DiagramMarker marker;
   double velocity = scene.sliding.velocity, mu = frame.muSteady;
-  Message label = message("v = {} m/s", PrintedNumber{printedNumber(velocity, 3)});
+  Message label = message("v = {}", PrintedNumber{printedQuantity(velocity, "m/s")});
   if (frame.transient) {
     const std::vector<TransientSample>& samples = *frame.transient;
     velocity = std::abs(samples.empty() ? frame.velocity : samples.back().velocity);
     mu = samples.empty() ? kNotApplicable : samples.back().mu;
-    label = message("|v| = {} m/s", PrintedNumber{printedNumber(std::abs(frame.velocity), 3)});
+    label = message("|v| = {}", PrintedNumber{printedQuantity(std::abs(frame.velocity), "m/s")});
     marker.isFixed = true;
     const std::size_t first = samples.size() > kLongestTrace ? samples.size() - kLongestTrace : 0;
     for (std::size_t i = first; isOfVelocity && y == CurveQuantity::Mu && i < samples.size(); ++i) {

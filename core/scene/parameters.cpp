@@ -197,7 +197,7 @@ const std::array kTable{
               RealField{ASPERITY_MEMBER(sliding, velocity), 0, 1e12, 1e-6, 1e4, kLog}},
     Parameter{"sliding.velocity_after", "velocity after", "v_2", "m/s", "Velocity from half of the duration on; below 0 the line goes back.", kLive, {"sliding.kind", "step"},
               RealField{ASPERITY_MEMBER(sliding, velocityAfter), -1e12, 1e12, -10, 10, kLin}},
-    Parameter{"sliding.amplitude", "amplitude", "", "m/s", "Amplitude of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).", kLive, {"sliding.kind", "oscillation"},
+    Parameter{"sliding.amplitude", "velocity amplitude", "", "m/s", "Amplitude of the velocity about its mean: v = mean velocity + velocity amplitude sin(2 pi frequency t).", kLive, {"sliding.kind", "oscillation"},
               RealField{ASPERITY_MEMBER(sliding, amplitude), 0, 1e12, 1e-6, 1e4, kLog}},
     Parameter{"sliding.frequency", "frequency", "f", "Hz", "Oscillations of the velocity in a second.", kLive, {"sliding.kind", "oscillation"},
               RealField{ASPERITY_MEMBER(sliding, frequency), 1e-12, 1e12, 1e-2, 1e5, kLog}},

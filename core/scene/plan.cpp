@@ -82,8 +82,8 @@ Message whyLine(const Scene& scene, bool) {
 
 Message whyRollOff(const Scene& scene, bool runs) {
   if (runs)
-    return message("waves longer than {} m are all equally strong",
-                   scene.surface.rollOffWavelength);
+    return message("waves longer than {} are all equally strong",
+                   PrintedNumber{printedQuantity(scene.surface.rollOffWavelength, "m")});
   if (!isSelfAffine(scene)) return "the line has no spectrum of its own";
   return scene.surface.rollOffWavelength > 0 ? "no wave of the line is longer than the roll-off"
                                              : "the spectrum is self-affine up to the whole length";

@@ -91,6 +91,11 @@ void checkEnd(const Parameter& parameter, const Scene& scene, const char* key, d
 }  // namespace
 
 Parameter parameterIn(const Parameter& row, const Scene& scene) {
+  if (row.key == kVelocityKey && scene.sliding.kind == SlidingKind::Oscillation) {
+    Parameter mean = row;
+    mean.label = "mean velocity";
+    return mean;
+  }
   const bool isEndOfOtherAxis = row.applies.choiceKey == "sweep.key" && row.applies.isExcept;
   const Parameter* swept = isEndOfOtherAxis ? findParameter(scene.sweep.key) : nullptr;
   if (!swept || scene.sweep.isOfVelocity() || !isNumber(*swept)) return row;

@@ -39,7 +39,8 @@ std::vector<double> sweepValues(const Scene& scene);
 Scene sceneAt(const Scene& scene, double value);
 
 /// Returns the row as it is in this scene: the ends of an axis over another key than velocity have
-/// the unit, the limits and the slider of that key. All other rows are returned unchanged.
+/// the unit, the limits and the slider of that key, and the velocity of an oscillation is called
+/// its mean. All other rows are returned unchanged.
 Parameter parameterIn(const Parameter& row, const Scene& scene);
 
 /// Returns the number that the swept key has in the scene itself.

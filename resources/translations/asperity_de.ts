@@ -774,8 +774,8 @@
         <translation>Kurve vergleichen mit</translation>
     </message>
     <message>
-        <source>Compare the curve (needs no target)</source>
-        <translation>Kurve vergleichen (nur ohne Ziel)</translation>
+        <source>Compare the curve (only without a target accuracy)</source>
+        <translation>Kurve vergleichen (nur ohne Zielgenauigkeit)</translation>
     </message>
     <message>
         <source>Computes the curve in this way, too, on the same lines, and plots the difference below it</source>
@@ -854,6 +854,10 @@
     <message>
         <source>Drag down to press harder, up to press less; sideways moves the view.</source>
         <translation>Nach unten ziehen: stärker drücken; nach oben: schwächer; seitwärts bewegt sich die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Drag to the right for a larger velocity amplitude, to the left for a smaller one.</source>
+        <translation>Ziehen nach rechts vergrößert die Geschwindigkeitsamplitude, nach links verkleinert sie.</translation>
     </message>
 </context>
 <context>
@@ -1809,10 +1813,6 @@
 <context>
     <name>asperity::FrictionChartModel</name>
     <message>
-        <source>v = %1 m/s</source>
-        <translation>v = %1 m/s</translation>
-    </message>
-    <message>
         <source>in contact %1 %</source>
         <translation>in Kontakt %1 %</translation>
     </message>
@@ -1836,8 +1836,8 @@
 <context>
     <name>asperity::GalleryPage</name>
     <message>
-        <source>Figures of the paper, computed here and now</source>
-        <translation>Abbildungen der Arbeit, hier und jetzt berechnet</translation>
+        <source>Figures of Li et al. (2013), computed here and now</source>
+        <translation>Abbildungen von Li et al. (2013), hier und jetzt berechnet</translation>
     </message>
     <message>
         <source>Back to the contact (Esc)</source>
@@ -2754,8 +2754,12 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
+        <source>Restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>Time goes back to 0; parameters stay</source>
+        <translation>Die Zeit geht zurück auf 0; die Parameter bleiben</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -3403,6 +3407,10 @@
     <message>
         <source>Dragging with Shift is ten times finer.</source>
         <translation>Ziehen mit Umschalt ist zehnmal feiner.</translation>
+    </message>
+    <message>
+        <source>usually %1</source>
+        <translation>üblich sind %1</translation>
     </message>
 </context>
 <context>
@@ -4173,6 +4181,14 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
+        <source>1 frame/s</source>
+        <translation>1 Bild/s</translation>
+    </message>
+    <message>
+        <source>drawn by %1</source>
+        <translation>gezeichnet mit %1</translation>
+    </message>
+    <message>
         <source>%1 frames/s</source>
         <translation>%1 Bilder/s</translation>
     </message>
@@ -4275,8 +4291,8 @@
         <translation>Tempo des Bildes</translation>
     </message>
     <message>
-        <source>How many times slower or faster than in reality the picture moves; to the right slower. A number alone, such as 600, means slower. Lines of very many elements may move more slowly than this.</source>
-        <translation>Wievielmal langsamer oder schneller als in Wirklichkeit sich das Bild bewegt; nach rechts langsamer. Eine Zahl allein, etwa 600, heißt langsamer. Linien aus sehr vielen Elementen bewegen sich vielleicht noch langsamer.</translation>
+        <source>How many times slower or faster than in reality the picture moves; to the right faster. A number alone, such as 600, means slower.</source>
+        <translation>Wievielmal langsamer oder schneller als in Wirklichkeit sich das Bild bewegt; nach rechts schneller. Eine Zahl allein, etwa 600, heißt langsamer.</translation>
     </message>
     <message>
         <source>pace of the picture, times slower or faster than in reality</source>
@@ -4285,6 +4301,22 @@
     <message>
         <source>The picture moves as fast as before when the velocity changes. Without it a faster line also looks faster.</source>
         <translation>Das Bild bewegt sich so schnell wie zuvor, wenn sich die Geschwindigkeit ändert. Ohne dies sieht eine schnellere Linie auch schneller aus.</translation>
+    </message>
+    <message>
+        <source>the computer cannot keep up</source>
+        <translation>der Rechner kommt nicht nach</translation>
+    </message>
+    <message>
+        <source>The line has too many elements to move as fast as was asked for. The number is the pace that the picture has.</source>
+        <translation>Die Linie hat zu viele Elemente, um sich so schnell wie gewünscht zu bewegen. Die Zahl ist das Tempo, das das Bild hat.</translation>
+    </message>
+    <message>
+        <source>“%1” is beyond what the picture can show, %2 to %3; it is %4 now</source>
+        <translation>„%1“ kann das Bild nicht zeigen, nur %2 bis %3; jetzt ist es %4</translation>
+    </message>
+    <message>
+        <source>“%1” is no pace; type 600, 600× slower or 20× faster</source>
+        <translation>„%1“ ist kein Tempo; möglich sind 600, 600× langsamer oder 20× schneller</translation>
     </message>
 </context>
 <context>
@@ -4669,12 +4701,12 @@
         <translation>starre Linie gleitet</translation>
     </message>
     <message>
-        <source>friction in total F</source>
-        <translation>Reibung gesamt F</translation>
+        <source>tangential force in total F</source>
+        <translation>Tangentialkraft gesamt F</translation>
     </message>
     <message>
-        <source>friction F</source>
-        <translation>Reibung F</translation>
+        <source>tangential force F</source>
+        <translation>Tangentialkraft F</translation>
     </message>
     <message>
         <source>, arrow %1×</source>

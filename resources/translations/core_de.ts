@@ -1159,8 +1159,8 @@
         <translation>unbekannter Schlüssel; &apos;asperity help check&apos; nennt alle</translation>
     </message>
     <message>
-        <source>waves longer than %1 m are all equally strong</source>
-        <translation>Wellen über %1 m sind alle gleich stark</translation>
+        <source>waves longer than %1 are all equally strong</source>
+        <translation>Wellen über %1 sind alle gleich stark</translation>
     </message>
     <message>
         <source>A name for the scene, shown above its pictures.</source>
@@ -1223,8 +1223,8 @@
         <translation>Temperatur des Elastomers; sie verschiebt alle Relaxationszeiten gemeinsam.</translation>
     </message>
     <message>
-        <source>Amplitude of the velocity about its mean: v = velocity + amplitude sin(2 pi frequency t).</source>
-        <translation>Amplitude der Geschwindigkeit um ihr Mittel: v = Geschwindigkeit + Amplitude · sin(2π · Frequenz · t).</translation>
+        <source>Amplitude of the velocity about its mean: v = mean velocity + velocity amplitude sin(2 pi frequency t).</source>
+        <translation>Amplitude der Geschwindigkeit um ihr Mittel: v = mittlere Geschwindigkeit + Geschwindigkeitsamplitude · sin(2π · Frequenz · t).</translation>
     </message>
     <message>
         <source>Oscillations of the velocity in a second.</source>
@@ -1321,6 +1321,14 @@
     <message>
         <source>amplitude</source>
         <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>velocity amplitude</source>
+        <translation>Geschwindigkeitsamplitude</translation>
+    </message>
+    <message>
+        <source>mean velocity</source>
+        <translation>mittlere Geschwindigkeit</translation>
     </message>
     <message>
         <source>arms</source>
@@ -6210,8 +6218,8 @@
         <translation>Anhalten und Ruhen</translation>
     </message>
     <message>
-        <source>Summits of the line dent the rubber, which comes back behind them; the colour shows the pressure. Raise the velocity: contact withdraws to the leading sides.</source>
-        <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+        <source>As in figure 1 of Li et al. (2013): summits of the line dent the rubber, which comes back behind them; the colour shows the pressure. Raise the velocity: contact withdraws to the leading sides. Friction is so small because the line is nearly flat (rms slope 0.0011): in this model it is proportional to the slope.</source>
+        <translation>Wie in Abbildung 1 von Li et al. (2013): Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück. Die Reibung ist so klein, weil die Linie fast flach ist (RMS-Steigung 0,0011): In diesem Modell ist sie proportional zur Steigung.</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QRegularExpression>
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "ui/language/explained.h"
@@ -134,6 +135,31 @@ bool ChartLegend::isUnfinished() const {
 /// did not fit. The legend keeps its height while a curve is computed: the first result, of one
 /// line, has a shorter name, and the chart would move for a moment.
 void ChartLegend::arrange() {
+  // Rather are names cut, which are whole in the tooltip, than entries left out.
+  constexpr std::array kNarrower{0.45, 0.3, 0.2};  // widest name, part of the legend's width
+  int missing = place(std::nullopt);
+  for (std::size_t i = 0; missing > 0 && i < kNarrower.size(); ++i)
+    missing = place(kNarrower[i] * width());
+  const double height = QFontMetricsF(font()).height() + 6;
+  if (missing > 0) {
+    Entry rest;
+    rest.text = tr("and %n more", nullptr, missing);
+    rest.lines = {rest.text};
+    rest.hasSample = false;
+    const QRectF last = entries_.empty() ? QRectF(0, 4, 0, height) : entries_.back().box;
+    rest.box = QRectF(last.right() + kGap * markScale(font()), last.bottom() - height, 120, height);
+    entries_.push_back(std::move(rest));
+  }
+  const bool isEmpty = entries_.empty() && sheet_.status.empty();
+  const double bottom = entries_.empty() ? 4 + height : entries_.back().box.bottom();
+  int all = isEmpty ? 0 : static_cast<int>(bottom + 4);
+  if (isUnfinished()) all = std::max(all, minimumHeight());
+  if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
+}
+
+/// Places the entries, names in one line of at most this width, or in up to two lines where none is
+/// given. Returns how many entries did not fit.
+int ChartLegend::place(std::optional<double> widestName) {
   const QFontMetricsF metrics(font());
   const double height = metrics.height() + 6;
   entries_.clear();
@@ -142,7 +168,10 @@ void ChartLegend::arrange() {
   const auto end = [&] { return width() - kSide - (row == 0 ? statusWidth() + kGap : 0); };
   const auto add = [&](Entry entry, double extra) {
     const double available = std::max(40.0, width() - 2 * kSide - samples() - extra);
-    entry.lines = brokenInto(entry.text, available, metrics);
+    if (widestName)
+      entry.lines = {metrics.elidedText(entry.text, Qt::ElideRight, std::min(room, *widestName))};
+    else
+      entry.lines = brokenInto(entry.text, available, metrics);
     double widest = 0;
     for (const QString& part : entry.lines)
       widest = std::max(widest, metrics.horizontalAdvance(part));
@@ -167,18 +196,7 @@ void ChartLegend::arrange() {
     const double extra = entry.isPinned() ? kCross * markScale(font()) : 0;
     add(std::move(entry), extra);
   }
-  if (missing > 0) {
-    Entry rest;
-    rest.text = tr("and %n more", nullptr, missing);
-    rest.lines = {rest.text};
-    rest.hasSample = false;
-    rest.box = QRectF(x, y, 120, height);
-    entries_.push_back(std::move(rest));
-  }
-  const bool isEmpty = entries_.empty() && sheet_.status.empty();
-  int all = isEmpty ? 0 : static_cast<int>(y + height + 4);
-  if (isUnfinished()) all = std::max(all, minimumHeight());
-  if (minimumHeight() != all || maximumHeight() != all) setFixedHeight(all);
+  return missing;
 }
 
 /// Returns the full name, which may be shortened, with what it means or the effect of a click.

@@ -57,6 +57,7 @@ class ChartLegend : public QWidget {
   };
 
   void arrange();
+  int place(std::optional<double> widestName);
   std::vector<Entry> wanted() const;
   double samples() const;  // width of a sample with its gap, pixels
   double statusWidth() const;

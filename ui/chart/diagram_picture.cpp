@@ -101,6 +101,11 @@ class Panel {
       std::vector<Polyline> borders;
       for (const DiagramSeries& series : diagram_.series)
         std::ranges::move(clippedCurve(series, axes_), std::back_inserter(borders));
+      if (diagram_.marker) borders.push_back(markerLine());
+      if (diagram_.marker && diagram_.marker->isCross) {
+        const float y = axes_.py(axisPlace(axes_.yAxis.scale, diagram_.marker->y));
+        borders.push_back({{box.x, y}, {box.right(), y}});
+      }
       addContours(list, *diagram_.field, axes_, sizes_, taken, borders);
       addColourBar(list, colours_, box, sizes_, theme_);
     } else {

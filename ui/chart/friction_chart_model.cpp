@@ -98,6 +98,10 @@ QString withError(const QString& name, double value, double error) {
   return std::isfinite(error) ? text + " ± " + readingLabel(error, 2) : text;
 }
 
+QString velocityText(double velocity) {
+  return QStringLiteral("v = ") + QString::fromStdString(quantity(velocity, "m/s"));
+}
+
 QString signedPercent(double part) {
   const QString text = readingLabel(std::abs(100 * part));
   return (part < 0 ? "−" : "+") + text + " %";
@@ -384,7 +388,7 @@ QString FrictionChartModel::describeMeasured(const MeasuredCurve& measured,
   const MeasuredPoint& point = measured.data.points[index];
   const QString name = QString::fromStdString(measured.data.name);
   QStringList lines{point.label.empty() ? name : name + ", " + QString::fromStdString(point.label)};
-  lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
+  lines += velocityText(point.velocity);
   lines += withError(QStringLiteral("μ"), point.mu, point.muError);
   if (index < measured.computed.size())
     lines += tr("computed: %1").arg(readingLabel(totalMu(measured.computed[index])));
@@ -395,7 +399,7 @@ QString FrictionChartModel::reading(const CurvePoint& point, const Scene& scene)
   QStringList lines;
   if (!scene.sweep.isOfVelocity())
     lines += translatedText(describeParameter(scene.sweep.key, withSweptValue(scene, point.swept)));
-  lines += tr("v = %1 m/s").arg(readingLabel(point.velocity));
+  lines += velocityText(point.velocity);
   if (axes_ == CurveAxes::Physical && quantity_ != CurveQuantity::Mu) {
     const QuantityEntry& entry = quantityEntry(quantity_);
     lines += translatedText(entry.title) + " = " +
@@ -416,7 +420,7 @@ QString FrictionChartModel::reading(const DifferencePoint& point) const {
   QString difference = tr("difference %1").arg(signedPercent(point.relative));
   if (std::isfinite(point.standardError))
     difference += " ± " + readingLabel(100 * point.standardError, 2) + " %";
-  return tr("v = %1 m/s").arg(readingLabel(point.velocity)) + '\n' + difference + '\n' +
+  return velocityText(point.velocity) + '\n' + difference + '\n' +
          withError(QStringLiteral("μ"), point.mu, point.muStandardError) + ' ' +
          tr("with %1").arg(translatedText(settingName(difference_->setting)));
 }

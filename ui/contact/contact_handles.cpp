@@ -21,7 +21,8 @@ double withFourDigits(double value) {
 
 std::string_view draggedKey(ContactHandle handle, const Scene& scene) {
   if (handle == ContactHandle::None) return {};
-  if (handle == ContactHandle::Velocity) return "sliding.velocity";
+  if (handle == ContactHandle::Velocity)
+    return scene.sliding.kind == SlidingKind::Oscillation ? "sliding.amplitude" : kVelocityKey;
   switch (scene.load.kind) {
     case LoadKind::Force:
       return "load.normal_force";

@@ -126,7 +126,7 @@ std::vector<Reading> readingsOf(const Frame& frame) {
     const bool isSlower = frame.timeScale < 1;
     const double factor = isSlower ? 1 / frame.timeScale : frame.timeScale;
     readings.push_back({{{isSlower ? Words::tr("slow motion") : Words::tr("time lapse")}},
-                        shortNumber(factor) + "\u00D7",
+                        factorText(factor) + "\u00D7",
                         8,
                         filled(Words::tr("One second on the screen shows %1 of the motion."),
                                {quantity(frame.timeScale, "s")}),

@@ -46,7 +46,8 @@ Tag rigidTag() {
 /// arrows to scale are drawn instead.
 Tag frictionTag(const Frame& frame, const ForceArrows& arrows) {
   const bool toTheRight = pushesRight(frame);
-  Tag tag{{{hasInterface(frame) ? Words::tr("friction in total F") : Words::tr("friction F")},
+  Tag tag{{{hasInterface(frame) ? Words::tr("tangential force in total F")
+                                : Words::tr("tangential force F")},
            {"x", false, true},
            {" = " + quantity(frictionForce(drawnState(frame)), "N")}},
           toTheRight ? ArrowDirection::Right : ArrowDirection::Left,

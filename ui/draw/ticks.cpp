@@ -229,6 +229,16 @@ std::string shortNumber(double value, int digits, Zeros zeros) {
   return inLanguage(printedNumber(value, digits, zeros));
 }
 
+std::string factorText(double factor) {
+  constexpr double kLeastGrouped = 1000, kLongest = 1e12;
+  const double rounded = roundedToDigits(factor, 3);
+  if (!(rounded >= kLeastGrouped && rounded < kLongest)) return shortNumber(factor);
+  std::string text = std::to_string(std::llround(rounded));
+  const char* separator = inLanguage(std::string(".")) == "," ? "." : ",";
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, separator);
+  return text;
+}
+
 std::string quantity(double value, std::string_view unit, int digits, Zeros zeros) {
   return inLanguage(printedQuantity(value, unit, digits, zeros));
 }

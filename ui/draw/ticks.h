@@ -60,6 +60,10 @@ std::vector<LogTick> logTicks(double from, double to, int most);
 std::vector<double> minorLogTicks(double from, double to, const std::vector<LogTick>& ticks,
                                   double decadePixels, double apart);
 
+/// Returns a positive factor for people, "1,410,000": with three digits, and the groups of
+/// thousands of the language from 1000 on.
+std::string factorText(double factor);
+
 /// These functions return printedNumber() and printedQuantity() in the current language.
 std::string shortNumber(double value, int digits = 3, Zeros zeros = Zeros::Drop);
 std::string quantity(double value, std::string_view unit, int digits = 3,

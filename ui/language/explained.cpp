@@ -54,10 +54,11 @@ QString explanationHtml(const HoverExplanation& explanation, const QString& titl
                         const QString& sentence) {
   QString text;
   if (!title.isEmpty()) text += "<p><b>" + title.toHtmlEscaped() + "</b></p>";
-  if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
   const QString body =
       sentence.isEmpty() ? translatedText(Message(explanation.sentence)) : sentence;
-  return text + "<p>" + body.toHtmlEscaped() + "</p>";
+  text += "<p>" + body.toHtmlEscaped() + "</p>";
+  if (!explanation.formula.empty()) text += "<p>" + formulaHtml(explanation.formula) + "</p>";
+  return text;
 }
 
 QString wrappedTip(const QString& text) {

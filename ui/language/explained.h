@@ -16,7 +16,7 @@ QString formulaHtml(std::string_view formula);
 /// Returns a formula as plain text: "Fₙ", and "L_c" where there is no small lowered letter.
 QString formulaText(std::string_view formula);
 
-/// Returns title, formula and sentence as rich text for a tooltip; an empty title is left out.
+/// Returns title, sentence and formula as rich text for a tooltip; an empty title is left out.
 /// sentence: replaces the sentence of the explanation; may be empty.
 QString explanationHtml(const HoverExplanation& explanation, const QString& title = {},
                         const QString& sentence = {});

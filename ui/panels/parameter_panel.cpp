@@ -416,13 +416,15 @@ void ParameterPanel::showRows(const ParameterRow* edited) {
   for (ParameterRow* row : std::as_const(rows_)) row->showScene(scene_, line_, row == edited);
 }
 
-/// Gives the ends of the curve's axis the unit and the slider of its key.
+/// Gives the ends of the curve's axis the unit and the slider of its key, and the velocity the name
+/// that it has in the scene's motion.
 void ParameterPanel::updateAxisRow() {
-  if (axis_ == scene_.sweep.key) return;
-  axis_ = scene_.sweep.key;
+  const bool isOtherAxis = std::exchange(axis_, scene_.sweep.key) != scene_.sweep.key;
   for (ParameterRow* row : std::as_const(rows_)) {
     const Parameter shown = parameterIn(*findParameter(row->parameter().key), scene_);
-    if (shown.applies.choiceKey == "sweep.key" && allowedRange(shown)) row->setParameter(shown);
+    const bool isEndOfAxis =
+        isOtherAxis && shown.applies.choiceKey == "sweep.key" && allowedRange(shown);
+    if (isEndOfAxis || shown.label != row->parameter().label) row->setParameter(shown);
   }
 }
 

@@ -102,9 +102,21 @@ bool isUnitOf(const QString& word, const Parameter& parameter) {
   return !parameter.unit.empty() && findUnit(word.toStdString(), parameter.unit).has_value();
 }
 
-/// Returns the allowed range in the notation of the entries.
+/// Returns the range in which a person looks for values, that of the slider, in the notation of the
+/// entries; what is allowed beyond it is in the message that refuses a value.
 QString rangeText(const Parameter& parameter) {
-  if (allowedRange(parameter)) return allowedInWords(numberRule(parameter));
+  if (allowedRange(parameter)) {
+    NumberRule rule = numberRule(parameter);
+    std::visit(
+        [&rule](const auto& field) {
+          if constexpr (requires { field.sliderFrom; }) {
+            rule.minimum = static_cast<double>(field.sliderFrom);
+            rule.maximum = static_cast<double>(field.sliderTo);
+          }
+        },
+        parameter.field);
+    return ParameterRow::tr("usually %1").arg(allowedInWords(rule));
+  }
   QStringList words;
   if (const auto* choice = std::get_if<ChoiceField>(&parameter.field))
     for (const std::string_view word : choice->choices) words += wordText(word, parameter.key);
@@ -522,18 +534,22 @@ QString ParameterRow::accessibleLabel() const {
 
 /// Returns what the parameter is: formula, sentence, key and range.
 QString ParameterRow::meaning() const {
-  QString text;
-  if (const auto explanation = findExplanation(parameter_.key))
-    text = explanationHtml(*explanation);
-  if (const QString range = rangeText(parameter_); !range.isEmpty())
-    text += QStringLiteral("<p><small>%1: %2</small></p>")
-                .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
-  return text;
+  const auto explanation = findExplanation(parameter_.key);
+  return (explanation ? explanationHtml(*explanation) : QString()) + keyLine();
+}
+
+/// Returns the last line of a tooltip: the key, for people who write scene files, and its range.
+QString ParameterRow::keyLine() const {
+  const QString range = rangeText(parameter_);
+  if (range.isEmpty()) return {};
+  return QStringLiteral("<p><small><span style=\"color: gray\">%1: %2</span></small></p>")
+      .arg(fromUtf8(parameter_.key), range.toHtmlEscaped());
 }
 
 /// Returns the same with how its control is used.
 QString ParameterRow::description() const {
-  QString text = meaning();
+  const auto explanation = explanationOf(parameter_.key);
+  QString text = explanation ? explanationHtml(*explanation) : QString();
   if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
     text += QStringLiteral("<p><small>%1</small></p>")
                 .arg(tr("A number alone counts in the unit beside it, one with an exponent (1e7) "
@@ -545,7 +561,7 @@ QString ParameterRow::description() const {
     if (!slider_->isHidden()) keys += ' ' + tr("Dragging with Shift is ten times finer.");
     text += QStringLiteral("<p><small>%1</small></p>").arg(keys);
   }
-  return text;
+  return text + keyLine();
 }
 
 void ParameterRow::contextMenuEvent(QContextMenuEvent* event) {

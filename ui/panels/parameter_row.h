@@ -108,6 +108,7 @@ class ParameterRow : public QWidget {
   void describe(QWidget& control);
   QString meaning() const;
   QString description() const;
+  QString keyLine() const;
   QString accessibleLabel() const;
 
   Parameter parameter_;

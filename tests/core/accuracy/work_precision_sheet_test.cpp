@@ -47,6 +47,18 @@ TEST(WorkPrecisionSheet, TheScenesMethodIsRingedAndNamedInEveryRegion) {
   }
 }
 
+/// A method that cannot compute the scene has neither curve nor entry.
+TEST(WorkPrecisionSheet, EveryEntryOfTheLegendHasACurve) {
+  WorkPrecision made = comparison();
+  for (RegionPrecision& region : made.regions)
+    std::erase_if(region.points, [](const WorkPrecisionPoint& point) {
+      return point.choice.method == Method::Literal;
+    });
+  for (const Diagram& diagram : workPrecisionSheet(made).diagrams)
+    for (const DiagramSeries& series : diagram.series)
+      EXPECT_FALSE(series.points.empty()) << series.name.english();
+}
+
 /// A finer line takes longer to make, too.
 TEST(WorkPrecisionSheet, TheMakingOfTheLineIsCounted) {
   Scene scene = sceneOfSize(200, 9, 2);

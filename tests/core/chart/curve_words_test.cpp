@@ -60,5 +60,19 @@ TEST(CurveWords, OneParameterHasItsSymbolOrItsName) {
   EXPECT_EQ(describeParameter("surface.hurts", scene).english(), "");
 }
 
+/// Points per element that the scene leaves open depend on its other parameters; nobody chose them.
+TEST(CurveWords, LeaveOutWhatWasChosenAutomatically) {
+  Scene scene, other;
+  other.sliding.velocity = scene.sliding.velocity;
+  other.load.normalForce = 3;
+  other.surface.elements = 8 * scene.surface.elements;
+  other.ensemble.realizations = 1;
+  ASSERT_NE(pointsPerElementOfCurve(scene), pointsPerElementOfCurve(other));
+  const std::string words = differencesInWords(other, scene).english();
+  EXPECT_EQ(words.find("oversampling"), words.npos) << words;
+  other.accuracy.oversampling = 4;
+  EXPECT_NE(differencesInWords(other, scene).english().find("oversampling 4"), words.npos);
+}
+
 }  // namespace
 }  // namespace asperity

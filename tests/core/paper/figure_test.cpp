@@ -9,6 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "core/base/input_error.h"
 
@@ -141,6 +142,12 @@ TEST(Figures, ExactClaimsHold) {
   const Figure master = makeFigure(FigureName::Master, optionsFor(FigureName::Master));
   EXPECT_EQ(claimOf(master, "temperature_shift").holds, Verdict::Yes);
   EXPECT_EQ(claimOf(master, "dimensionless_variables").holds, Verdict::Yes);
+  // No two curves look alike.
+  std::set<std::tuple<int, SeriesStroke, SeriesMark>> looks;
+  const Diagram& computed = master.sheet.diagrams.front();
+  for (const DiagramSeries& series : computed.series)
+    EXPECT_TRUE(looks.emplace(series.colour, series.stroke, series.mark).second)
+        << series.name.english();
 }
 
 /// Eq. (17): the shift closes the distance of curves a decade or two apart.

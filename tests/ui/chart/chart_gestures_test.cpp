@@ -410,5 +410,30 @@ TEST_F(ChartGestures, LongNamesAreBrokenAndWholeInTheirTooltip) {
   EXPECT_TRUE(legend->toolTip().contains(QString::fromStdString(diagram.series[0].name.text)));
 }
 
+/// Names of curves that differ in much are cut before an entry is left out.
+TEST_F(ChartGestures, LongNamesLeaveNoEntryOut) {
+  DiagramSheet sheet = sampleSheet();
+  Diagram& diagram = sheet.diagrams[0];
+  QStringList parts;
+  for (int i = 0; i < 14; ++i) parts += QStringLiteral("parameter %1 = %2 MPa").arg(i).arg(10 * i);
+  for (int id = 10; id < 14; ++id) {
+    diagram.series.push_back(diagram.series[0]);
+    diagram.series.back().id = id;
+    diagram.series.back().name = parts.join(", ").toStdString();
+  }
+  view_->setSheet(sheet);
+  QTest::qWait(1);
+  auto* legend = view_->findChild<ChartLegend*>();
+  ASSERT_TRUE(legend);
+  for (int id = 10; id < 14; ++id) {
+    const QRectF place = legend->placeOf(id);
+    ASSERT_FALSE(place.isEmpty()) << id;
+    EXPECT_LE(place.right(), legend->width()) << id;
+    EXPECT_LE(place.bottom(), legend->height()) << id;
+  }
+  QTest::mouseMove(legend, legend->placeOf(12).center().toPoint());
+  EXPECT_TRUE(legend->toolTip().contains(parts.join(", ")));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -124,7 +124,7 @@ TEST(FrictionChartModelTest, MarksThePresentVelocityOfTheFrame) {
   ASSERT_TRUE(plot.marker);
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 3e-3);
-  EXPECT_EQ(plot.marker->label.english(), "v = 0.25 m/s");
+  EXPECT_EQ(plot.marker->label.english(), "v = 250 mm/s");
   EXPECT_EQ(plot.marker->name.english(), "this line, now");
   // At rest it has no place on a logarithmic axis, and no entry in the legend.
   scene.sliding.velocity = 0;
@@ -160,7 +160,7 @@ TEST(FrictionChartModelTest, AMotionMovesItsMarkerAndLeavesATrace) {
   EXPECT_TRUE(plot.marker->isFixed);
   EXPECT_EQ(plot.marker->x, 0.25);
   EXPECT_EQ(plot.marker->y, 8e-4);
-  EXPECT_EQ(plot.marker->label.english(), "|v| = 0.25 m/s");
+  EXPECT_EQ(plot.marker->label.english(), "|v| = 250 mm/s");
   EXPECT_EQ(plot.marker->name.english(), "this motion, now");
   ASSERT_EQ(plot.marker->trace.size(), 3U);  // no line through rest
   EXPECT_EQ(plot.marker->trace[0].x, 0.5);

@@ -139,5 +139,16 @@ TEST(ContactHandles, TheBodyBeginsAtTheLine) {
   EXPECT_EQ(handleAt(*frame, options, plot.x + 5, plot.y + plot.height + 9), ContactHandle::None);
 }
 
+/// The arrow shows the velocity at this moment, which is not the mean that the scene states.
+TEST(ContactHandles, TheArrowOfAnOscillationSetsItsAmplitude) {
+  Scene start = sceneWith(LoadKind::Force);
+  start.sliding.kind = SlidingKind::Oscillation;
+  start.sliding.velocity = 0;
+  start.sliding.amplitude = 0.5;
+  const Scene after = dragged(start, ContactHandle::Velocity, {0.1, 0, 1e-6});
+  EXPECT_EQ(after.sliding.velocity, 0);
+  EXPECT_GT(after.sliding.amplitude, 0.5);
+}
+
 }  // namespace
 }  // namespace asperity

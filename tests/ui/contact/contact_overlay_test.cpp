@@ -276,7 +276,7 @@ TEST(ForceArrows, AreOnlySpokenOfWhereTheyAreDrawn) {
     std::string texts;
     for (const DrawText& text : list.texts) texts += text.utf8 + "|";
     const ForceArrows arrows = arrowsOf(slower);
-    EXPECT_NE(texts.find("friction F"), std::string::npos) << part;
+    EXPECT_NE(texts.find("tangential force F"), std::string::npos) << part;
     EXPECT_EQ(texts.find(", arrow ") != std::string::npos, arrows.sideways > 0) << part;
     if (part >= 0.3) {
       EXPECT_GT(arrows.sideways, 0) << part;

@@ -122,7 +122,7 @@ TEST(ContactTexts, WhileItSettlesWhatIsDrawnIsTold) {
   expectTidyTexts(frame, {}, "settling");
   frame.drawn.mu = frame.drawn.tangentialForce = kNotApplicable;  // steps too coarse to read it
   EXPECT_NE(allTexts(frame).find("friction coefficient \u03BC|\u2013|"), std::string::npos);
-  EXPECT_EQ(allTexts(frame).find("friction F|"), std::string::npos);
+  EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos);
 }
 
 /// Zoomed to one of the two, the other one has no name there; and the arrow of sliding stays.
@@ -170,7 +170,7 @@ TEST(ContactTexts, SayWhichPartOfTheFriction) {
   frame.tangentialForce = 0.25;
   const std::string words = allTexts(frame);
   for (const char* part : {"\u03BC of the deformation|0.125|", "\u03BC of the interface|0.250|",
-                           "\u03BC in total|0.375|", "friction in total F|x| = 750 mN"})
+                           "\u03BC in total|0.375|", "tangential force in total F|x| = 750 mN"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
 }
 
@@ -247,11 +247,11 @@ TEST(ContactTexts, FrictionIsShownOnlyWhereThereIsSome) {
   SampleOptions options;
   options.points = 300;
   Frame frame = *sampleFrame(options);
-  EXPECT_NE(allTexts(frame).find("friction F|"), std::string::npos);
+  EXPECT_NE(allTexts(frame).find("tangential force F|"), std::string::npos);
   for (const double mu : {0.0, kNotApplicable}) {
     frame.muSteady = mu;
     frame.tangentialForce = 1e-20;  // what rounding leaves
-    EXPECT_EQ(allTexts(frame).find("friction F|"), std::string::npos) << mu;
+    EXPECT_EQ(allTexts(frame).find("tangential force F|"), std::string::npos) << mu;
   }
 }
 

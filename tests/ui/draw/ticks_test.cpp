@@ -129,5 +129,13 @@ TEST(Ticks, MinorOnesSplitTheStepsIntoRoundParts) {
   EXPECT_TRUE(minor(1, 1, 5).empty());
 }
 
+TEST(FactorText, GroupsThousands) {
+  EXPECT_EQ(factorText(0.5), "0.5");
+  EXPECT_EQ(factorText(600), "600");
+  EXPECT_EQ(factorText(1000), "1,000");
+  EXPECT_EQ(factorText(1.4142e6), "1,410,000");
+  EXPECT_EQ(factorText(999.9), "1,000");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -262,5 +262,36 @@ TEST_F(PanelViewTest, TooltipsHaveTheFormulaAndTheMenuLeadsToTheGuide) {
   EXPECT_TRUE(slider("load.normal_force").toolTip().contains("F<sub>N</sub>"));
 }
 
+/// The sentence comes first, and the key last, for those who write files.
+TEST_F(PanelViewTest, TooltipsBeginWithTheSentence) {
+  const QString tip = slider("sliding.velocity").toolTip();
+  const qsizetype sentence = tip.indexOf("Sliding velocity of the line"),
+                  formula = tip.indexOf("f = 4"), keys = tip.indexOf("Arrow keys"),
+                  key = tip.indexOf("sliding.velocity");
+  EXPECT_GE(sentence, 0);
+  EXPECT_LT(sentence, formula);
+  EXPECT_LT(formula, keys);
+  EXPECT_LT(keys, key);
+  EXPECT_FALSE(tip.contains("10<sup>12") || tip.contains(QStringLiteral("10¹²")))
+      << tip.toStdString();
+}
+
+TEST_F(PanelViewTest, TheVelocityOfAnOscillationIsItsMean) {
+  const auto label = [&] {
+    for (const QLabel* found :
+         panel_.findChild<QWidget*>("row:sliding.velocity")->findChildren<QLabel*>())
+      if (found->textFormat() == Qt::RichText) return found->text();
+    return QString();
+  };
+  Scene scene;
+  panel_.setScene(scene);
+  EXPECT_FALSE(label().contains("mean velocity"));
+  scene.sliding.kind = SlidingKind::Oscillation;
+  panel_.setScene(scene);
+  EXPECT_TRUE(label().contains("mean velocity")) << label().toStdString();
+  panel_.setScene(Scene{});
+  EXPECT_FALSE(label().contains("mean velocity"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -146,7 +146,7 @@ TEST_F(ParameterPanelTest, RefusalsNameTheRangeInReadableUnits) {
             "40 °C is a temperature; wanted is a length, such as 20 mm");
   type("elastomer.temperature", "40 °C");
   EXPECT_EQ(panel_.scene().elastomer.temperature, 313.15);
-  EXPECT_TRUE(slider("surface.length").toolTip().contains("1 nm to 1000 m"));
+  EXPECT_TRUE(slider("surface.length").toolTip().contains("usually 100 \u00B5m to 1 m"));
 }
 
 TEST_F(ParameterPanelTest, SentencesHaveABox) {

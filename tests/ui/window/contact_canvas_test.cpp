@@ -430,6 +430,26 @@ TEST_F(DraggedCanvasTest, TheTipSaysBeforehandWhatADragWillDo) {
   EXPECT_TRUE(tip(place(0.3, 0.97).toPoint()).contains("sideways"));
 }
 
+/// Over the body the readout of the crosshair stays alone; what a drag does is said elsewhere. A
+/// tooltip takes the readout's place until the pointer moves on.
+TEST_F(DraggedCanvasTest, OneBoxStandsOverTheContact) {
+  QSignalSpy said(&canvas_, &ContactCanvas::said);
+  const auto rest = [&](QPoint at) {
+    QTest::mouseMove(&canvas_, at);
+    EXPECT_TRUE(canvas_.viewer().pointer());
+    QHelpEvent event(QEvent::ToolTip, at, canvas_.mapToGlobal(at));
+    QApplication::sendEvent(&canvas_, &event);
+  };
+  rest(place(0.3, 0.97).toPoint());
+  EXPECT_TRUE(canvas_.viewer().pointer());
+  EXPECT_TRUE(QTest::qWaitFor([] { return !QToolTip::isVisible(); }));
+  ASSERT_EQ(said.count(), 1);
+  EXPECT_TRUE(said[0][0].toString().contains("press harder"));
+  rest(handle(ContactHandle::Force));
+  EXPECT_TRUE(QToolTip::text().contains("press harder"));
+  EXPECT_FALSE(canvas_.viewer().pointer());
+}
+
 /// An indentation leaves no force to choose.
 TEST_F(DraggedCanvasTest, AGivenIndentationIsWhatTheBodyChanges) {
   scene_.load.kind = LoadKind::Indentation;

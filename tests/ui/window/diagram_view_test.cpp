@@ -96,6 +96,33 @@ TEST(DiagramView, TakesTheFocusWhereItCanBeSaved) {
   EXPECT_EQ(view.focusPolicy(), Qt::StrongFocus);
 }
 
+/// Side by side there is room for symbols alone. They stand in the legend beside the colour of
+/// their curve, however the curves run.
+TEST(DiagramView, SymbolsOfLowDiagramsStandInTheLegend) {
+  DiagramSheet sheet;
+  sheet.columns = 1;
+  for (int i = 0; i < 3; ++i) {
+    Diagram diagram;
+    diagram.x = {"frequency f", "Hz"};
+    diagram.y = {"moduli G', G''", "Pa"};
+    for (const char* name : {"storage modulus G'", "loss modulus G''"}) {
+      DiagramSeries series;
+      series.name = name;
+      series.points = {{1, 1e6}, {1e3, 1e7}};
+      diagram.series.push_back(series);
+    }
+    sheet.diagrams.push_back(diagram);
+  }
+  const DiagramSheet shown = readableSheet(sheet, {900, 230, 1, lightTheme(), 0.85F});
+  ASSERT_EQ(shown.columns, 3);
+  for (const Diagram& diagram : shown.diagrams) {
+    EXPECT_TRUE(diagram.labels.empty());
+    ASSERT_EQ(diagram.series.size(), 2);
+    EXPECT_EQ(diagram.series[0].name.text, "G'");
+    EXPECT_EQ(diagram.series[1].name.text, "G''");
+  }
+}
+
 TEST(MapView, ArrowKeysMoveTheCross) {
   MapView view;
   view.resize(500, 300);

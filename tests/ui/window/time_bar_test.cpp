@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
@@ -80,16 +81,57 @@ TEST_F(TimeBarTest, AFactorIsTypedOrChosen) {
   for (const char* nonsense : {"", "fast", "-3", "0", "nan", "inf", "3 fast", "3 slowly"}) {
     type(nonsense);
     EXPECT_DOUBLE_EQ(bar_.pace(), 20) << nonsense;
-    EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1000× slower")) << nonsense;
+    EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1,000× slower")) << nonsense;
   }
   EXPECT_EQ(paces.size(), 2);
   type("1e12");  // as slow as it gets
   const double slowest = bar_.pace();
   EXPECT_GT(slowest, 60);
   EXPECT_LT(slowest, 1e4);
-  EXPECT_EQ(part<QSlider>("paceSlider").value(), part<QSlider>("paceSlider").maximum());
-  QTest::keyClick(&part<QSlider>("paceSlider"), Qt::Key_Left);
+  EXPECT_EQ(part<QSlider>("paceSlider").value(), part<QSlider>("paceSlider").minimum());
+  QTest::keyClick(&part<QSlider>("paceSlider"), Qt::Key_Right);  // to the right faster
   EXPECT_LT(bar_.pace(), slowest);
+}
+
+/// What was not taken, or not as it was typed, is said.
+TEST_F(TimeBarTest, ARefusedPaceIsSaid) {
+  QSignalSpy said(&bar_, &TimeBar::said);
+  type("abc");
+  type("-3");
+  ASSERT_EQ(said.count(), 2);
+  EXPECT_TRUE(said[0][0].toString().contains("abc"));
+  EXPECT_TRUE(said[1][0].toString().contains("-3"));
+  type("5");  // a period would take less time than can be seen
+  ASSERT_EQ(said.count(), 3);
+  EXPECT_DOUBLE_EQ(bar_.slowMotion(), 100);
+  EXPECT_TRUE(said[2][0].toString().contains("it is 100× slower now"))
+      << said[2][0].toString().toStdString();
+  type("2,000");
+  EXPECT_DOUBLE_EQ(bar_.slowMotion(), 2000);
+  type("2,500x slower");
+  EXPECT_DOUBLE_EQ(bar_.slowMotion(), 2500);
+  EXPECT_EQ(said.count(), 3);
+}
+
+/// A line of very many elements moves more slowly than was asked for; header and bar agree.
+TEST_F(TimeBarTest, APictureThatIsTooSlowHasOneNumber) {
+  auto& behind = part<QLabel>("behindText");
+  frame_.timeScale = 1 / 600.0;
+  for (int i = 0; i < 9; ++i) bar_.showFrame(frame_);
+  EXPECT_TRUE(behind.isHidden());
+  frame_.timeScale = 1 / 1.41e6;
+  bar_.showFrame(frame_);
+  EXPECT_TRUE(behind.isHidden()) << "one late picture is none";
+  for (int i = 0; i < 9; ++i) bar_.showFrame(frame_);
+  EXPECT_FALSE(behind.isHidden());
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("1,410,000× slower"));
+  EXPECT_DOUBLE_EQ(bar_.pace(), 12) << "the wish stays";
+  QTest::keyClick(&part<QLineEdit>("slowMotion"), Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(bar_.pace(), 12) << "and nothing was typed";
+  frame_.timeScale = 1 / 600.0;
+  bar_.showFrame(frame_);
+  EXPECT_TRUE(behind.isHidden());
+  EXPECT_EQ(part<QLineEdit>("slowMotion").text(), QStringLiteral("600× slower"));
 }
 
 /// One word says the pace, with the direction beside the number.

@@ -409,6 +409,21 @@ ContactTip ContactCanvas::tipAt(const QPointF& position) const {
   return contactTipAt(*shown.frame, sizedOptions(shown), position * shown.scale, scene_);
 }
 
+/// Shows one box at a time. Over the body the readout stays and the hint goes to the status line;
+/// a tooltip hides the readout until the pointer moves on, which hides the tooltip.
+void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
+  constexpr int kReach = 4;  // pixels
+  const auto [html, anchor] = tipAt(position);
+  if (viewer_.pointer() && anchor.isEmpty() && handleUnder(position) == ContactHandle::Body) {
+    QToolTip::hideText();
+    emit said(dragHint(ContactHandle::Body, *scene_));
+    return;
+  }
+  if (!html.isEmpty() && viewer_.pointer()) showCrosshair({-1, -1});
+  const QRect around(position - QPoint(kReach, kReach), QSize(2 * kReach, 2 * kReach));
+  QToolTip::showText(onScreen, html, this, around);  // an empty one hides it
+}
+
 void ContactCanvas::readAbout() {
   emit guideRequested(guideAnchor_.isEmpty() ? QStringLiteral("foundation") : guideAnchor_);
 }
@@ -421,7 +436,7 @@ void ContactCanvas::pinch(const QPointF& position, double factor) {
 bool ContactCanvas::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    QToolTip::showText(help->globalPos(), tipAt(help->pos()).html, this);  // an empty one hides it
+    explain(help->pos(), help->globalPos());
     return true;
   }
   // The menu, which Qt shows, has an entry that leads to what is under the pointer.

@@ -91,6 +91,8 @@ class ContactCanvas : public QWidget {
   /// Emitted at each step of a drag that changes the scene.
   void sceneEdited(const asperity::Scene& scene);
   void guideRequested(const QString& anchor);
+  /// Emitted with a sentence on what a drag from the pointer does.
+  void said(const QString& sentence);
 
  protected:
   bool event(QEvent* event) override;
@@ -125,6 +127,7 @@ class ContactCanvas : public QWidget {
   void endDrag();
   void pinch(const QPointF& position, double factor);
   void changed();
+  void explain(const QPoint& position, const QPoint& onScreen);
 
   QVBoxLayout* layout_;
   CanvasBackend* backend_ = nullptr;  // a child widget

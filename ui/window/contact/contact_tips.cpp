@@ -1,6 +1,7 @@
 #include "ui/window/contact/contact_tips.h"
 
 #include "core/scene/parameters.h"
+#include "core/scene/sweep.h"
 #include "ui/contact/contact_signs.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/explained.h"
@@ -11,10 +12,10 @@
 
 namespace asperity {
 
-namespace {
-
-/// Returns one sentence on a drag of this handle.
 QString dragHint(ContactHandle handle, const Scene& scene) {
+  if (handle == ContactHandle::Velocity && scene.sliding.kind == SlidingKind::Oscillation)
+    return ContactCanvas::tr(
+        "Drag to the right for a larger velocity amplitude, to the left for a smaller one.");
   if (handle == ContactHandle::Velocity)
     return ContactCanvas::tr("Drag to the right to slide faster, to the left to slide slower.");
   if (handle == ContactHandle::Force)
@@ -28,6 +29,8 @@ QString dragHint(ContactHandle handle, const Scene& scene) {
                    "view.");
 }
 
+namespace {
+
 /// Returns the explanation of a sign, or its text where it has none.
 ContactTip tipOf(const ContactSign& sign) {
   const QString sentence = keptTogether(QString::fromStdString(sign.tip));
@@ -40,7 +43,7 @@ ContactTip tipOf(const ContactSign& sign) {
 }  // namespace
 
 QString draggedText(ContactHandle handle, const Scene& scene) {
-  const Parameter& parameter = knownParameter(draggedKey(handle, scene));
+  const Parameter parameter = parameterIn(knownParameter(draggedKey(handle, scene)), scene);
   const double value = std::get<double>(parameterValue(parameter, scene));
   return ParameterRow::labelText(parameter) + ": " +
          QString::fromStdString(quantity(value, parameter.unit, 4));

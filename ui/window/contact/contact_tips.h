@@ -25,6 +25,9 @@ ContactTip contactTipAt(const Frame& frame, const ContactPictureOptions& options
 ContactHandle contactHandleAt(const Frame& frame, const ContactPictureOptions& options,
                               const QPointF& pixel, const std::optional<Scene>& scene);
 
+/// Returns one sentence on what a drag of this handle does.
+QString dragHint(ContactHandle handle, const Scene& scene);
+
 /// Returns "normal force: 200 mN", the value that a drag changes.
 QString draggedText(ContactHandle handle, const Scene& scene);
 

@@ -11,6 +11,7 @@
 #include <QStyle>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/run/runner.h"
 #include "ui/draw/ticks.h"
@@ -26,16 +27,20 @@ namespace {
 constexpr double kFastest = 2, kSlowest = 600;  // s on the screen for a period
 constexpr int kPositions = 240;                 // of the slider of the pace
 constexpr int kMoments = 1000;                  // of the slider of the moment
+constexpr int kLongestQuote = 60;               // letters of what was typed, in a message
 constexpr int kEntryMargin = 16;                // pixels around the text of an entry
 
-/// Returns the position of a pace on the slider: slower to the right.
+constexpr double kBehind = 0.7, kAgainOnTime = 0.9;  // of the pace that was asked for
+constexpr int kFramesBehind = 5;  // in a row, before it is said that the picture is too slow
+
+/// Returns the position of a pace on the slider: faster to the right.
 int sliderPosition(double pace) {
   return static_cast<int>(
-      std::lround(kPositions * std::log(pace / kFastest) / std::log(kSlowest / kFastest)));
+      std::lround(kPositions * std::log(kSlowest / pace) / std::log(kSlowest / kFastest)));
 }
 
 double paceAt(int position) {
-  return kFastest * std::pow(kSlowest / kFastest, static_cast<double>(position) / kPositions);
+  return kSlowest * std::pow(kFastest / kSlowest, static_cast<double>(position) / kPositions);
 }
 
 QString quantityText(double seconds) {
@@ -52,8 +57,17 @@ QString fasterText(const QString& number) {
 
 /// Returns "600× slower", or "20× faster" where less than reality is needed.
 QString paceText(double slowMotion) {
-  return slowMotion < 1 ? fasterText(QString::fromStdString(shortNumber(1 / slowMotion)))
-                        : slowerText(QString::fromStdString(shortNumber(slowMotion)));
+  return slowMotion < 1 ? fasterText(QString::fromStdString(factorText(1 / slowMotion)))
+                        : slowerText(QString::fromStdString(factorText(slowMotion)));
+}
+
+/// Returns "180,000" without the signs between its thousands, as the language writes them.
+QString withoutGroups(const QString& number) {
+  static const QRegularExpression english(QStringLiteral("^\\d{1,3}(,\\d{3})+$")),
+      german(QStringLiteral("^\\d{1,3}(\\.\\d{3})+$"));
+  const bool hasComma = inLanguage(QStringLiteral(".")) == QStringLiteral(",");
+  const bool isGrouped = (hasComma ? german : english).match(number).hasMatch();
+  return isGrouped ? QString(number).remove(hasComma ? '.' : ',') : number;
 }
 
 QString momentText(const QString& time, const QString& duration) {
@@ -68,6 +82,7 @@ TimeBar::TimeBar(QWidget* parent)
       moment_(new QSlider(Qt::Horizontal)),
       slider_(new QSlider(Qt::Horizontal)),
       momentText_(new QLabel),
+      behindText_(new QLabel),
       name_(new QLabel),
       factor_(new QLineEdit),
       keep_(new QCheckBox) {
@@ -90,6 +105,9 @@ TimeBar::TimeBar(QWidget* parent)
   row->addWidget(moment_, 1);
   row->addWidget(momentText_);
   row->addStretch(0);
+  behindText_->setObjectName("behindText");
+  behindText_->hide();
+  row->addWidget(behindText_);
   row->addSpacing(8);
   row->addWidget(name_);
   row->addWidget(slider_);
@@ -130,13 +148,16 @@ void TimeBar::showTexts() {
   moment_->setToolTip(wrappedTip(tr("The moment of the motion: drag it to any other one.")));
   slider_->setAccessibleName(tr("pace of the picture"));
   const QString tip = wrappedTip(
-      tr("How many times slower or faster than in reality the picture moves; to the right slower. "
-         "A number alone, such as 600, means slower. Lines of very many elements may move more "
-         "slowly than this."));
+      tr("How many times slower or faster than in reality the picture moves; to the right faster. "
+         "A number alone, such as 600, means slower."));
   for (QWidget* part : std::initializer_list<QWidget*>{name_, slider_, factor_})
     part->setToolTip(tip);
   factor_->setAccessibleName(tr("pace of the picture, times slower or faster than in reality"));
   name_->setText(tr("pace"));
+  behindText_->setText(tr("the computer cannot keep up"));
+  behindText_->setToolTip(wrappedTip(
+      tr("The line has too many elements to move as fast as was asked for. The number is "
+         "the pace that the picture has.")));
   keep_->setText(tr("constant pace"));
   keep_->setToolTip(wrappedTip(
       tr("The picture moves as fast as before when the velocity changes. Without it a faster line "
@@ -149,7 +170,7 @@ void TimeBar::setWidths() {
   const auto widthOf = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text);
   };
-  const QString widest = QStringLiteral("0000.00");
+  const QString widest = QStringLiteral("0,000,000");
   factor_->setFixedWidth(std::max(widthOf(slowerText(widest)), widthOf(fasterText(widest))) +
                          kEntryMargin);
   // The numbers change without moving what is beside them.
@@ -196,6 +217,7 @@ void TimeBar::showFrame(const Frame& frame) {
     length_ = frame.length;
     showPace();
   }
+  showDelay(frame);
   if (!(duration_ > 0) || !frame.transient) return;
   time_ = frame.time;
   if (!moment_->isSliderDown()) {
@@ -205,10 +227,23 @@ void TimeBar::showFrame(const Frame& frame) {
   momentText_->setText(momentText(quantityText(time_), quantityText(duration_)));
 }
 
+/// Shows the pace that the picture has where that is much slower than the one asked for: header and
+/// bar have one number.
+void TimeBar::showDelay(const Frame& frame) {
+  if (!(frame.timeScale > 0) || !(slowMotion() > 0)) return;
+  const double reached = frame.timeScale * slowMotion();
+  framesBehind_ = reached < (reachedScale_ > 0 ? kAgainOnTime : kBehind) ? framesBehind_ + 1 : 0;
+  const double before =
+      std::exchange(reachedScale_, framesBehind_ >= kFramesBehind ? frame.timeScale : 0);
+  if (reachedScale_ != before) showPace();
+}
+
 void TimeBar::setPace(double pace) {
   pace = std::clamp(pace, kFastest, kSlowest);
   if (pace != pace_) {
     pace_ = pace;
+    framesBehind_ = 0;
+    reachedScale_ = 0;
     emit paceChanged(pace_);
   }
   showPace();
@@ -221,28 +256,45 @@ void TimeBar::setSlowMotion(double factor) {
 void TimeBar::showPace() {
   const QSignalBlocker quiet(slider_);
   slider_->setValue(sliderPosition(pace_));
-  const double factor = slowMotion();
-  factor_->setEnabled(factor > 0);
-  factor_->setText(factor > 0 ? paceText(factor) : QStringLiteral("–"));
+  const double wanted = slowMotion();
+  const double factor = reachedScale_ > 0 ? 1 / reachedScale_ : wanted;
+  behindText_->setVisible(reachedScale_ > 0);
+  factor_->setEnabled(wanted > 0);
+  shown_ = wanted > 0 ? paceText(factor) : QStringLiteral("–");
+  if (factor_->hasFocus() && factor_->isModified()) return;  // somebody types
+  if (factor_->text() == shown_) return;
+  factor_->setText(shown_);
   factor_->setCursorPosition(0);
 }
 
-/// Reads the typed pace, "600", "1e3 x slower" or "20× faster"; any other text leaves the pace.
+/// Reads the typed pace, "600", "1e3 x slower" or "20× faster". Any other text leaves the pace, and
+/// a pace beyond the limits becomes the nearest one; a message says so in both cases.
 void TimeBar::readFactor() {
   static const QRegularExpression form(
       QStringLiteral("^\\s*([0-9.,eE+]+|[0-9.,]+[eE]-[0-9]+)\\s*[×x]?\\s*(\\p{L}*)\\s*$"));
-  const QRegularExpressionMatch typed = form.match(factor_->text());
+  const QString text = factor_->text().trimmed();
+  factor_->setModified(false);
+  if (text == shown_) return;
+  const QRegularExpressionMatch typed = form.match(text);
   // The words of the present language, "slower" and "faster", alone.
   const auto isWordOf = [&](const QString& shown) {
     return !typed.captured(2).isEmpty() && shown.endsWith(typed.captured(2));
   };
   bool isNumber = false;
-  const double number = withPoint(typed.captured(1)).toDouble(&isNumber);
+  const double number = withPoint(withoutGroups(typed.captured(1))).toDouble(&isNumber);
   const bool isFaster = isWordOf(fasterText(QString()));
   const bool isKnown = isFaster || typed.captured(2).isEmpty() || isWordOf(slowerText(QString()));
   const double factor = isFaster && number > 0 ? 1 / number : number;
-  if (isNumber && isKnown && std::isfinite(factor) && paceText(factor) != paceText(slowMotion()))
+  if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
+    if (paceText(factor) != paceText(slowMotion()))
+      emit said(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
+                    .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
+                         paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
+  } else {
+    emit said(
+        tr("“%1” is no pace; type 600, 600× slower or 20× faster").arg(text.left(kLongestQuote)));
+  }
   showPace();
 }
 

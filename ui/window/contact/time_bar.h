@@ -42,6 +42,8 @@ class TimeBar : public QWidget {
   void seekRequested(double time);
   /// Emitted at the beginning and the end of a drag of the moment.
   void scrubbing(bool isOn);
+  /// Emitted with a sentence for the user: a typed pace was refused or changed.
+  void said(const QString& sentence);
 
  protected:
   /// Moves the handle of the slider of time to a press anywhere on it, and grips it there.
@@ -53,6 +55,7 @@ class TimeBar : public QWidget {
   void setWidths();
   void setPace(double pace);
   void showPace();
+  void showDelay(const Frame& frame);
   void readFactor();
   double simulatedTime() const;
 
@@ -61,8 +64,11 @@ class TimeBar : public QWidget {
   double pace_;
   double time_ = 0, duration_ = 0;  // s, of a motion; duration 0: steady sliding
   QSlider *moment_, *slider_;
-  QLabel *momentText_, *name_;
+  QLabel *momentText_, *behindText_, *name_;
   QLineEdit* factor_;
+  QString shown_;            // text of the pace
+  int framesBehind_ = 0;     // in a row that were slower than was asked for
+  double reachedScale_ = 0;  // simulated seconds per second of a picture that is too slow; 0: none
   QCheckBox* keep_;
 };
 

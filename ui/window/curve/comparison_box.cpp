@@ -77,7 +77,7 @@ ComparisonBox::ComparisonBox(QWidget* parent)
 
 void ComparisonBox::showTexts() {
   wanted_->setText(isEnabled() ? tr("Compare the curve with")
-                               : tr("Compare the curve (needs no target)"));
+                               : tr("Compare the curve (only without a target accuracy)"));
   wanted_->setToolTip(
       tr("Computes the curve in this way, too, on the same lines, and plots the "
          "difference below it"));

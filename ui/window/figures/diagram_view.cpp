@@ -38,13 +38,11 @@ DiagramSheet sheetOf(const DiagramView::Maker& maker) {
   }
 }
 
-/// Returns the sheet as it can be read at this size: diagrams that would be too low below each
-/// other are side by side, with symbols at the curves instead of a legend and the subtitle instead
-/// of both headings; the last ones are left out where the view is too narrow.
-DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
+}  // namespace
+
+DiagramSheet readableSheet(DiagramSheet sheet, const DiagramOptions& options) {
   constexpr float kLowest = 6;       // in heights of the numbers
   constexpr float kNarrowest = 190;  // logical pixels of one diagram
-  constexpr double kAside = 4;       // from a curve to its name, as a factor
   const auto isLow = [&] { return lowestFrame(sheet, options) < kLowest; };
   if (sheet.columns != 1 || sheet.diagrams.size() < 2 || !isLow()) return sheet;
   const auto available =
@@ -55,23 +53,14 @@ DiagramSheet readable(DiagramSheet sheet, const DiagramOptions& options) {
   sheet = translated(std::move(sheet));
   for (Diagram& diagram : sheet.diagrams) {
     diagram.height = 1;
-    // The first curve is named above it, the others below them.
-    double aside = diagram.y.scale == AxisScale::Logarithmic ? kAside : 1;
-    for (DiagramSeries& series : diagram.series) {
-      const std::string symbol = trailingSymbol(series.name.text);
-      if (symbol.empty() || series.points.empty()) continue;
-      const DiagramPoint& at = series.points[series.points.size() / 4];
-      diagram.labels.push_back({Message::name(symbol), at.x, aside * at.y});
-      aside = std::min(aside, 1 / aside);
-      series.name = {};
-    }
+    for (DiagramSeries& series : diagram.series)
+      if (const std::string symbol = trailingSymbol(series.name.text); !symbol.empty())
+        series.name = Message::name(symbol);
   }
   if (!sheet.subtitle.empty()) sheet.title = {};
   if (isLow()) sheet.note = {};
   return sheet;
 }
-
-}  // namespace
 
 DiagramView::DiagramView(QWidget* parent) : QWidget(parent), pause_(new QTimer(this)) {
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -116,7 +105,7 @@ void DiagramView::request() {
   ++asked_;
   pictures_.request(
       [maker = maker_, options, scale](const BackgroundWork::Run&) {
-        const DiagramSheet sheet = readable(sheetOf(maker), options);
+        const DiagramSheet sheet = readableSheet(sheetOf(maker), options);
         QImage image = renderImage(contextOfThread(), composeDiagrams(sheet, options));
         image.setDevicePixelRatio(scale);
         std::vector<DiagramFrame> frames = diagramFrames(sheet, options);

@@ -27,6 +27,11 @@ struct DiagramExport {
   std::function<DiagramSheet()> sheet{};
 };
 
+/// Returns the sheet as it can be read at this size: diagrams that would be too low below each
+/// other stand side by side, with symbols in the legend and the subtitle in place of both headings;
+/// the last ones are left out where that is too narrow.
+DiagramSheet readableSheet(DiagramSheet sheet, const DiagramOptions& options);
+
 class DiagramView : public QWidget {
   Q_OBJECT
 

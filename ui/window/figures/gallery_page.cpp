@@ -127,7 +127,7 @@ QWidget* GalleryPage::makeHeading() {
   connect(close, &QToolButton::clicked, this, &GalleryPage::closed);
   row->addWidget(close);
   keepTranslated(*heading, [title, close] {
-    title->setText(tr("Figures of the paper, computed here and now"));
+    title->setText(tr("Figures of Li et al. (2013), computed here and now"));
     close->setToolTip(tr("Back to the contact (Esc)"));
     close->setAccessibleName(tr("back to the contact"));
   });

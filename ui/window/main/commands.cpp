@@ -28,7 +28,7 @@ QAction* Commands::add(Command command) {
   connect(action, &QAction::triggered, this, [run = command.run] { run(); });
   window_.addAction(action);
   const std::string name = command.name;
-  const auto& entry = entries_.insert_or_assign(name, Entry{action, std::move(command)}).first;
+  const auto& entry = entries_.insert_or_assign(name, Entry{action, std::move(command), {}}).first;
   showText(entry->second);
   return action;
 }
@@ -45,6 +45,11 @@ QList<QAction*> Commands::get(std::initializer_list<const char*> names) const {
 
 void Commands::refresh(const std::string& name) {
   showText(entries_.at(name));
+}
+
+void Commands::setTip(const std::string& name, std::function<QString()> tip) {
+  entries_.at(name).tip = std::move(tip);
+  refresh(name);
 }
 
 void Commands::setSymbol(const std::string& name, Symbol symbol) {
@@ -65,7 +70,8 @@ void Commands::showText(const Entry& entry) const {
   const QString key = action.shortcut().toString(QKeySequence::NativeText);
   action.setText(text);
   action.setIconText(buttonText(entry.command.button ? entry.command.button() : text));
-  action.setToolTip(key.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, key));
+  const QString tip = entry.tip ? entry.tip() : text;
+  action.setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key));
 }
 
 void Commands::paint(const Entry& entry) const {

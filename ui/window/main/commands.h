@@ -54,6 +54,9 @@ class Commands : public QObject {
   /// Adds a command, whose keys work in the whole window.
   QAction* add(Command command);
 
+  /// Gives a command a tooltip that says what it does, in place of its text.
+  void setTip(const std::string& name, std::function<QString()> tip);
+
   /// Returns a command that was added; the name must be correct.
   QAction* get(const std::string& name) const;
   QList<QAction*> get(std::initializer_list<const char*> names) const;
@@ -69,6 +72,7 @@ class Commands : public QObject {
   struct Entry {
     QAction* action;
     Command command;
+    std::function<QString()> tip{};
   };
   void showText(const Entry& entry) const;
   void paint(const Entry& entry) const;

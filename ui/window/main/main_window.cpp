@@ -229,10 +229,11 @@ void MainWindow::buildCommands() {
                   [this] { step(true); },
                   {Qt::SHIFT | Qt::Key_Period, Qt::Key_Greater, Qt::Key_Colon}});
   commands_->add({"reset",
-                  [] { return tr("Reset"); },
+                  [] { return tr("Restart"); },
                   [this] { session_->reset(); },
                   {Qt::Key_R},
                   Symbol::Reset});
+  commands_->setTip("reset", [] { return tr("Time goes back to 0; parameters stay"); });
   commands_->add({"describe",
                   [] { return tr("Describe the contact in words"); },
                   [this] { ContactWords::showFor(*session_, *canvas_, *this); },
@@ -441,6 +442,8 @@ void MainWindow::updatePollInterval() {
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
   connect(timeBar_, &TimeBar::seekRequested, session_, &Session::seek);
+  connect(timeBar_, &TimeBar::said, status_, &StatusLine::say);
+  connect(canvas_, &ContactCanvas::said, status_, &StatusLine::say);
   connect(&tabs_->motion(), &MotionView::seekRequested, session_, &Session::seek);
   // Dragging the slider of time pauses the run, which resumes afterwards if it was playing.
   connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {

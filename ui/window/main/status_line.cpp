@@ -245,7 +245,7 @@ void StatusLine::changeEvent(QEvent* event) {
   showTips();
   reserveWidths();
   showWork(work_);
-  if (!rate_->text().isEmpty()) showDrawing(framesPerSecond_, backend_->text());
+  if (!backendName_.isEmpty()) showDrawing(framesPerSecond_, backendName_);
 }
 
 void StatusLine::monitor(const Session& session, const ContactCanvas& canvas) {
@@ -414,8 +414,12 @@ void StatusLine::showMessage(const QString& text) {
 
 void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
   framesPerSecond_ = framesPerSecond;
-  rate_->setText(tr("%1 frames/s").arg(framesPerSecond));
-  backend_->setText(backend);
+  // A picture at rest has no rate.
+  rate_->setText(framesPerSecond == 0   ? QString()
+                 : framesPerSecond == 1 ? tr("1 frame/s")
+                                        : tr("%1 frames/s").arg(framesPerSecond));
+  backendName_ = backend;
+  backend_->setText(backend.isEmpty() ? QString() : tr("drawn by %1").arg(backend));
   fitReadings();
 }
 

@@ -98,6 +98,7 @@ class StatusLine : public QWidget {
   QLabel* simulations_;
   QLabel* rate_;
   QLabel* backend_;
+  QString backendName_;  // "software"
 };
 
 /// Returns Eq. (14), F_N / (G h L); NaN where it does not apply.

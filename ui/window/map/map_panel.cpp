@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/stop.h"
 #include "core/chart/map_sheet.h"
+#include "core/friction/curve_point.h"
 #include "core/scene/provenance.h"
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
@@ -56,13 +57,31 @@ bool holds(const MapAxis& axis, double value) {
   return value >= least && value <= most;
 }
 
+/// Returns a series that is not drawn along the lines of the cross, which labels of contours avoid.
+DiagramSeries placeOfCross(const Diagram& map, const DiagramMarker& cross) {
+  DiagramSeries lines;
+  lines.stroke = SeriesStroke::None;
+  lines.points = {{cross.x, map.y.from},
+                  {cross.x, map.y.to},
+                  {kNotApplicable, kNotApplicable},
+                  {map.x.from, cross.y},
+                  {map.x.to, cross.y}};
+  return lines;
+}
+
 /// The cut above the map, which the view has for its cross.
 DiagramSheet mapSheetWithSection(const ParameterMap& map, const std::string& quantity) {
   DiagramSheet sheet = mapSheet(map, quantity);
   sheet.title = {};
   sheet.subtitle = {};
   sheet.note = {};
-  sheet.diagrams.front().marker.reset();  // the view draws the cross
+  Diagram& drawn = sheet.diagrams.front();
+  // The few coarse cells of a stage have no border that a reader could trust.
+  if (!map.isFinal)
+    std::erase_if(drawn.series,
+                  [](const DiagramSeries& series) { return series.id == kRegionBorder; });
+  if (drawn.marker) drawn.series.push_back(placeOfCross(drawn, *drawn.marker));
+  drawn.marker.reset();  // the view draws the cross
   Diagram cut = mapCut(map, quantity, true);
   cut.height = kSectionHeight;
   sheet.diagrams.insert(sheet.diagrams.begin(), std::move(cut));
