@@ -78,8 +78,8 @@ bool differs(const Parameter& row, const Scene& scene, const Scene& from) {
   if (isOfNoCurve(row, scene) || !isApplicable(row, scene)) return false;
   if (isShiftIdle(row, scene) && isShiftIdle(row, from)) return false;
   // What was chosen automatically in both scenes is no difference that a user made.
-  if (valueOf(row, scene) == valueOf(row, from) && valueOf(row, scene) == defaultOf(row) &&
-      isApplicable(row, from))
+  if (parameterValue(row, scene) == parameterValue(row, from) &&
+      parameterValue(row, scene) == defaultValue(row) && isApplicable(row, from))
     return false;
   return !isApplicable(row, from) || valueInCurve(row, scene) != valueInCurve(row, from);
 }

@@ -548,7 +548,7 @@ QString ParameterRow::keyLine() const {
 
 /// Returns the same with how its control is used.
 QString ParameterRow::description() const {
-  const auto explanation = explanationOf(parameter_.key);
+  const auto explanation = findExplanation(parameter_.key);
   QString text = explanation ? explanationHtml(*explanation) : QString();
   if (std::holds_alternative<RealField>(parameter_.field) && !parameter_.unit.empty())
     text += QStringLiteral("<p><small>%1</small></p>")

@@ -67,11 +67,11 @@ TEST(CurveWords, LeaveOutWhatWasChosenAutomatically) {
   other.load.normalForce = 3;
   other.surface.elements = 8 * scene.surface.elements;
   other.ensemble.realizations = 1;
-  ASSERT_NE(pointsPerElementOfCurve(scene), pointsPerElementOfCurve(other));
-  const std::string words = differencesInWords(other, scene).english();
+  ASSERT_NE(curvePointsPerElement(scene), curvePointsPerElement(other));
+  const std::string words = describeDifferences(other, scene).english();
   EXPECT_EQ(words.find("oversampling"), words.npos) << words;
   other.accuracy.oversampling = 4;
-  EXPECT_NE(differencesInWords(other, scene).english().find("oversampling 4"), words.npos);
+  EXPECT_NE(describeDifferences(other, scene).english().find("oversampling 4"), words.npos);
 }
 
 }  // namespace
