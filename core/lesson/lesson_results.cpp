@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-lesson-results/1";
+constexpr std::string_view kShown = "shown";                   // in place of an answer
 constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
 constexpr int kDeepestResults = 6;
 
@@ -62,7 +63,9 @@ LessonResult resultFrom(const Json& json, const std::string& place) {
   result.kind = chosen(kKinds, textIn(json, "kind", "", place), place + ".kind");
   GivenAnswer& given = result.given;
   LessonAnswer& expected = result.expected;
-  readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number, given.place);
+  if (json["given"] != kShown)
+    readAnswer(json["given"], place + ".given", result.kind, given.choice, given.number,
+               given.place);
   readAnswer(json["expected"], place + ".expected", result.kind, expected.choice,
              expected.number.value, expected.place.value);
   expected.number.unit = textIn(json, "unit", "", place);
@@ -87,20 +90,27 @@ int LessonResults::right() const {
   return static_cast<int>(std::ranges::count_if(results, &LessonResult::isRight));
 }
 
+int LessonResults::shown() const {
+  return static_cast<int>(
+      std::ranges::count_if(results, [](const LessonResult& one) { return !one.given.isGiven(); }));
+}
+
 LessonResults emptyResults(const Lesson& lesson) {
   return {lesson.name, lesson.title.english, lesson.digest, {}};
 }
 
 std::string resultsJson(const LessonResults& results) {
   Json json = {{"schema", kSchema},        {"lesson", results.lesson}, {"title", results.title},
-               {"sha256", results.digest}, {"right", results.right()}, {"steps", Json::array()}};
+               {"sha256", results.digest}, {"right", results.right()}, {"shown", results.shown()},
+               {"steps", Json::array()}};
   for (const LessonResult& one : results.results) {
-    Json step = {
-        {"step", one.step + 1},
-        {"kind", wordOf(kKinds, one.kind)},
-        {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.place)},
-        {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
-                                one.expected.place.value)}};
+    Json step = {{"step", one.step + 1},
+                 {"kind", wordOf(kKinds, one.kind)},
+                 {"given", one.given.isGiven() ? answerJson(one.kind, one.given.choice,
+                                                            one.given.number, one.given.place)
+                                               : Json(kShown)},
+                 {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
+                                         one.expected.place.value)}};
     if (!one.expected.number.unit.empty()) step["unit"] = one.expected.number.unit;
     step["right"] = one.isRight;
     json["steps"].push_back(std::move(step));
@@ -111,7 +121,7 @@ std::string resultsJson(const LessonResults& results) {
 LessonResults resultsFrom(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
-    checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
+    checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "shown", "steps"});
     if (textIn(json, "schema") != kSchema) refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{
         textIn(json, "lesson"), textIn(json, "title"), textIn(json, "sha256"), {}};

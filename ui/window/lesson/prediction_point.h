@@ -22,8 +22,9 @@ class PredictionPoint : public QWidget {
 
   /// Asks for a point; x: its place on the axis, or none. name: what is asked, for a screen reader.
   void ask(std::optional<double> x, const QString& name);
-  /// Shows a point that is decided.
-  void showDecided(double x, double y);
+  /// Shows a point that is decided: the student's answer, or the one that the program computed.
+  enum class Whose { Given, Computed };
+  void showDecided(double x, double y, Whose whose = Whose::Given);
   void dismiss() { hide(); }
 
   /// The place (in the units of the axes), once it was placed.
@@ -46,6 +47,8 @@ class PredictionPoint : public QWidget {
   bool hasAxes() const;
   QPointF pixelOf(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
+  QRectF axesRect() const;
+  QString placeText() const;
   QRectF roomOf(QSizeF label, QPointF at, const QRectF& frame) const;
   QPointF middle() const;
   void place(QPointF value);
@@ -56,7 +59,7 @@ class PredictionPoint : public QWidget {
   std::optional<QPointF> point_;
   QString name_;
   QColor colour_;
-  bool isDecided_ = false;
+  bool isDecided_ = false, isComputed_ = false, isDragged_ = false;
 };
 
 }  // namespace asperity

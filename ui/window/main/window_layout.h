@@ -90,6 +90,7 @@ class WindowLayout : public QObject {
   void showScreenMode();
   void makeRoomForFigures(bool areShown);
   void giveRoomToViews();
+  bool restoreDocks(const QByteArray& state, int version = 0);
 
   LayoutParts parts_;
   Commands* commands_ = nullptr;
