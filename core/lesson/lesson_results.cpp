@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSchema = "asperity-lesson-results/1";
+constexpr std::string_view kShown = "shown";                   // in place of an answer
 constexpr std::size_t kLargestResults = std::size_t{1} << 20;  // bytes
 constexpr int kDeepestResults = 6;
 
@@ -60,7 +61,8 @@ LessonResult readResult(const Json& json, const std::string& path) {
   result.kind = chosen(kPredictionKinds, textMember(json, "kind", "", path), path + ".kind");
   GivenAnswer& given = result.given;
   LessonAnswer& expected = result.expected;
-  readAnswer(json["given"], path + ".given", result.kind, given.choice, given.number, given.x);
+  if (json["given"] != kShown)
+    readAnswer(json["given"], path + ".given", result.kind, given.choice, given.number, given.x);
   readAnswer(json["expected"], path + ".expected", result.kind, expected.choice,
              expected.number.value, expected.x.value);
   expected.number.unit = textMember(json, "unit", "", path);
@@ -85,17 +87,25 @@ int LessonResults::right() const {
   return static_cast<int>(std::ranges::count_if(results, &LessonResult::isRight));
 }
 
+int LessonResults::shown() const {
+  return static_cast<int>(
+      std::ranges::count_if(results, [](const LessonResult& one) { return !one.given.isGiven(); }));
+}
+
 LessonResults emptyResults(const Lesson& lesson) {
   return {lesson.name, lesson.title.english, lesson.digest, {}};
 }
 
 std::string resultsJson(const LessonResults& results) {
   Json json = {{"schema", kSchema},        {"lesson", results.lesson}, {"title", results.title},
-               {"sha256", results.digest}, {"right", results.right()}, {"steps", Json::array()}};
+               {"sha256", results.digest}, {"right", results.right()}, {"shown", results.shown()},
+               {"steps", Json::array()}};
   for (const LessonResult& one : results.results) {
     Json step = {{"step", one.step + 1},
                  {"kind", choiceWord(kPredictionKinds, one.kind)},
-                 {"given", answerJson(one.kind, one.given.choice, one.given.number, one.given.x)},
+                 {"given", one.given.isGiven() ? answerJson(one.kind, one.given.choice,
+                                                            one.given.number, one.given.x)
+                                               : Json(kShown)},
                  {"expected", answerJson(one.kind, one.expected.choice, one.expected.number.value,
                                          one.expected.x.value)}};
     if (!one.expected.number.unit.empty()) step["unit"] = one.expected.number.unit;
@@ -108,7 +118,7 @@ std::string resultsJson(const LessonResults& results) {
 LessonResults parseResults(std::string_view text, const std::string& file) {
   try {
     const Json json = parseJson(text, kDeepestResults, "results of a lesson are JSON in UTF-8");
-    checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "steps"});
+    checkMembers(json, "", {"schema", "lesson", "title", "sha256", "right", "shown", "steps"});
     if (textMember(json, "schema") != kSchema)
       refuseMember("schema", message("is not {}", kSchema));
     LessonResults results{

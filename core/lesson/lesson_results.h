@@ -32,6 +32,8 @@ struct LessonResults {
   void set(const LessonResult& result);
   const LessonResult* find(int step) const;
   int right() const;
+  /// Returns in how many steps the answer was shown without one of the student's.
+  int shown() const;
 };
 
 /// Returns results of this lesson without any answer.

@@ -2391,12 +2391,20 @@
         <translation>Das Programm findet %1.</translation>
     </message>
     <message>
+        <source>The program finds %1 at %2.</source>
+        <translation>Das Programm findet %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>You said %1.</source>
+        <translation>Deine Antwort war %1.</translation>
+    </message>
+    <message>
         <source>Right</source>
         <translation>Richtig</translation>
     </message>
     <message>
-        <source>Not quite</source>
-        <translation>Nicht ganz</translation>
+        <source>No</source>
+        <translation>Nein</translation>
     </message>
     <message>
         <source>your answer</source>
@@ -2648,8 +2656,8 @@
         <translation>Bewahrt deine Antworten in einer Datei deiner Wahl auf</translation>
     </message>
     <message>
-        <source>keep results</source>
-        <translation>Ergebnisse aufbewahren</translation>
+        <source>Save results…</source>
+        <translation>Ergebnisse speichern…</translation>
     </message>
     <message>
         <source>Ends the lesson; your own scene comes back</source>
@@ -2682,6 +2690,38 @@
     <message>
         <source>You were right in %1 of %2 predictions.</source>
         <translation>Du hattest bei %1 von %2 Vorhersagen recht.</translation>
+    </message>
+    <message>
+        <source>You were right in %1 of %2 predictions; %3 were shown to you.</source>
+        <translation>Du hattest bei %1 von %2 Vorhersagen recht; %3 hast du dir zeigen lassen.</translation>
+    </message>
+    <message>
+        <source>Your answers from before are here.</source>
+        <translation>Deine Antworten von vorhin sind hier.</translation>
+    </message>
+    <message>
+        <source>Asperity</source>
+        <translation>Asperity</translation>
+    </message>
+    <message>
+        <source>Save your answers?</source>
+        <translation>Deine Antworten speichern?</translation>
+    </message>
+    <message>
+        <source>They go into a file of your choice. Otherwise they are lost.</source>
+        <translation>Sie kommen in eine Datei deiner Wahl. Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
     </message>
     <message>
         <source>Lesson: %1</source>
@@ -3593,8 +3633,8 @@
         <translation>Nichts gleitet: Der Kontakt ist auf beiden Seiten jedes Gipfels gleich, und es gibt keine Reibung.</translation>
     </message>
     <message>
-        <source>Slow: both sides of each summit touch, and friction doubles with the velocity.</source>
-        <translation>Langsam: Jeder Gipfel hat auf beiden Seiten Kontakt, und die Reibung verdoppelt sich mit der Geschwindigkeit.</translation>
+        <source>Slow: both sides of each summit touch, and friction doubles when the velocity doubles.</source>
+        <translation>Langsam: Jeder Gipfel hat auf beiden Seiten Kontakt, und die Reibung verdoppelt sich, wenn sich die Geschwindigkeit verdoppelt.</translation>
     </message>
     <message>
         <source>Contact begins to leave the rear sides of the summits, and the straight line bends.</source>
@@ -3812,6 +3852,10 @@
     <message>
         <source>about the scene</source>
         <translation>über die Szene</translation>
+    </message>
+    <message>
+        <source>%1: hidden until the answer</source>
+        <translation>%1: verborgen bis zur Antwort</translation>
     </message>
     <message>
         <source>coefficient of friction against velocity</source>
@@ -4365,8 +4409,8 @@
         <translation>Bei höherer Geschwindigkeit wächst die Reibung nicht mehr: Sie wird nun von der Steigung der Linie bestimmt, nicht vom Gummi.</translation>
     </message>
     <message>
-        <source>Change the shear modulus or the force: the plateau stays.</source>
-        <translation>Schubmodul oder Kraft ändern: Das Plateau bleibt.</translation>
+        <source>Change the shear modulus or the force: the height of the plateau stays, but its place on the axis moves.</source>
+        <translation>Schubmodul oder Kraft ändern: Die Höhe des Plateaus bleibt, aber seine Stelle auf der Achse verschiebt sich.</translation>
     </message>
     <message>
         <source>One-sided contact</source>
@@ -4374,7 +4418,7 @@
     </message>
     <message>
         <source>A single summit shows why: the rubber is too slow to touch its trailing side, so it pushes only from the front.</source>
-        <translation>Ein einzelner Gipfel zeigt, warum: Das Gummi ist zu langsam, um seine Rückseite zu berühren, und drückt daher nur von vorn.</translation>
+        <translation>Ein einzelner Gipfel zeigt, warum: Das Gummi ist zu langsam, um dessen Rückseite zu berühren, und drückt daher nur von vorn.</translation>
     </message>
     <message>
         <source>Lower the velocity to 0.001 m/s: contact becomes even on both sides, and friction vanishes.</source>

@@ -182,6 +182,7 @@ bool FrictionChartModel::mark(const Frame& frame) {
 }
 
 void FrictionChartModel::fitVerticalAxis() {
+  reach_.reset();
   coefficients_ = {};
   fitRanges(true);
 }
@@ -189,6 +190,7 @@ void FrictionChartModel::fitVerticalAxis() {
 void FrictionChartModel::setAxes(CurveAxes axes) {
   if (axes == axes_) return;
   axes_ = axes;
+  reach_.reset();
   velocities_ = coefficients_ = {};
   fitRanges(true);
 }
@@ -303,6 +305,11 @@ DiagramSheet FrictionChartModel::sheet() const {
   setRange(diagram.y, coefficients_.isEmpty() && isUsual && set.y == CurveQuantity::Mu
                           ? kEmptyCoefficients
                           : coefficients_);
+  if (reach_ && diagram.y.from < diagram.y.to) {
+    if (reach_->from > 0 || diagram.y.scale == AxisScale::Linear)
+      diagram.y.from = std::min(diagram.y.from, reach_->from);
+    diagram.y.to = std::max(diagram.y.to, reach_->to);
+  }
   if (!curve_) diagram.series.clear();
   if (isStale()) {
     diagram.blank = {};

@@ -74,6 +74,9 @@ class FrictionChartModel {
   /// while a student predicts it; none: shows it. Pinned curves stay.
   void conceal(std::optional<AxisRange> ends) { concealed_ = ends; }
   bool isConcealed() const { return concealed_.has_value(); }
+  /// Lets the vertical axis reach over these values, too, until another quantity is shown or the
+  /// axis is fitted: a guess stays in sight beside the curve. None: over the curves alone.
+  void reachOver(std::optional<AxisRange> values) { reach_ = values; }
 
   /// Pins the present curve. Returns its number, or 0 where there is none or it is pinned already.
   int pin();
@@ -149,6 +152,7 @@ class FrictionChartModel {
   bool isMarkFaded_ = false;
   bool resetsAxes_ = false, resetsAxesWithMark_ = false;  // with the next curve; with its marker
   std::optional<AxisRange> concealed_;                    // ends of the vertical axis
+  std::optional<AxisRange> reach_;                        // values that it contains
   AxisRange velocities_, coefficients_;                   // decades, or values of a linear axis
 };
 

@@ -42,7 +42,7 @@ TEST(LessonResults, ComeBackAsTheyWere) {
   EXPECT_EQ(again.find(7), nullptr);
 }
 
-TEST(LessonResults, AnAnswerThatWasNotGivenIsNull) {
+TEST(LessonResults, AnAnswerThatWasOnlyShownIsCalledShown) {
   const Lesson lesson = lessonOf(sampleLesson());
   LessonResults results = emptyResults(lesson);
   for (const PredictionKind kind :
@@ -52,7 +52,11 @@ TEST(LessonResults, AnAnswerThatWasNotGivenIsNull) {
     result.kind = kind;
     results.set(result);
   }
+  const auto json = nlohmann::json::parse(resultsJson(results));
+  EXPECT_EQ(json["shown"], 3);
+  for (const auto& step : json["steps"]) EXPECT_EQ(step["given"], "shown");
   const LessonResults again = parseResults(resultsJson(results), "x");
+  EXPECT_EQ(again.shown(), 3);
   for (const LessonResult& result : again.results) EXPECT_FALSE(result.given.isGiven());
   EXPECT_EQ(again.results.size(), 3U);
 }

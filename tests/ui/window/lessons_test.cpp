@@ -366,6 +366,136 @@ TEST_F(LessonsTest, AStepBringsItsTabToTheFront) {
   }
 }
 
+/// The end of a presentation restores the docks of before, but not a lesson that is over.
+TEST_F(LessonsTest, APresentationBringsNoLessonBackAndLosesNone) {
+  auto& dock = control<QDockWidget>("lessonDock");
+  lessons().start(lessonOf(sampleLesson()));
+  action("present").trigger();
+  EXPECT_TRUE(dock.isVisible());
+  EXPECT_GT(control<QLabel>("lessonStepTitle").font().pointSizeF(),
+            control<QLabel>("lessonText").font().pointSizeF());
+  QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
+  action("present").trigger();
+  EXPECT_FALSE(dock.isVisible());
+  action("present").trigger();
+  lessons().start(lessonOf(sampleLesson()));
+  action("present").trigger();
+  EXPECT_TRUE(dock.isVisible());
+}
+
+TEST_F(LessonsTest, AHiddenCurveIsSeenNeitherInOtherTabsNorInReadings) {
+  Json json = sampleLesson();
+  json["steps"][0]["show"]["curve"] = "hidden";
+  lessons().start(lessonOf(json));
+  SceneTabs& tabs = window_.tabs();
+  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
+  ASSERT_TRUE(waitForFrame());
+  for (const char* page : {"mapPanel", "influencePage"}) {
+    const int index = tabs.indexOf(&control<QWidget>(page));
+    EXPECT_FALSE(tabs.isTabEnabled(index)) << page;
+    EXPECT_TRUE(tabs.tabToolTip(index).contains("hidden until the answer"));
+    action(QStringLiteral("go:%1").arg(page)).trigger();
+    EXPECT_NE(tabs.currentIndex(), index);
+  }
+  const std::shared_ptr<const Frame> before = session().frame();
+  ASSERT_TRUE(waitFor([&] { return session().frame() != before; }));
+  EXPECT_EQ(said("factRegime"), QString());
+  click("lessonShow");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_TRUE(waitFor([&] { return said("factRegime").contains("region"); }));
+  for (const char* page : {"mapPanel", "influencePage"})
+    EXPECT_TRUE(tabs.isTabEnabled(tabs.indexOf(&control<QWidget>(page)))) << page;
+}
+
+TEST_F(LessonsTest, AnswersAreNotLostWithoutAQuestion) {
+  const Lesson lesson = lessonOf(sampleLesson());
+  const auto answerFirst = [&] {
+    control<QRadioButton>("lessonChoice:0").click();
+    click("lessonNext");
+    return waitForAnswer();
+  };
+  lessons().start(lesson);
+  answer(QMessageBox::Cancel);
+  const auto end = [&] {
+    QTest::mouseClick(&control<QAbstractButton>("lessonEnd"), Qt::LeftButton);
+  };
+  ASSERT_TRUE(answerFirst());
+  end();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_TRUE(lessons().isRunning());
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(window_.close());
+  EXPECT_EQ(asked_, 1);
+  answer(QMessageBox::Discard);
+  end();
+  EXPECT_EQ(asked_, 1);
+  EXPECT_FALSE(lessons().isRunning());
+  lessons().start(lesson);
+  EXPECT_FALSE(lessons().isRevealed());
+  // Another scene ends the lesson at once; its answers are there when it begins again.
+  ASSERT_TRUE(answerFirst());
+  action("scene:figure_2").trigger();
+  EXPECT_FALSE(lessons().isRunning());
+  lessons().start(lesson);
+  EXPECT_TRUE(lessons().isRevealed());
+  // What a file has is left without a question.
+  TemporaryFolder folder;
+  ASSERT_TRUE(lessons().keepResults(QString::fromStdString((folder / "mine.json").string())));
+  answer(QMessageBox::Cancel);
+  end();
+  EXPECT_EQ(asked_, 0);
+  EXPECT_FALSE(lessons().isRunning());
+}
+
+TEST_F(LessonsTest, AGuessStaysOnTheAxis) {
+  lessons().start(sampleWithPoint(true), 1);
+  PredictionPoint& point = lessons().point();
+  ASSERT_TRUE(waitFor([&] { return point.isVisible() && chart().y.to == 1; }));
+  const QPoint beside = window_.plotView().positionOf(0.1, 1).toPoint() - QPoint(0, 15);
+  QTest::mouseClick(&point, Qt::LeftButton, {}, beside);
+  EXPECT_FALSE(point.point());  // the legend is no place for an answer
+  const QPoint high = window_.plotView().positionOf(0.1, 0.8).toPoint();
+  QTest::mouseClick(&point, Qt::LeftButton, {}, high);
+  ASSERT_TRUE(point.point());
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  ASSERT_TRUE(waitFor([&] { return showsCurve(); }));
+  EXPECT_LE(chart().y.from, 1e-6);
+  EXPECT_EQ(chart().y.to, 1);
+  click("lessonBack");
+  ASSERT_TRUE(waitFor([&] { return chart().y.to < 1; }));
+}
+
+TEST_F(LessonsTest, AWrongNumberStaysInSightAndTheScoreComesLast) {
+  lessons().start(lessonOf(sampleLesson()), 1);
+  EXPECT_FALSE(said("lessonText").contains("You were right"));
+  QTest::keyClicks(&control<QLineEdit>("lessonNumber"), "7 um");
+  click("lessonNext");
+  ASSERT_TRUE(waitForAnswer());
+  EXPECT_TRUE(said("lessonVerdict").contains("You said 7")) << said("lessonVerdict").toStdString();
+  EXPECT_TRUE(said("lessonReveal").contains("You were right in 0 of 2 predictions."));
+}
+
+TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
+  for (const bool hasPlace : {true, false}) {
+    lessons().start(sampleWithPoint(hasPlace), 1);
+    click("lessonShow");
+    ASSERT_TRUE(waitForAnswer());
+    EXPECT_TRUE(said("lessonVerdict").contains("The program finds"));
+    EXPECT_TRUE(said("lessonReveal").contains("; 1 were shown to you."));
+    PredictionPoint& point = lessons().point();
+    EXPECT_TRUE(point.isVisible());
+    EXPECT_EQ(point.point()->y(), lessons().results().of(1)->expected.number.value);
+    lessons().end();
+  }
+}
+
+TEST_F(LessonsTest, ALessonBeginsWithAPictureThatMoves) {
+  session().setPlaying(false);
+  lessons().start(lessonOf(sampleLesson()));
+  EXPECT_TRUE(session().isPlaying());
+}
+
 TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   action("lessons").trigger();
   auto& list = control<LessonList>("lessonList");

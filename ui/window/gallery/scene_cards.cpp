@@ -30,11 +30,10 @@ constexpr std::array kCards{
               QT_TRANSLATE_NOOP("asperity::SceneCardText",
                                 "Nothing slides: contact is even on both sides of each summit, and "
                                 "there is no friction.")},
-    SceneCard{
-        "region_1", SceneView::CloseUp,
-        QT_TRANSLATE_NOOP(
-            "asperity::SceneCardText",
-            "Slow: both sides of each summit touch, and friction doubles with the velocity.")},
+    SceneCard{"region_1", SceneView::CloseUp,
+              QT_TRANSLATE_NOOP("asperity::SceneCardText",
+                                "Slow: both sides of each summit touch, and friction doubles when "
+                                "the velocity doubles.")},
     SceneCard{
         "region_2", SceneView::CloseUp,
         QT_TRANSLATE_NOOP(

@@ -25,16 +25,23 @@ namespace asperity {
 namespace {
 
 /// The buttons of choices in the colours of the window: those of the style are black in the dark.
-QString choiceStyle(const QPalette& palette) {
+/// They grow with the letters.
+QString choiceStyle(const QPalette& palette, const QFontMetrics& letters) {
+  const int size = std::max(11, static_cast<int>(0.7 * letters.height()));
+  const int ring = std::max(4, size * 4 / 11);
   const auto name = [&palette](QPalette::ColorRole role) { return palette.color(role).name(); };
   return QStringLiteral(R"(
-    QRadioButton::indicator { width: 11px; height: 11px; border: 1px solid %1; border-radius: 6px;
-                              background: %2; }
-    QRadioButton::indicator:checked { border: 4px solid %3; width: 5px; height: 5px; }
+    QRadioButton::indicator { width: %5px; height: %5px; border: 1px solid %1;
+                              border-radius: %6px; background: %2; }
+    QRadioButton::indicator:checked { border: %7px solid %3; width: %8px; height: %8px; }
     QRadioButton::indicator:disabled { border-color: %4; }
     QRadioButton::indicator:focus { border-color: %3; })")
       .arg(name(QPalette::PlaceholderText), name(QPalette::Base), name(QPalette::Highlight),
-           name(QPalette::Mid));
+           name(QPalette::Mid))
+      .arg(size)
+      .arg((size + 1) / 2)
+      .arg(ring)
+      .arg(size + 2 - 2 * ring);
 }
 
 /// A button that is no wider than its text needs, so that three of them fit beside each other.
@@ -107,10 +114,7 @@ LessonPane::LessonPane(QWidget* parent) : QWidget(parent), scroll_(new QScrollAr
   reveal_ = addText(*column, "lessonReveal");
   note_ = addText(*column, "lessonNote");
   column->addStretch(1);
-  QFont heading = title_->font();
-  heading.setBold(true);
-  heading.setPointSizeF(heading.pointSizeF() * 1.12);
-  title_->setFont(heading);
+  setHeading();
   QFont strong = question_->font();
   strong.setBold(true);
   question_->setFont(strong);
@@ -193,7 +197,7 @@ void LessonPane::showStep(const LessonPage& page) {
   unit_ = page.unit;
   progress_->setText(tr("%1 of %2").arg(page.step + 1).arg(count));
   fill(*title_, lineText(step.title).toHtmlEscaped());
-  fill(*text_, richText(shown(step.text)) + (page.remark.isEmpty() ? QString() : page.remark));
+  fill(*text_, richText(shown(step.text)) + (step.prediction ? QString() : page.remark));
   fill(*note_, {});
   clearInput();
   isAsking_ = step.prediction && !page.answer;
@@ -206,22 +210,8 @@ void LessonPane::showStep(const LessonPage& page) {
   if (isAsking_ && step.prediction->kind == PredictionKind::Number) addNumber(page);
   QString verdict, reveal;
   if (step.prediction && page.answer) {
-    const LessonPrediction& prediction = *step.prediction;
-    const bool isGiven = page.given->isGiven();
-    const LessonText& explanation = page.isRight ? prediction.right : prediction.wrong;
-    if (isGiven && !explanation.empty())
-      verdict = richText(explanation, prediction, *page.answer, *page.given);
-    else if (prediction.kind != PredictionKind::Choice)
-      verdict = "<p>" +
-                tr("The program finds %1.")
-                    .arg(QString::fromStdString(numberInWords(page.answer->number)))
-                    .toHtmlEscaped() +
-                "</p>";
-    if (isGiven)
-      verdict = (page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
-                              : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("Not quite"))) +
-                verdict;
-    reveal = richText(step.reveal, prediction, *page.answer, *page.given);
+    verdict = verdictOf(step, page);
+    reveal = richText(step.reveal, *step.prediction, *page.answer, *page.given) + page.remark;
   }
   fill(*verdict_, verdict);
   // The focus moves to the button; its description gives the right answer to screen readers.
@@ -231,6 +221,49 @@ void LessonPane::showStep(const LessonPage& page) {
   isRevealed_ = page.answer != nullptr;
   isScrolledByHand_ = false;
   QTimer::singleShot(0, this, &LessonPane::scroll);
+}
+
+/// Returns whether the answer is right, what was answered and what the program finds. Without an
+/// answer of the student's the computed one is said all the same.
+QString LessonPane::verdictOf(const LessonStep& step, const LessonPage& page) const {
+  const LessonPrediction& prediction = *step.prediction;
+  const LessonAnswer& answer = *page.answer;
+  const auto paragraph = [](const QString& text) { return "<p>" + text.toHtmlEscaped() + "</p>"; };
+  const auto inWords = [](const LessonNumber& number) {
+    return QString::fromStdString(numberInWords(number));
+  };
+  const QString found =
+      prediction.kind == PredictionKind::Point && !prediction.x
+          ? tr("The program finds %1 at %2.").arg(inWords(answer.number), inWords(answer.place))
+      : prediction.kind == PredictionKind::Choice && !prediction.answer
+          ? QString()
+          : tr("The program finds %1.").arg(inWords(answer.number));
+  const auto tells = [](const LessonText& text, const char* place) {
+    return shown(text).find(place) != std::string::npos;
+  };
+  if (!page.given->isGiven()) {
+    if (tells(prediction.wrong, "{") && !tells(prediction.wrong, "{given"))
+      return richText(prediction.wrong, prediction, answer, *page.given);
+    return found.isEmpty() ? QString() : paragraph(found);
+  }
+  const LessonText& said = page.isRight ? prediction.right : prediction.wrong;
+  QString verdict = page.isRight ? QStringLiteral("<p><b>✓ %1</b></p>").arg(tr("Right"))
+                                 : QStringLiteral("<p><b>✗ %1</b></p>").arg(tr("No"));
+  if (prediction.kind == PredictionKind::Number && !tells(said, "{given"))
+    verdict += paragraph(tr("You said %1.").arg(inWords({page.given->number, answer.number.unit})));
+  if (!said.empty())
+    verdict += richText(said, prediction, answer, *page.given);
+  else if (prediction.kind != PredictionKind::Choice)
+    verdict += paragraph(found);
+  return verdict;
+}
+
+/// The letters of the step's title follow those of the window.
+void LessonPane::setHeading() {
+  QFont heading = font();
+  heading.setBold(true);
+  heading.setPointSizeF(heading.pointSizeF() * 1.12);
+  title_->setFont(heading);
 }
 
 /// Shows the beginning of a step. With an answer it shows everything from the question on; where
@@ -262,7 +295,7 @@ void LessonPane::clearInput() {
 /// Adds the choices; once the answer is known the right one and a wrong one are marked.
 void LessonPane::addChoices(const LessonPrediction& prediction, const LessonPage& page) {
   input_ = new QWidget;
-  input_->setStyleSheet(choiceStyle(palette()));
+  input_->setStyleSheet(choiceStyle(palette(), fontMetrics()));
   auto* column = new QVBoxLayout(input_);
   column->setContentsMargins(2, 0, 0, 4);
   column->setSpacing(5);
@@ -402,9 +435,13 @@ void LessonPane::keyPressEvent(QKeyEvent* event) {
 
 void LessonPane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && next_) showButtons();
-  if (event->type() == QEvent::PaletteChange && choices_)
-    input_->setStyleSheet(choiceStyle(palette()));
+  const bool hasOtherLetters = event->type() == QEvent::FontChange;
+  if (hasOtherLetters && next_) {
+    setHeading();
+    showButtons();
+  }
+  if ((hasOtherLetters || event->type() == QEvent::PaletteChange) && choices_)
+    input_->setStyleSheet(choiceStyle(palette(), fontMetrics()));
 }
 
 }  // namespace asperity

@@ -26,7 +26,7 @@ struct LessonPage {
   const LessonAnswer* answer = nullptr;  // where it is revealed
   const GivenAnswer* given = nullptr;    // the same
   bool isRight = false;
-  QString remark{};  // below the text, such as a summary
+  QString remark{};  // the score: below the text, or below the answer of the step
 };
 
 class LessonPane : public QWidget {
@@ -62,6 +62,8 @@ class LessonPane : public QWidget {
   void addChoices(const LessonPrediction& prediction, const LessonPage& page);
   void addNumber(const LessonPage& page);
   void clearInput();
+  QString verdictOf(const LessonStep& step, const LessonPage& page) const;
+  void setHeading();
   void scroll();
   void showButtons();
   void check();

@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QPainter>
 #include <QTimer>
 #include <QToolButton>
@@ -132,14 +133,13 @@ void Lessons::buildDock() {
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   keep_->setObjectName("lessonKeep");
   close_->setObjectName("lessonEnd");
-  keep_->setText(QStringLiteral("⤓"));
   close_->setText(QStringLiteral("✕"));
   line->addWidget(title_, 1);
   line->addWidget(keep_);
   line->addWidget(close_);
   dock_->setTitleBarWidget(bar);
   connect(keep_, &QToolButton::clicked, this, &Lessons::askResultsFile);
-  connect(close_, &QToolButton::clicked, this, &Lessons::end);
+  connect(close_, &QToolButton::clicked, this, &Lessons::leave);
   parts_.window.addDockWidget(Qt::RightDockWidgetArea, dock_);
   parts_.window.splitDockWidget(dock_, &parts_.parameters, Qt::Vertical);
   dock_->hide();
@@ -147,7 +147,8 @@ void Lessons::buildDock() {
   keepTranslated(*dock_, [this] {
     dock_->setWindowTitle(tr("Lesson"));
     keep_->setToolTip(tr("Keeps your answers in a file of your choice"));
-    keep_->setAccessibleName(tr("keep results"));
+    keep_->setText(tr("Save results…"));
+    keep_->setAccessibleName(tr("Save results…"));
     close_->setToolTip(tr("Ends the lesson; your own scene comes back"));
     close_->setAccessibleName(tr("end the lesson"));
     if (isRunning()) {
@@ -177,7 +178,7 @@ void Lessons::addTo(Commands& commands) {
                   if (isRunning() && isRevealed()) next();
                 },
                 {Qt::CTRL | Qt::ALT | Qt::Key_Right}});
-  commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { end(); }});
+  commands.add({"lessonEnd", [] { return tr("End the lesson"); }, [this] { leave(); }});
   commands.add(
       {"lessonEditor", [] { return tr("Lesson editor…"); },
        [this] { showEditor(lesson_ ? *lesson_ : Lesson{}, lesson_ ? file_ : QString()); }});
@@ -231,6 +232,7 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
       editor, &LessonEditor::trialRequested, this, [this, editor](const Lesson& edited, int step) {
         // The editor steps aside for the lesson, and comes back when that ends.
         start(edited, step);
+        isTrial_ = true;
         editor->hide();
         connect(
             this, &Lessons::ended, editor, [editor] { editor->show(); }, Qt::SingleShotConnection);
@@ -241,7 +243,9 @@ LessonEditor& Lessons::showEditor(const Lesson& lesson, const QString& file) {
 
 bool Lessons::open(const QString& nameOrFile) {
   try {
-    start(readNamedLesson(nameOrFile.toStdString(), readNamedScene));
+    const Lesson lesson = readNamedLesson(nameOrFile.toStdString(), readNamedScene);
+    if (!mayLeave()) return false;
+    start(lesson);
     if (QFileInfo::exists(nameOrFile)) file_ = QFileInfo(nameOrFile).absoluteFilePath();
     parts_.messages.end(MessageBar::Failure::Files);
     return true;
@@ -266,7 +270,10 @@ void Lessons::start(const Lesson& lesson, int step) {
   lesson_ = std::make_unique<Lesson>(lesson);
   answers_.clear();
   results_ = emptyResults(*lesson_);
+  const auto left = left_.extract(lesson_->digest);
+  if (left) results_ = left.mapped();
   resultsFile_.clear();
+  isSaved_ = isTrial_ = false;
   file_.clear();
   // A lesson may begin while the panel is closed; a step that frees parameters opens it.
   parts_.parameters.show();
@@ -274,7 +281,9 @@ void Lessons::start(const Lesson& lesson, int step) {
   parts_.window.resizeDocks({dock_, &parts_.parameters}, {kDefaultHeight, kParametersHeight},
                             Qt::Vertical);
   commands_->get("lessonEnd")->setEnabled(true);
+  parts_.session.setPlaying(true);
   show(std::clamp(step, 0, static_cast<int>(lesson_->steps.size()) - 1));
+  if (left) pane_->showNote(tr("Your answers from before are here."));
 }
 
 bool Lessons::isRevealed() const {
@@ -287,6 +296,8 @@ void Lessons::show(int step) {
   waiting_.reset();
   finding_.cancel();
   showScene();
+  // A text that speaks of what moves stands beside a picture that moves.
+  if (!present().sceneName.empty() || !present().sceneJson.empty()) parts_.session.setPlaying(true);
   showChart();
   showPage();
   if (point_->isVisible() && !isRevealed())
@@ -312,7 +323,7 @@ void Lessons::showPage() {
     page.given = &result->given;
     page.isRight = result->isRight;
   }
-  if (step_ + 1 == static_cast<int>(lesson_->steps.size())) page.remark = summary();
+  if (step_ + 1 == static_cast<int>(lesson_->steps.size()) && isRevealed()) page.remark = summary();
   pane_->showStep(page);
   if (point_->point() && !result) pane_->setPointPlaced(true);
   commands_->get("lessonNextStep")->setEnabled(isRevealed());
@@ -323,8 +334,14 @@ QString Lessons::summary() const {
   const auto asked = std::ranges::count_if(
       lesson_->steps, [](const LessonStep& step) { return step.prediction.has_value(); });
   if (asked == 0) return {};
-  return "<p><b>" + tr("You were right in %1 of %2 predictions.").arg(results_.right()).arg(asked) +
-         "</b></p>";
+  const int shown = results_.shown();
+  const QString score =
+      shown == 0 ? tr("You were right in %1 of %2 predictions.").arg(results_.right()).arg(asked)
+                 : tr("You were right in %1 of %2 predictions; %3 were shown to you.")
+                       .arg(results_.right())
+                       .arg(asked)
+                       .arg(shown);
+  return "<p><b>" + score + "</b></p>";
 }
 
 void Lessons::showTitle() {
@@ -389,7 +406,12 @@ void Lessons::showChart() {
     plot.setQuantity(*findQuantity(view.quantity));
     plot.setLinearY(view.isLinearY);
     plot.conceal(hides ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo}) : std::nullopt);
+    // The axis on which the guess was made stays when the curve appears.
+    plot.reachOver(view.hidesCurve && !hides
+                       ? std::optional<AxisRange>({view.hiddenFrom, view.hiddenTo})
+                       : std::nullopt);
   });
+  parts_.tabs.setCurveHidden(hides);
   if (!view.beside.empty()) {
     const Scene scene = step.scene;
     comparisons_.request(
@@ -415,7 +437,8 @@ void Lessons::showChart() {
   else if (result->given.isGiven())
     point_->showDecided(step.prediction->x.value_or(result->given.x), result->given.number);
   else
-    point_->dismiss();
+    point_->showDecided(step.prediction->x.value_or(result->expected.place.value),
+                        result->expected.number.value, PredictionPoint::Whose::Computed);
 }
 
 // ---- Answers
@@ -461,6 +484,7 @@ void Lessons::settle(const GivenAnswer& given) {
   const LessonAnswer& expected = answers_.at(step_);
   results_.set(
       {step_, prediction.kind, given, expected, asperity::isRight(prediction, expected, given)});
+  isSaved_ = false;
   writeResultsFile();
   showScene();
   showChart();
@@ -473,10 +497,43 @@ void Lessons::next() {
   if (step_ + 1 < static_cast<int>(lesson_->steps.size()))
     show(step_ + 1);
   else
-    end();
+    leave();
 }
 
 // ---- Results
+
+bool Lessons::hasUnsavedAnswers() const {
+  return isRunning() && !isSaved_ && !isTrial_ &&
+         std::ranges::any_of(results_.results,
+                             [](const LessonResult& one) { return one.given.isGiven(); });
+}
+
+bool Lessons::mayLeave() {
+  if (!hasUnsavedAnswers()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Asperity"), tr("Save your answers?"),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parts_.window);
+  box.setObjectName("resultsQuestion");
+  box.setInformativeText(tr("They go into a file of your choice. Otherwise they are lost."));
+  box.setDefaultButton(QMessageBox::Save);
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      askResultsFile();
+      return isSaved_;
+    case QMessageBox::Discard:
+      results_ = emptyResults(*lesson_);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Ends the lesson when the student wants that.
+void Lessons::leave() {
+  if (isRunning() && mayLeave()) end();
+}
 
 void Lessons::askResultsFile() {
   if (!isRunning()) return;
@@ -503,6 +560,7 @@ bool Lessons::keepResults(const QString& file) {
     writeResults(file.toStdString(), kept, *lesson_);
     results_ = std::move(kept);
     resultsFile_ = file;
+    isSaved_ = true;
   } catch (const std::exception& error) {
     parts_.messages.showFailure(MessageBar::Failure::Export, translatedError(error));
     return false;
@@ -517,6 +575,7 @@ void Lessons::writeResultsFile() {
   if (resultsFile_.isEmpty()) return;
   try {
     writeResults(resultsFile_.toStdString(), results_, *lesson_);
+    isSaved_ = true;
   } catch (const std::exception& error) {
     parts_.messages.showFailure(MessageBar::Failure::Export, translatedError(error));
   }
@@ -529,6 +588,7 @@ void Lessons::end() {
   finding_.cancel();
   comparisons_.cancel();
   waiting_.reset();
+  if (hasUnsavedAnswers() && !lesson_->digest.empty()) left_[lesson_->digest] = results_;
   lesson_.reset();
   point_->dismiss();
   dock_->hide();
@@ -544,12 +604,14 @@ void Lessons::restore() {
   const std::optional<Before> before = std::exchange(before_, std::nullopt);
   parts_.session.editCurve([&](FrictionChartModel& plot) {
     plot.conceal(std::nullopt);
+    plot.reachOver(std::nullopt);
     plot.unpinAll();
     if (!before) return;
     plot.setQuantity(before->quantity);
     plot.setLinearY(before->isLinearY);
     for (const auto& curve : before->pinned) plot.pin(curve);
   });
+  parts_.tabs.setCurveHidden(false);
   if (!before) return;
   parts_.document.endTrial();
   parts_.tabs.setCurrentIndex(before->tab);

@@ -66,6 +66,8 @@ class Lessons : public QObject {
   bool open(const QString& nameOrFile);
   /// Ends the lesson and brings the user's scene back.
   void end();
+  /// Asks what becomes of answers that no file has; returns whether the lesson may end.
+  bool mayLeave();
 
   bool isRunning() const { return lesson_ != nullptr; }
   const Lesson* lesson() const { return lesson_.get(); }
@@ -98,6 +100,8 @@ class Lessons : public QObject {
   void answer(GivenAnswer given, bool givesUp);
   void settle(const GivenAnswer& given);
   void next();
+  void leave();
+  bool hasUnsavedAnswers() const;
   void askResultsFile();
   void writeResultsFile();
   void lockControls(const Scene& scene);
@@ -119,6 +123,10 @@ class Lessons : public QObject {
   LessonResults results_;
   QString file_;  // of the lesson; empty: a shipped one, or one that was never saved
   QString resultsFile_;
+  bool isSaved_ = false;  // whether that file has the results
+  bool isTrial_ = false;  // of the editor: its answers are nobody's results
+  /// Answers of lessons that were left for another scene, by the digest of the lesson.
+  std::map<std::string, LessonResults> left_;
 
   /// The state before the lesson, which its end restores; the document keeps the user's scene.
   struct Before {

@@ -51,7 +51,7 @@ void PredictionPoint::ask(std::optional<double> x, const QString& name) {
   x_ = x;
   name_ = name;
   point_.reset();
-  isDecided_ = false;
+  isDecided_ = isComputed_ = isDragged_ = false;
   setAttribute(Qt::WA_TransparentForMouseEvents, false);
   setFocusPolicy(Qt::StrongFocus);
   setToolTip(x ? tr("Drag up and down, or use the arrow keys (with Shift finer)")
@@ -62,9 +62,10 @@ void PredictionPoint::ask(std::optional<double> x, const QString& name) {
   raise();
 }
 
-void PredictionPoint::showDecided(double x, double y) {
+void PredictionPoint::showDecided(double x, double y, Whose whose) {
   point_ = QPointF(x, y);
   isDecided_ = true;
+  isComputed_ = whose == Whose::Computed;
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setToolTip({});
@@ -95,6 +96,28 @@ QPointF PredictionPoint::valueAt(QPointF pixel) const {
   const PixelAxis x{diagram.x.scale, range.x.from, range.x.to, low.x(), high.x()};
   const PixelAxis y{diagram.y.scale, range.y.from, range.y.to, low.y(), high.y()};
   return {x_ ? *x_ : x.value(pixel.x()), y.value(pixel.y())};
+}
+
+/// Returns the pixels between the axes.
+QRectF PredictionPoint::axesRect() const {
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  const VisibleRange range = chart_.visibleRange();
+  return QRectF(chart_.positionOf(axisValue(diagram.x.scale, range.x.from),
+                                  axisValue(diagram.y.scale, range.y.from)),
+                chart_.positionOf(axisValue(diagram.x.scale, range.x.to),
+                                  axisValue(diagram.y.scale, range.y.to)))
+      .normalized();
+}
+
+/// Returns the height of the point, and its place where that is asked, too.
+QString PredictionPoint::placeText() const {
+  const Diagram& diagram = chart_.sheet().diagrams.front();
+  const auto said = [](double value, const std::string& unit) {
+    return QString::fromStdString(quantity(value, unit, 2));
+  };
+  const QString height = said(point_->y(), diagram.y.unit);
+  return x_ && !isComputed_ ? height
+                            : tr("%1 at %2").arg(height, said(point_->x(), diagram.x.unit));
 }
 
 /// Returns the initial position of a point that has not been placed.
@@ -152,11 +175,12 @@ void PredictionPoint::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(colour, hasFocus() ? 3 : 2));
   painter.setBrush(point_ && !isDecided_ ? colour : QColor(Qt::transparent));
   painter.drawEllipse(at, kReach, kReach);
-  const QString height =
-      point_ ? QString::fromStdString(quantity(point_->y(), diagram.y.unit, 2)) : tr("drag me");
+  const QString height = point_ ? placeText() : tr("drag me");
   const QString decided =
-      tr("your answer") +
-      (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
+      isComputed_
+          ? height
+          : tr("your answer") +
+                (arrow.isEmpty() ? QString() : QStringLiteral(": %1 %2").arg(height, arrow));
   const QString text = isDecided_ ? decided : height;
   const QFontMetricsF metrics(font());
   const QRectF label =
@@ -198,11 +222,15 @@ QRectF PredictionPoint::labelRect(QSizeF label, QPointF at, const QRectF& frame)
 void PredictionPoint::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !hasAxes()) return;
   setFocus(Qt::MouseFocusReason);
-  place(valueAt(event->position()));
+  // A click beside the axes, such as on the legend, is no answer. The edge itself is one.
+  constexpr double kEdge = 3;  // pixels
+  isDragged_ = axesRect().adjusted(-kEdge, -kEdge, kEdge, kEdge).contains(event->position());
+  if (isDragged_) place(valueAt(event->position()));
 }
 
 void PredictionPoint::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton && hasAxes()) place(valueAt(event->position()));
+  if (isDragged_ && event->buttons() & Qt::LeftButton && hasAxes())
+    place(valueAt(event->position()));
 }
 
 void PredictionPoint::keyPressEvent(QKeyEvent* event) {

@@ -23,8 +23,9 @@ class PredictionPoint : public QWidget {
   /// Lets the user place a point; x: its fixed position on the axis, or none. name: the question,
   /// for screen readers.
   void ask(std::optional<double> x, const QString& name);
-  /// Shows a point that is decided.
-  void showDecided(double x, double y);
+  /// Shows a point that is decided: the student's answer, or the one that the program computed.
+  enum class Whose { Given, Computed };
+  void showDecided(double x, double y, Whose whose = Whose::Given);
   void dismiss() { hide(); }
 
   /// Returns the position in the units of the axes, once the point was placed.
@@ -47,6 +48,8 @@ class PredictionPoint : public QWidget {
   bool hasAxes() const;
   QPointF toPixel(QPointF value) const;
   QPointF valueAt(QPointF pixel) const;
+  QRectF axesRect() const;
+  QString placeText() const;
   QRectF labelRect(QSizeF label, QPointF at, const QRectF& frame) const;
   QPointF middle() const;
   void place(QPointF value);
@@ -57,7 +60,7 @@ class PredictionPoint : public QWidget {
   std::optional<QPointF> point_;
   QString name_;
   QColor colour_;
-  bool isDecided_ = false;
+  bool isDecided_ = false, isComputed_ = false, isDragged_ = false;
 };
 
 }  // namespace asperity

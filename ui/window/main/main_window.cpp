@@ -263,6 +263,9 @@ void MainWindow::buildCommands() {
   lessons_ = new Lessons(
       {*this, *document_, *session_, *panel_, *dock_, *tabs_, *messages_, *appearance_});
   lessons_->addTo(*commands_);
+  connect(lessons_, &Lessons::stepShown, this, [this] {
+    if (session_->frame()) showFrame();  // a picture that stands still brings no new readings
+  });
   commands_->add({"shortcuts",
                   [] { return tr("Keyboard shortcuts"); },
                   [this] { showShortcuts(); },
@@ -307,6 +310,8 @@ void MainWindow::connectScene() {
             if (isOpened || !(panel_->scene() == scene)) panel_->setScene(scene);
             session_->setScene(scene,
                                isOpened ? Session::Begin::Restart : Session::Begin::Continue);
+            // A motion is there to be seen moving.
+            if (isOpened && scene.sliding.kind != SlidingKind::Steady) session_->setPlaying(true);
             showScene(scene);
           });
   connect(document_, &SceneDocument::historyChanged, this, &MainWindow::showTitle);
@@ -404,7 +409,13 @@ void MainWindow::connectFrames() {
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
   if (figures_->isShowingViews()) canvas_->setFrame(frame);
-  const CurveReading reading = readCurve(*frame, session_->curve());
+  CurveReading reading = readCurve(*frame, session_->curve());
+  if (session_->friction().isConcealed()) {
+    // The shape of the curve is to be guessed. The mean at the present state is read in lessons.
+    if (!reading.region.empty()) reading.regime.clear();
+    reading.region.clear();
+    reading.notes = {};
+  }
   status_->showFrame(*frame, reading);
   tabs_->showFrame(*frame);
   if (frame->sceneNumber != session_->sceneNumber()) return;
@@ -540,6 +551,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!lessons_->mayLeave()) return event->ignore();
   if (!documents_->canClose()) return event->ignore();
   lessons_->end();
   if (windowLayout_->remembers()) saveLastSession(*this);

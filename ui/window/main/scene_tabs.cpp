@@ -194,7 +194,8 @@ void SceneTabs::fitTitles() {
   }
   for (int i = 0; i < count(); ++i) {
     if (tabText(i) != shown[i]) setTabText(i, shown[i]);
-    setTabToolTip(i, titles_[i]);
+    setTabToolTip(i,
+                  isTabEnabled(i) ? titles_[i] : tr("%1: hidden until the answer").arg(titles_[i]));
   }
   updateGeometry();  // the minimum width depends on the visible tabs
   if (tabBar()->property("crowded").toBool() == isCrowded) return;
@@ -256,12 +257,18 @@ void SceneTabs::setTabRequested(int index, bool isRequested) {
 void SceneTabs::bringToFront(int index) {
   QAction* action = wanted_.at(index);
   if (action->isVisible()) action->setChecked(true);
-  if (isTabVisible(index)) setCurrentIndex(index);
+  if (isTabVisible(index) && isTabEnabled(index)) setCurrentIndex(index);
 }
 
 void SceneTabs::bringToFront(const QString& name) {
   for (int i = 0; i < count(); ++i)
-    if (widget(i)->objectName() == name && isTabVisible(i)) setCurrentIndex(i);
+    if (widget(i)->objectName() == name && isTabVisible(i) && isTabEnabled(i)) setCurrentIndex(i);
+}
+
+void SceneTabs::setCurveHidden(bool isHidden) {
+  for (QWidget* page : std::initializer_list<QWidget*>{map_, influences_})
+    setTabEnabled(indexOf(page), !isHidden || page == currentWidget());
+  fitTitles();
 }
 
 QStringList SceneTabs::hiddenTabs() const {

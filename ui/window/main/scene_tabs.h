@@ -61,6 +61,9 @@ class SceneTabs : public QTabWidget {
   /// Brings the tab of this object name to the front, if it is shown.
   void bringToFront(const QString& name);
 
+  /// Closes the tabs that would tell of a hidden curve, other than the one in front.
+  void setCurveHidden(bool isHidden);
+
   /// Updates the tabs. A new motion comes to the front; its tab leaves with it.
   void showScene(const Scene& scene);
   void showFrame(const Frame& frame);

@@ -41,7 +41,8 @@ constexpr std::array kSteps{
                                "At higher velocity friction stops growing: it is now set by the "
                                "slope of the line, not by the rubber."),
              QT_TRANSLATE_NOOP("asperity::Tour",
-                               "Change the shear modulus or the force: the plateau stays."),
+                               "Change the shear modulus or the force: the height of the "
+                               "plateau stays, but its place on the axis moves."),
              "elastomer.shear_modulus"},
     TourStep{"one_sided", QT_TRANSLATE_NOOP("asperity::Tour", "One-sided contact"),
              QT_TRANSLATE_NOOP("asperity::Tour",

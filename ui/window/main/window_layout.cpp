@@ -182,7 +182,7 @@ void WindowLayout::endPresentation() {
   window.statusBar()->setVisible(before.hasStatus);
   parts_.appearance.setDark(parts_.appearance.isDark());
   window.restoreGeometry(before.geometry);
-  window.restoreState(before.docks, kLayoutVersion);
+  restoreDocks(before.docks, kLayoutVersion);
   for (const auto& [splitter, sizes] : before.splits)
     if (splitter) splitter->restoreState(sizes);
   // The size of the dock is restored after the layouts have handled the smaller letters: until then
@@ -198,12 +198,23 @@ void WindowLayout::endPresentation() {
 
 // ---- Settings between starts
 
+/// Restores places and sizes. The panel of a lesson is shown by the lesson alone: a state that was
+/// saved during one must not bring back a panel without a lesson, nor close the one that runs.
+bool WindowLayout::restoreDocks(const QByteArray& state, int version) {
+  std::vector<std::pair<QDockWidget*, bool>> shown;
+  for (auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+    if (dock != &parts_.dock) shown.emplace_back(dock, !dock->isHidden());
+  const bool isRestored = parts_.window.restoreState(state, version);
+  for (const auto& [dock, isShown] : shown) dock->setVisible(isShown);
+  return isRestored;
+}
+
 void WindowLayout::keepAsDefault() {
   default_ = parts_.window.saveState();
 }
 
 void WindowLayout::restoreDefault() {
-  parts_.window.restoreState(default_);
+  restoreDocks(default_);
   parts_.splitter.setSizes(defaultSplit());
   parts_.tabs.hideTabs({});
   parts_.panel.setView(ParameterPanel::defaultView());
@@ -215,8 +226,7 @@ void WindowLayout::remember() {
   settings.beginGroup("window");
   parts_.window.restoreGeometry(settings.value("geometry").toByteArray());
   fitToScreen();
-  if (!parts_.window.restoreState(settings.value("docks").toByteArray(), kLayoutVersion))
-    fitDockToScreen();
+  if (!restoreDocks(settings.value("docks").toByteArray(), kLayoutVersion)) fitDockToScreen();
   parts_.splitter.restoreState(settings.value("split").toByteArray());
   parts_.tabs.hideTabs(settings.value("hiddenTabs").toStringList());
   const PanelView usual = ParameterPanel::defaultView();

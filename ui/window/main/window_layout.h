@@ -90,6 +90,7 @@ class WindowLayout : public QObject {
   void showScreenMode();
   void hideDocksForFigures(bool areShown);
   void fitDockToScreen();
+  bool restoreDocks(const QByteArray& state, int version = 0);
 
   LayoutParts parts_;
   Commands* commands_ = nullptr;
