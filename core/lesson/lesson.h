@@ -16,7 +16,8 @@
 namespace asperity {
 
 /// A text in English and German. Paragraphs are separated by an empty line; "*word*" is emphasized,
-/// "**word**" strong, and a line that begins with "- " is an item of a list. In texts that are
+/// "**word**" strong, and a line that begins with "- " is an item of a list; other lines end where
+/// they end in the text. In texts that are
 /// shown after the answer, "{name}" stands for a value of the step, "{answer}" and "{given}" for
 /// the expected and the given answer.
 struct LessonText {
@@ -72,6 +73,8 @@ struct LessonChoice {
 };
 
 enum class PredictionKind { Choice, Number, Point };
+
+inline constexpr double kLargestTolerance = 10;  // relative
 
 /// What the student says before it is seen.
 struct LessonPrediction {
