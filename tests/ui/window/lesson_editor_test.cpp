@@ -35,8 +35,6 @@ class LessonEditorTest : public MainWindowTest {
   void edit(const Json& lesson, int step) {
     editor_ = &window_.lessons().showEditor(lessonOf(lesson), {});
     editor_->findChild<QListWidget*>("editorSteps")->setCurrentRow(step);
-    editor_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(editor_));  // keys go to it
   }
   void TearDown() override {
     delete editor_;  // else it would ask about its changes
@@ -60,6 +58,7 @@ class LessonEditorTest : public MainWindowTest {
   }
   void choose(const char* name, int index) {
     auto& box = field<QComboBox>(name);
+    box.setFocus();
     box.setCurrentIndex(index);
     emit box.activated(index);
   }
@@ -168,6 +167,10 @@ TEST_F(LessonEditorTest, EveryEditCanBeUndone) {
   edit(sampleLesson(), 1);
   const std::string before = writeLesson(editor_->lesson());
   EXPECT_FALSE(field<QPushButton>("editorUndo").isEnabled());
+  ASSERT_TRUE(waitFor([&] {  // its keys are those of the active window
+    editor_->activateWindow();
+    return editor_->isActiveWindow();
+  }));
   editor_->removeStep();
   ASSERT_EQ(editor_->lesson().steps.size(), 1U);
   QTest::keyClick(&field<QListWidget>("editorSteps"), Qt::Key_Z, Qt::ControlModifier);

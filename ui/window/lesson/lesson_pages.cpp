@@ -215,7 +215,8 @@ QString LessonStepPage::unreadableChoice() const {
   if (!choices_->isVisibleTo(this)) return {};
   for (int row = 0; row < choices_->rowCount(); ++row)
     for (const int column : {2, 3}) {
-      const QString text = choices_->item(row, column)->text().trimmed();
+      const QTableWidgetItem* item = choices_->item(row, column);  // none: no step was shown yet
+      const QString text = item ? item->text().trimmed() : QString();
       if (text.isEmpty() || numberIn(text)) continue;
       return tr("Choice %1, %2: “%3” is not a number")
           .arg(row + 1)
