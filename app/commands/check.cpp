@@ -11,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
 #include "core/friction/law.h"
+#include "core/lesson/lesson_answers.h"
 #include "core/lesson/lesson_file.h"
 #include "core/material/element_law.h"
 #include "core/scene/provenance.h"
@@ -89,12 +90,16 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
   });
 }
 
-/// Does the same for a lesson: all its scenes are read.
+/// Does the same for a lesson: all its scenes are read, and answers that no choice may cover are
+/// computed.
 void checkLesson(const CommonOptions& command, bool isOneOfMany,
                  std::vector<nlohmann::ordered_json>& answers) {
   if (!command.assignments.empty())
     throw InputError("", "--set", "sets keys of a scene, and this file is a lesson");
   const Lesson lesson = readLessonFile(command.scene, readNamedScene);
+  CurveOptions options;
+  options.threads = command.threads;
+  checkChoices(lesson, command.scene, options);
   printSummary(command.json, command.quiet,
                (isOneOfMany ? command.scene + ": " : "") +
                    printable(lesson.title.in(presentLanguage())) + "\n  " +

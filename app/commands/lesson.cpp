@@ -97,6 +97,9 @@ int runLesson(const LessonCommand& command) {
     throw InputError("", "--teacher", "is of a handout; give -o as well");
   for (const std::string& output : command.outputs) checkNoInput(output, {common.scene});
   const Lesson lesson = readNamedLesson(common.scene, readNamedScene);
+  CurveOptions computing;
+  computing.threads = common.threads;
+  checkChoices(lesson, common.scene, computing);
   std::string summary = linesOf(lesson);
   if (!command.outputs.empty()) {
     HeadlessPictures pictures;

@@ -16,9 +16,9 @@
 namespace asperity {
 
 /// A text in English and German. Paragraphs are separated by an empty line; "*word*" is emphasized,
-/// "**word**" is strong, and a line that begins with "- " is an item of a list. In texts that are
-/// shown after the answer, "{name}" is replaced by a value of the step, "{answer}" and "{given}" by
-/// the expected and the given answer.
+/// "**word**" is strong, and a line that begins with "- " is an item of a list; every other line
+/// ends where it ends in the text. In texts that are shown after the answer, "{name}" is replaced
+/// by a value of the step, "{answer}" and "{given}" by the expected and the given answer.
 struct LessonText {
   std::string english{}, german{};
 
@@ -72,6 +72,8 @@ struct LessonChoice {
 };
 
 enum class PredictionKind { Choice, Number, Point };
+
+inline constexpr double kLargestTolerance = 10;  // relative
 
 /// A question that the student answers before the result is shown.
 struct LessonPrediction {

@@ -19,6 +19,8 @@
 namespace asperity {
 namespace {
 
+constexpr int kShownDigits = 4;  // of a number in a message
+
 std::string unitOfColumn(std::string_view name) {
   const auto column = std::ranges::find(kColumns, name, &Column::name);
   return column == kColumns.end() ? std::string() : std::string(column->unit);
@@ -113,17 +115,6 @@ void computePoint(const LessonStep& step, const CurveOptions& options, LessonAns
   answer.number.unit = unitOfColumn(column);
 }
 
-int rightChoice(const LessonPrediction& prediction, const LessonNumber& number) {
-  for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
-    const LessonChoice& choice = prediction.choices[i];
-    if (prediction.answer ? number.value >= choice.above && number.value < choice.below
-                          : choice.isRight)
-      return static_cast<int>(i);
-  }
-  throw InputError("", "choices",
-                   message("none of them covers the computed answer, {}", plain(number.value)));
-}
-
 bool isWithinFactor(double given, double answer, double tolerance) {
   return given > 0 && answer > 0 && given <= answer * (1 + tolerance) &&
          answer <= given * (1 + tolerance);
@@ -133,6 +124,44 @@ bool isWithinFactor(double given, double answer, double tolerance) {
 
 bool GivenAnswer::isGiven() const {
   return choice >= 0 || !std::isnan(number);
+}
+
+int rightChoice(const LessonPrediction& prediction, const LessonNumber& number) {
+  for (std::size_t i = 0; i < prediction.choices.size(); ++i) {
+    const LessonChoice& choice = prediction.choices[i];
+    if (prediction.answer ? number.value >= choice.above && number.value < choice.below
+                          : choice.isRight)
+      return static_cast<int>(i);
+  }
+  throw InputError("", "choices",
+                   message("none of them covers the computed answer, {}",
+                           plain(roundedToDigits(number.value, kShownDigits))));
+}
+
+bool leavesOutNumbers(const LessonPrediction& prediction) {
+  if (prediction.kind != PredictionKind::Choice || !prediction.answer) return false;
+  std::vector<LessonChoice> choices = prediction.choices;
+  std::ranges::sort(choices, {}, &LessonChoice::above);
+  double covered = -std::numeric_limits<double>::infinity();  // all numbers below it are
+  for (const LessonChoice& choice : choices) {
+    if (choice.above > covered) return true;
+    covered = std::max(covered, choice.below);
+  }
+  return covered < std::numeric_limits<double>::infinity();
+}
+
+void checkChoices(const Lesson& lesson, const std::string& file, const CurveOptions& options) {
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const LessonStep& step = lesson.steps[i];
+    if (!step.prediction || !leavesOutNumbers(*step.prediction)) continue;
+    try {
+      rightChoice(*step.prediction,
+                  computeLessonValue(step.scene, *step.prediction->answer, options));
+    } catch (const InputError& error) {
+      throw InputError(file, fmt::format("steps[{}].prediction.{}", i, error.key()),
+                       error.message());
+    }
+  }
 }
 
 std::string lessonValueUnit(const LessonValue& value, const Scene& scene) {

@@ -26,7 +26,6 @@ namespace {
 using Json = LessonJson;
 
 constexpr std::size_t kMostChoices = 9, kFewestChoices = 2, kMostBeside = 6, kMostValues = 30;
-constexpr double kLargestTolerance = 10;
 
 /// Runs `read`; an error about a key is reported with this path.
 template <class Read>
@@ -392,7 +391,7 @@ class StepReader {
       for (std::size_t j = 0; j < i && prediction.answer; ++j)
         if (choice.above < prediction.choices[j].below &&
             prediction.choices[j].above < choice.below)
-          refuseMember(where, message("overlaps choice {}; one answer would make both right", j));
+          refuseMember(where, message("overlaps choices[{}]; one answer would make both right", j));
       prediction.choices.push_back(std::move(choice));
     }
     const auto right = std::ranges::count_if(prediction.choices, &LessonChoice::isRight);

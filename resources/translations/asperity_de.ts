@@ -2174,10 +2174,6 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>The lesson was changed and not saved. Close it and lose the changes?</source>
-        <translation>Die Lektion wurde geändert und nicht gespeichert. Schließen und die Änderungen verlieren?</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
     </message>
@@ -2296,6 +2292,86 @@
     <message>
         <source>Pages to print, as PDF or as a web page</source>
         <translation>Seiten zum Drucken, als PDF oder als Webseite</translation>
+    </message>
+    <message>
+        <source>The lesson was changed and not saved.</source>
+        <translation>Die Lektion wurde geändert und nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>U&amp;ndo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>%1, as step %2 leaves it</source>
+        <translation>%1, wie Schritt %2 sie hinterlässt</translation>
+    </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>Step %1, computed answer: %2</source>
+        <translation>Schritt %1, berechnete Antwort: %2</translation>
+    </message>
+    <message>
+        <source>The program computes an answer that no choice may cover…</source>
+        <translation>Das Programm berechnet eine Ergebniszahl, die vielleicht in keinem der Bereiche liegt…</translation>
+    </message>
+    <message>
+        <source>The program finds %1.</source>
+        <translation>Das Programm findet %1.</translation>
+    </message>
+    <message>
+        <source>Computed answers are means over the scene's %1 lines; the picture shows one.</source>
+        <translation>Berechnete Antworten sind Mittelwerte über die %1 Linien der Szene; das Bild zeigt eine.</translation>
+    </message>
+    <message>
+        <source>Choice %1: needs a number in From or To, as the others have</source>
+        <translation>Antwort %1: braucht wie die anderen eine Zahl in „Von“ oder „Bis“</translation>
+    </message>
+    <message>
+        <source>Choice %1: From has to be less than To</source>
+        <translation>Antwort %1: „Von“ muss kleiner als „Bis“ sein</translation>
+    </message>
+    <message>
+        <source>Choice %1: its range overlaps that of choice %2, so that one answer would make both right</source>
+        <translation>Antwort %1: ihr Bereich überlappt den von Antwort %2, sodass ein Ergebnis beide richtig machen würde</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not above 0 and up to %3</source>
+        <translation>%1: %2 liegt nicht über 0 und höchstens bei %3</translation>
+    </message>
+    <message>
+        <source>Tolerance in %</source>
+        <translation>Toleranz in %</translation>
+    </message>
+    <message>
+        <source>Tolerance of the place in %</source>
+        <translation>Toleranz der Stelle in %</translation>
+    </message>
+    <message>
+        <source>Choices: write at least two</source>
+        <translation>Antworten: Schreiben Sie mindestens zwei</translation>
+    </message>
+    <message>
+        <source>Choices: tick the right one, or write into From and To for which computed answers each is right</source>
+        <translation>Antworten: Haken Sie die richtige an, oder schreiben Sie in „Von“ und „Bis“, für welche berechneten Antworten jede richtig ist</translation>
     </message>
 </context>
 <context>
@@ -2540,6 +2616,34 @@
     <message>
         <source>Choose…</source>
         <translation>Auswählen…</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Take the scene that is shown</source>
+        <translation>Gezeigte Szene übernehmen</translation>
+    </message>
+    <message>
+        <source>The step begins with the scene of the main window, as it is now</source>
+        <translation>Der Schritt beginnt mit der Szene des Hauptfensters, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>Tolerance of the place in %</source>
+        <translation>Toleranz der Stelle in %</translation>
+    </message>
+    <message>
+        <source>How far the place of a right answer may be from that of the largest value: the factor is 2 for 100 %</source>
+        <translation>Wie weit die Stelle einer richtigen Antwort von der des größten Wertes entfernt sein darf: 100 % heißen ein Faktor 2</translation>
+    </message>
+    <message>
+        <source>%1: “%2” is not a number</source>
+        <translation>%1: „%2“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Choice %1, %2: “%3” is not a number</source>
+        <translation>Antwort %1, %2: „%3“ ist keine Zahl</translation>
     </message>
 </context>
 <context>
@@ -5001,10 +5105,6 @@
         <translation>Meine Antwort</translation>
     </message>
     <message>
-        <source>My answer, as a point in the chart and as a number</source>
-        <translation>Meine Antwort, als Punkt im Diagramm und als Zahl</translation>
-    </message>
-    <message>
         <source>at %1</source>
         <translation>bei %1</translation>
     </message>
@@ -5059,6 +5159,30 @@
     <message>
         <source>the moduli of the elastomer</source>
         <translation>die Moduln des Elastomers</translation>
+    </message>
+    <message>
+        <source>Mark the place in the chart. My answer as a number</source>
+        <translation>Zeichnen Sie die Stelle im Diagramm ein. Meine Antwort als Zahl</translation>
+    </message>
+    <message>
+        <source>Turn the page when you have answered.</source>
+        <translation>Blättern Sie erst um, wenn Sie geantwortet haben.</translation>
+    </message>
+    <message>
+        <source>After your answer to step %1</source>
+        <translation>Nach Ihrer Antwort zu Schritt %1</translation>
+    </message>
+    <message>
+        <source>a factor of %1</source>
+        <translation>einem Faktor %1</translation>
+    </message>
+    <message>
+        <source>%1, its place within %2</source>
+        <translation>%1, die Stelle innerhalb von %2</translation>
+    </message>
+    <message>
+        <source>right within %1</source>
+        <translation>richtig innerhalb von %1</translation>
     </message>
 </context>
 </TS>

@@ -5583,8 +5583,8 @@
         <translation>braucht ein above, das kleiner als below ist</translation>
     </message>
     <message>
-        <source>overlaps choice %1; one answer would make both right</source>
-        <translation>überlappt Antwort %1; ein Ergebnis würde beide richtig machen</translation>
+        <source>overlaps choices[%1]; one answer would make both right</source>
+        <translation>überlappt choices[%1]; ein Ergebnis würde beide richtig machen</translation>
     </message>
     <message>
         <source>has %1 right choices; it needs one, or a computed answer</source>

@@ -76,5 +76,16 @@ TEST_F(LessonProgramTest, RefusesWhatCannotBe) {
   expectRefused("check lesson.json --set load.normal_force=1", 2, "--set");
 }
 
+TEST_F(LessonProgramTest, RefusesChoicesThatDoNotCoverTheAnswer) {
+  auto json = sampleLesson();
+  json["steps"][0]["prediction"]["choices"][1]["below"] = 1.6;
+  program.folder.write("gap.json", json.dump());
+  for (const char* command : {"check gap.json", "lesson gap.json", "lesson gap.json --json"}) {
+    const Said said = program.run(command);
+    EXPECT_EQ(said.status, 2) << command;
+    EXPECT_THAT(said.err, HasSubstr("gap.json: steps[0].prediction.choices: none of them covers"));
+  }
+}
+
 }  // namespace
 }  // namespace asperity

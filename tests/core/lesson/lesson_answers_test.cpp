@@ -158,5 +158,30 @@ TEST(LessonAnswers, TextsSpeakOfValues) {
   EXPECT_EQ(withValues("{answer%} of it", prediction, part, given, "en", text), "25\u00A0% of it");
 }
 
+/// A student could not go on: the lesson is refused with the place, and with a number that can be
+/// read.
+TEST(LessonAnswers, ChoicesThatMayLeaveOutTheAnswerAreComputed) {
+  auto json = sampleLesson();
+  EXPECT_FALSE(leavesOutNumbers(*lessonOf(json).steps[0].prediction));
+  EXPECT_NO_THROW(checkChoices(lessonOf(json), "a.json"));
+  auto& choices = json["steps"][0]["prediction"]["choices"];
+  choices[1]["below"] = 2.9;  // the answer, about 2, is covered in spite of the gap
+  EXPECT_TRUE(leavesOutNumbers(*lessonOf(json).steps[0].prediction));
+  EXPECT_NO_THROW(checkChoices(lessonOf(json), "a.json"));
+  choices[1]["below"] = 1.6;
+  try {
+    checkChoices(lessonOf(json), "a.json");
+    ADD_FAILURE() << "the gap was accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.file(), "a.json");
+    EXPECT_EQ(error.key(), "steps[0].prediction.choices");
+    EXPECT_LT(error.message().english().size(), 60U) << error.message().english();
+  }
+  choices[2].erase("above");
+  choices[2]["below"] = 1.5;
+  choices[0] = {{"text", "same"}, {"above", 3}};
+  EXPECT_TRUE(leavesOutNumbers(*lessonOf(json).steps[0].prediction));  // in any order
+}
+
 }  // namespace
 }  // namespace asperity

@@ -16,6 +16,7 @@
 #include "core/accuracy/compute_curve.h"
 #include "core/base/atomic_file.h"
 #include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/base/stop.h"
 #include "core/chart/curve_diagram.h"
 #include "core/chart/curve_set.h"
@@ -68,6 +69,7 @@ struct Block {
   QString html;
   std::optional<Picture> picture{};
   Stays withNext = Stays::No;
+  bool beginsPage = false;
 };
 
 Scene untitled(Scene scene) {
@@ -108,6 +110,7 @@ class HandoutMaker {
 
   void addStep(int number) {
     const LessonStep& step = lesson_.steps[static_cast<std::size_t>(number)];
+    if (number > 0 && !options_.forTeacher) separateFromQuestion(number - 1);
     add(QStringLiteral("<h2>%1. %2</h2>")
             .arg(number + 1)
             .arg(plainText(step.title).toHtmlEscaped()),
@@ -127,6 +130,16 @@ class HandoutMaker {
     if (!step.show.hidesCurve) return;
     revealedCurve_ = canonicalCurveScene(step.revealedScene);
     revealedQuantity_ = step.show.quantity;
+  }
+
+  /// Begins a new page below the question of a step: what follows may tell its answer.
+  void separateFromQuestion(int asked) {
+    if (!lesson_.steps[static_cast<std::size_t>(asked)].prediction) return;
+    blocks_.back().withNext = Stays::Always;
+    add("<p><i>" + utf(Words::tr("Turn the page when you have answered.")) + "</i></p>");
+    add("<h3>" + utf(Words::tr("After your answer to step %1")).arg(asked + 1) + "</h3>",
+        Stays::Always);
+    blocks_.back().beginsPage = true;
   }
 
   /// Returns whether the students draw their answer into an empty chart.
@@ -259,7 +272,7 @@ class HandoutMaker {
     } else {
       html += "<p>" +
               utf(prediction.kind == PredictionKind::Point
-                      ? Words::tr("My answer, as a point in the chart and as a number")
+                      ? Words::tr("Mark the place in the chart. My answer as a number")
                       : Words::tr("My answer")) +
               ": ____________________</p>";
     }
@@ -277,6 +290,7 @@ class HandoutMaker {
     if (prediction.kind == PredictionKind::Point && !prediction.x)
       answerText +=
           " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
+    said += toleranceOf(prediction);
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + answerText.toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);
@@ -285,11 +299,30 @@ class HandoutMaker {
       add(richText(prediction.right, prediction, answer, {}),
           step.reveal.empty() ? Stays::No : Stays::Always);
     if (!step.reveal.empty()) add(richText(step.reveal, prediction, answer, {}));
-    const std::size_t last = blocks_.size() - 1;
+    // Pictures may go to the next page: else a large part of this one could stay empty.
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
     if (step.show.hidesCurve && !step.show.hidesCurveAfter)
       addChart(step, step.revealedScene, false);
-    keepTogether(last);
+  }
+
+  /// Returns how far a right answer may be from the computed one, in words; empty for a choice.
+  static QString toleranceOf(const LessonPrediction& prediction) {
+    const auto number = [](double value) {
+      return utf(numberInWords({roundedToDigits(value, 3), {}}));
+    };
+    const auto factor = [&](double tolerance) {
+      return utf(Words::tr("a factor of %1")).arg(number(1 + tolerance));
+    };
+    QString within;
+    if (prediction.kind == PredictionKind::Number)
+      within = QStringLiteral("±") + number(100 * prediction.tolerance) + "\u00A0%";
+    else if (prediction.kind == PredictionKind::Point && prediction.x)
+      within = factor(prediction.tolerance);
+    else if (prediction.kind == PredictionKind::Point)
+      within = utf(Words::tr("%1, its place within %2"))
+                   .arg(factor(prediction.tolerance), factor(prediction.placeTolerance));
+    if (within.isEmpty()) return {};
+    return " (" + utf(Words::tr("right within %1")).arg(within) + ")";
   }
 
   /// Keeps a text with the picture below it, and that one with another.
@@ -311,6 +344,7 @@ constexpr const char* kStyle =
     "body{font-family:'DejaVu Sans',sans-serif;line-height:1.45;color:#222;max-width:46em;"
     "margin:2em auto;padding:0 1em}h1{font-size:1.6em}h2{font-size:1.15em;margin-top:1.8em}"
     "img{max-width:100%;border:1px solid #ddd}"
+    ".page{border-top:1px solid #ddd;margin-top:3em;break-before:page}"
     "@media print{h1,h2,.stays{break-after:avoid}p,img{break-inside:avoid}body{margin:0}}";
 
 /// The pages on paper. What stays together goes to the next page as a whole, unless it is larger
@@ -358,6 +392,7 @@ class HandoutPages {
     part.text->setDefaultFont(QFont(QStringLiteral("DejaVu Sans"), 10));
     part.text->setDefaultStyleSheet(
         QStringLiteral("h1{font-size:18pt;margin:0 0 8px 0} h2{font-size:13pt;margin:12px 0 4px 0} "
+                       "h3{font-size:10pt;font-weight:normal;color:#555;margin:0 0 8px 0} "
                        "p{margin:0 0 6px 0} ul{margin:0 0 6px 0} li{margin:0 0 3px 0}"));
     part.text->setHtml(block.html);
     part.text->setTextWidth(writer_.width());
@@ -396,7 +431,7 @@ class HandoutPages {
         end = first + 1;
         height = heightOf(first, end);
       }
-      if (used > 0 && used + height > available) {
+      if (used > 0 && (blocks_[first].beginsPage || used + height > available)) {
         pages.emplace_back();
         used = 0;
       }
@@ -452,7 +487,7 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
           "</style></head>\n<body>\n";
   for (const Block& block : HandoutMaker(lesson, options).make()) {
     const bool stays = block.withNext != Stays::No;
-    if (stays) html += "<div class=\"stays\">";
+    if (stays) html += block.beginsPage ? "<div class=\"stays page\">" : "<div class=\"stays\">";
     html += block.html.toUtf8();
     if (block.picture)
       html += "<p><img alt=\"" + block.picture->name.toHtmlEscaped().toUtf8() +

@@ -1,10 +1,11 @@
 // Handouts of lessons on paper and as a web page: texts, questions with space for an answer, and
 // pictures that the program makes from the scenes of the steps. Students get empty charts to draw
-// into; teachers the answers, as computed, and the notes. One file without links; the same bytes
-// for the same lesson and language. Threading: any thread on which no OpenGL context of the window
-// is current, with a Qt application. Failure: InputError for another extension than .html or .pdf,
-// or a scene that cannot run; std::runtime_error where it cannot be written; StopRequested where it
-// was stopped.
+// into; teachers the answers, as computed, and the notes. On the students' sheets, everything that
+// comes after a question begins on a new page: later texts and curves may contain its answer. One
+// file without links; the same bytes for the same lesson and language.
+// Threading: any thread on which no OpenGL context of the window is current, with a Qt application.
+// Failure: InputError for another extension than .html or .pdf, or a scene that cannot run;
+// std::runtime_error where it cannot be written; StopRequested where it was stopped.
 #pragma once
 
 #include <QByteArray>

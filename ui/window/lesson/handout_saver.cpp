@@ -24,10 +24,11 @@ void HandoutSaver::ask(const Lesson& lesson, const QString& name) {
   box.setDefaultButton(students);
   box.exec();
   if (box.clickedButton() != students && box.clickedButton() != teachers) return;
-  const QString file =
-      askSaveFile(window_, tr("Save handout"), QDir::home().filePath(name + ".pdf"),
-                  tr("PDF (*.pdf);;Web page (*.html)"));
-  if (!file.isEmpty()) save(lesson, file, box.clickedButton() == teachers);
+  const bool forTeacher = box.clickedButton() == teachers;
+  const QString proposed = name + (forTeacher ? "_teacher.pdf" : ".pdf");
+  const QString file = askSaveFile(window_, tr("Save handout"), QDir::home().filePath(proposed),
+                                   tr("PDF (*.pdf);;Web page (*.html)"));
+  if (!file.isEmpty()) save(lesson, file, forTeacher);
 }
 
 void HandoutSaver::save(const Lesson& lesson, const QString& file, bool forTeacher) {

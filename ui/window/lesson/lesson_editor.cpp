@@ -1,20 +1,27 @@
 #include "ui/window/lesson/lesson_editor.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <filesystem>
+#include <string>
 #include <utility>
 
 #include "core/base/atomic_file.h"
@@ -25,7 +32,9 @@
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/handout_saver.h"
+#include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_pages.h"
+#include "ui/window/lesson/lesson_text.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
@@ -34,6 +43,7 @@ namespace asperity {
 namespace {
 
 constexpr QSize kDefault(960, 660);  // pixels
+constexpr int kListWidth = 250;      // pixels, at least
 constexpr int kAround = 60;          // pixels of the screen that stay free
 
 /// Returns the name of a row of the editor for a member of a lesson's file; null: it has no row.
@@ -94,6 +104,18 @@ QString keyText(const QString& key) {
   return words.join(QStringLiteral(", "));
 }
 
+/// Returns whether a step of a lesson has this scene.
+bool isReadAs(const Lesson& lesson, std::size_t step, const Scene& scene, const QString& file) {
+  try {
+    const Lesson read =
+        readLesson(writeLesson(lesson), lesson.name,
+                   std::filesystem::path(file.toStdString()).parent_path(), readNamedScene);
+    return read.steps[step].scene == scene;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
@@ -112,6 +134,10 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   language_->setCurrentIndex(presentLanguage() == "de" ? 1 : 0);
   language_->setDrawBase(false);
   language_->setExpanding(false);
+  // Also in a dark window the chosen one differs from the other.
+  language_->setStyleSheet(QStringLiteral(
+      "QTabBar::tab { padding: 4px 14px; border: none; border-bottom: 2px solid transparent; }"
+      "QTabBar::tab:selected { border-bottom: 2px solid palette(highlight); font-weight: bold; }"));
   language_->setAccessibleName(tr("language of the texts"));
   head_ = new LessonHeadPage;
   step_ = new LessonStepPage;
@@ -146,8 +172,15 @@ LessonEditor::LessonEditor(const Lesson& lesson, const QString& file,
   resize(kDefault.boundedTo(available - QSize(kAround, kAround)));
   connect(language_, &QTabBar::currentChanged, this, &LessonEditor::showStep);
   connect(steps_, &QListWidget::currentRowChanged, this, &LessonEditor::showStep);
+  connect(step_, &LessonStepPage::shownSceneWanted, this, &LessonEditor::takeShownScene);
+  // Undo and redo are those of the lesson, also where a field of text has the focus.
+  for (const auto& [keys, slot] : {std::pair(QKeySequence::Undo, &LessonEditor::undo),
+                                   {QKeySequence::Redo, &LessonEditor::redo}})
+    connect(new QShortcut(keys, this), &QShortcut::activated, this, slot);
+  qApp->installEventFilter(this);
   showList();
   steps_->setCurrentRow(0);
+  states_.push_back({lesson_});
   check();
 }
 
@@ -180,7 +213,9 @@ QWidget* LessonEditor::buildSteps() {
   connect(up_, &QPushButton::clicked, this, [this] { moveStep(-1); });
   connect(down_, &QPushButton::clicked, this, [this] { moveStep(1); });
   connect(remove_, &QPushButton::clicked, this, &LessonEditor::removeStep);
-  part->setFixedWidth(std::max(250, add_->sizeHint().width()));
+  // As wide as its buttons need, in the font that the window has now.
+  part->setMinimumWidth(kListWidth);
+  part->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
   return part;
 }
 
@@ -212,15 +247,14 @@ QLayout* LessonEditor::buildFoot() {
       check();
     }
   });
-  connect(save_, &QPushButton::clicked, this, [this] {
-    const QString name = file_.isEmpty() ? QStringLiteral("lesson.json") : file_;
-    const QString file = askSaveFile(this, tr("Save lesson"), name, tr("Lessons (*.json)"));
-    if (!file.isEmpty()) saveTo(file);
-  });
+  connect(save_, &QPushButton::clicked, this, &LessonEditor::askAndSave);
+  undo_ = button("editorUndo", tr("U&ndo"));
+  redo_ = button("editorRedo", tr("R&edo"));
+  connect(undo_, &QPushButton::clicked, this, &LessonEditor::undo);
+  connect(redo_, &QPushButton::clicked, this, &LessonEditor::redo);
   connect(close_, &QPushButton::clicked, this, &LessonEditor::reject);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(open_);
-  foot->addWidget(handout_);
+  for (QPushButton* one : {open_, handout_, undo_, redo_}) foot->addWidget(one);
   foot->addStretch(1);
   for (QPushButton* one : {close_, try_, save_}) foot->addWidget(one);
   return foot;
@@ -266,8 +300,19 @@ void LessonEditor::showStep() {
   for (LessonForm* page : std::initializer_list<LessonForm*>{head_, step_})
     page->setGerman(isGerman());
   head_->showLesson(lesson_);
-  if (step) step_->showStep(*step);
+  if (step) step_->showStep(*step, sceneText(static_cast<std::size_t>(row)));
   pages_->setCurrentIndex(step ? 1 : 0);
+  typedIn_.clear();
+  if (!states_.empty()) check();
+}
+
+/// Returns which scene a step begins with.
+QString LessonEditor::sceneText(std::size_t step) const {
+  const LessonStep& asked = lesson_.steps[step];
+  QString title = translatedText(Message(asked.scene.title));
+  if (title.isEmpty()) title = tr("(no title)");
+  const bool goesOn = asked.sceneName.empty() && asked.sceneJson.empty();
+  return goesOn ? tr("%1, as step %2 leaves it").arg(title).arg(step) : title;
 }
 
 // ---- Taking what is written
@@ -277,6 +322,11 @@ void LessonEditor::take() {
     step_->take(*step);
   else
     head_->take(lesson_);
+  const QWidget* field = focusWidget();
+  const bool isTyped = qobject_cast<const QLineEdit*>(field) ||
+                       qobject_cast<const QPlainTextEdit*>(field) ||
+                       qobject_cast<const QAbstractSpinBox*>(field);
+  typedIn_ = isTyped ? field->objectName() : QString();
   check();
 }
 
@@ -286,31 +336,164 @@ Lesson LessonEditor::checked() const {
                     std::filesystem::path(file_.toStdString()).parent_path(), readNamedScene);
 }
 
+/// Says what is wrong, in the words of the editor where it can.
+void LessonEditor::complain(const InputError& error) {
+  complaint_ = translatedText(InputError("", error.key(), error.message()).message());
+  QString place = placeInWords(QString::fromStdString(error.key()));
+  if (!place.isEmpty()) complaint_ = place.replace(0, 1, place[0].toUpper()) + ": " + complaint_;
+}
+
 /// Reads the lesson as if it came from a file, which finds every mistake, and the steps' scenes.
 void LessonEditor::check() {
   const int row = steps_->currentRow() - 1;
-  errorText_.clear();
+  isComputing_ = false;
+  errorText_ = present() ? step_->unreadable() : QString();
+  if (!complaint_.isEmpty()) complaint_ = tr("Step %1: %2").arg(row + 1).arg(complaint_);
+  if (complaint_.isEmpty()) complaint_ = mistakeIn(lesson_);
   try {
     const Lesson read = checked();
     for (std::size_t i = 0; i < read.steps.size(); ++i) {
       lesson_.steps[i].scene = read.steps[i].scene;
       lesson_.steps[i].revealedScene = read.steps[i].revealedScene;
     }
+    if (complaint_.isEmpty()) checkAnswers();
   } catch (const InputError& error) {
-    errorText_ = translatedText(InputError("", error.key(), error.message()).message());
-    QString key = keyText(QString::fromStdString(error.key()));
-    if (!key.isEmpty()) errorText_ = key.replace(0, 1, key[0].toUpper()) + ": " + errorText_;
+    if (complaint_.isEmpty()) complain(error);
   }
-  messageLabel_->setText(errorText_);
+  step_->showComputed(computedText());
+  messageLabel_->setText(
+      isComputing_ ? tr("The program computes an answer that no choice may cover…") : errorText_);
+  remember();
   showButtons();
   if (QListWidgetItem* item = row >= 0 ? steps_->item(row + 1) : nullptr)
     item->setText(nameOf(static_cast<std::size_t>(row)));
 }
 
+// ---- Computed answers
+
+const LessonEditor::Computed* LessonEditor::computed(const LessonStep& step) const {
+  if (!step.prediction || !step.prediction->answer) return nullptr;
+  const auto found = std::ranges::find_if(computed_, [&](const Computed& one) {
+    return one.scene == step.scene && one.value == *step.prediction->answer;
+  });
+  return found == computed_.end() ? nullptr : &*found;
+}
+
+/// Computes the answer of a step in the background unless it is known. Returns whether it is not.
+bool LessonEditor::compute(const LessonStep& step) {
+  if (!step.prediction || !step.prediction->answer || computed(step)) return false;
+  Computed one{step.scene, *step.prediction->answer};
+  if (wanted_ && wanted_->scene == one.scene && wanted_->value == one.value) return true;
+  wanted_ = one;
+  const auto keep = [this](const Computed& known) {
+    wanted_.reset();
+    computed_.push_back(known);
+    check();
+  };
+  computing_.request(
+      [one](const BackgroundWork::Run& run) {
+        CurveOptions options;
+        options.stop = run.stop();
+        return computeLessonValue(one.scene, one.value, options);
+      },
+      [one, keep](const LessonNumber& number) {
+        Computed known = one;
+        known.number = number;
+        keep(known);
+      },
+      [one, keep](const QString& reason) {
+        Computed known = one;
+        known.failure = reason;
+        keep(known);
+      });
+  return true;
+}
+
+/// Complains where no choice covers a computed answer, or where there is none. Answers that are not
+/// known yet are computed one after the other: those that may be covered by no choice, without
+/// which the lesson is not saved, and that of the present step, which is shown.
+void LessonEditor::checkAnswers() {
+  for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
+    const LessonStep& step = lesson_.steps[i];
+    const Computed* known = computed(step);
+    if (known && !known->failure.isEmpty()) {
+      complaint_ = tr("Step %1, computed answer: %2").arg(i + 1).arg(known->failure);
+      return;
+    }
+    if (!step.prediction || !leavesOutNumbers(*step.prediction)) continue;
+    if (compute(step)) {
+      isComputing_ = true;
+      return;
+    }
+    try {
+      rightChoice(*step.prediction, known->number);
+    } catch (const InputError& error) {
+      return complain(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
+                                 error.message()));
+    }
+  }
+  if (const LessonStep* step = present()) compute(*step);
+}
+
+/// Returns what is known of the answer of the present step.
+QString LessonEditor::computedText() const {
+  const int row = steps_->currentRow() - 1;
+  if (row < 0 || row >= static_cast<int>(lesson_.steps.size())) return {};
+  const LessonStep& step = lesson_.steps[static_cast<std::size_t>(row)];
+  if (!step.prediction || !step.prediction->answer) return {};
+  QStringList sentences;
+  if (const Computed* known = computed(step); known && known->failure.isEmpty())
+    sentences += tr("The program finds %1.").arg(fromUtf8(numberInWords(known->number)));
+  if (step.scene.ensemble.realizations > 1)
+    sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
+                     .arg(step.scene.ensemble.realizations);
+  return sentences.join(' ');
+}
+
+// ---- Undo and redo
+
+/// Keeps the lesson for undo. What is typed into one field without a break is one edit.
+void LessonEditor::remember() {
+  if (states_.empty() || writeLesson(states_[state_].lesson) == writeLesson(lesson_)) return;
+  const bool goesOn = !typedIn_.isEmpty() && state_ > 0 && states_[state_].field == typedIn_ &&
+                      states_[state_].row == steps_->currentRow();
+  states_.resize(state_ + (goesOn ? 0 : 1));
+  states_.push_back({lesson_, steps_->currentRow(), typedIn_});
+  state_ = states_.size() - 1;
+}
+
+/// Goes back or forward by one edit, and shows the step that it changed.
+void LessonEditor::restore(int by) {
+  if (by < 0 ? state_ == 0 : state_ + 1 >= states_.size()) return;
+  const int row = states_[by < 0 ? state_ : state_ + 1].row;
+  state_ = by < 0 ? state_ - 1 : state_ + 1;
+  states_[state_].field.clear();  // what is typed now is another edit
+  lesson_ = states_[state_].lesson;
+  showList();
+  steps_->setCurrentRow(std::min(row, steps_->count() - 1));
+  showStep();
+}
+
+/// Leaves the keys of undo and redo to the editor where a field would undo its own typing.
+bool LessonEditor::eventFilter(QObject* watched, QEvent* event) {
+  const auto* field = qobject_cast<const QWidget*>(watched);
+  if (event->type() == QEvent::ShortcutOverride && field && isAncestorOf(field)) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
 /// Enables what a lesson without mistakes allows.
 void LessonEditor::showButtons() {
   for (QPushButton* button : {save_, try_, handout_})
-    button->setEnabled(errorText_.isEmpty() && !(button == handout_ && saver_->isSaving()));
+    button->setEnabled(errorText_.isEmpty() && !isComputing_ &&
+                       !(button == handout_ && saver_->isSaving()));
+  undo_->setEnabled(state_ > 0);
+  redo_->setEnabled(state_ + 1 < states_.size());
 }
 
 // ---- Steps
@@ -337,18 +520,11 @@ void LessonEditor::addShownStep() {
     step.sceneJson = writeScene(step.scene);
   }
   if (!step.sceneJson.empty()) step.set.clear();
+  // The step after it goes on from another scene now, unless it has one of its own.
+  keepOwnScene(static_cast<std::size_t>(row));
   step.text.english = isGerman() ? "" : tr("What is to be seen here?").toStdString();
   if (isGerman()) step.text.german = tr("What is to be seen here?").toStdString();
   lesson_.steps.insert(lesson_.steps.begin() + row, step);
-  // The next step now starts from another scene, unless it has one of its own.
-  const auto after = static_cast<std::size_t>(row) + 1;
-  if (after < lesson_.steps.size()) {
-    LessonStep& next = lesson_.steps[after];
-    if (next.sceneName.empty() && next.sceneJson.empty()) {
-      next.sceneJson = writeScene(next.scene);
-      next.set.clear();
-    }
-  }
   showList();
   steps_->setCurrentRow(row + 1);
   check();
@@ -356,19 +532,56 @@ void LessonEditor::addShownStep() {
   step_->beginText();
 }
 
+/// Gives a step that goes on from the one before a scene of its own, so that it stays the same
+/// wherever it stands; its changes stay changes.
+void LessonEditor::keepOwnScene(std::size_t step) {
+  if (step == 0 || step >= lesson_.steps.size()) return;
+  LessonStep& kept = lesson_.steps[step];
+  if (kept.sceneName.empty() && kept.sceneJson.empty())
+    kept.sceneJson = writeScene(lesson_.steps[step - 1].revealedScene);
+}
+
+/// Removes the present step. The one after it begins where the removed one began, with the changes
+/// of both, where that is the same scene; else it has a scene of its own.
 void LessonEditor::removeStep() {
   const int row = steps_->currentRow() - 1;
   if (!present()) return;
-  const auto next = static_cast<std::size_t>(row) + 1;
-  if (next < lesson_.steps.size()) {
+  const auto place = static_cast<std::size_t>(row);
+  if (const std::size_t next = place + 1; next < lesson_.steps.size()) {
+    const LessonStep& removed = lesson_.steps[place];
     LessonStep& after = lesson_.steps[next];
-    if (after.sceneName.empty() && after.sceneJson.empty()) {
-      after.sceneJson = writeScene(after.scene);
-      after.set.clear();
+    const LessonStep before = after;
+    keepOwnScene(next);
+    if (before.sceneName.empty() && before.sceneJson.empty()) {
+      const LessonStep own = after;
+      std::vector<std::string> set = removed.set;
+      for (const std::vector<std::string>* more : {&removed.after, &before.set})
+        for (const std::string& one : *more) {
+          std::erase_if(set, [&](const std::string& old) { return keyOf(old) == keyOf(one); });
+          set.push_back(one);
+        }
+      after.sceneName = removed.sceneName;
+      after.sceneJson = removed.sceneJson;
+      after.set = set;
+      Lesson without = lesson_;
+      without.steps.erase(without.steps.begin() + row);
+      if (!isReadAs(without, place, before.scene, file_)) after = own;
     }
   }
   lesson_.steps.erase(lesson_.steps.begin() + row);
   showList();
+  check();
+  showStep();
+}
+
+void LessonEditor::takeShownScene() {
+  LessonStep* step = present();
+  if (!step) return;
+  keepOwnScene(static_cast<std::size_t>(steps_->currentRow()));
+  step->sceneName.clear();
+  step->sceneJson = writeScene(shownNow_().scene);
+  step->set.clear();
+  typedIn_.clear();
   check();
   showStep();
 }
@@ -378,12 +591,7 @@ void LessonEditor::moveStep(int by) {
   const int row = steps_->currentRow() - 1, other = row + by;
   if (!present() || other < 0 || other >= static_cast<int>(lesson_.steps.size())) return;
   const auto first = static_cast<std::size_t>(std::min(row, other));
-  for (std::size_t i = first; i < std::min(first + 3, lesson_.steps.size()); ++i) {
-    LessonStep& step = lesson_.steps[i];
-    if (!step.sceneName.empty() || !step.sceneJson.empty()) continue;
-    step.sceneJson = writeScene(step.scene);
-    step.set.clear();
-  }
+  for (std::size_t i = first; i < std::min(first + 3, lesson_.steps.size()); ++i) keepOwnScene(i);
   std::swap(lesson_.steps[static_cast<std::size_t>(row)],
             lesson_.steps[static_cast<std::size_t>(other)]);
   showList();
@@ -406,13 +614,15 @@ void LessonEditor::openOther() {
     messageLabel_->setText(translatedError(error));
     return;
   }
+  states_.assign(1, {lesson_});
+  state_ = 0;
   steps_->setCurrentRow(0);
   showList();
   showStep();
-  check();
 }
 
 bool LessonEditor::saveTo(const QString& file) {
+  if (!complaint_.isEmpty() || isComputing_) return false;  // the line of the window says why
   try {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     const std::string text = writeLesson(lesson_);
@@ -428,12 +638,26 @@ bool LessonEditor::saveTo(const QString& file) {
   return true;
 }
 
+bool LessonEditor::askAndSave() {
+  const QString name = file_.isEmpty() ? QStringLiteral("lesson.json") : file_;
+  const QString file = askSaveFile(this, tr("Save lesson"), name, tr("Lessons (*.json)"));
+  return !file.isEmpty() && saveTo(file);
+}
+
 bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
-  const auto answer = QMessageBox::question(
-      this, tr("Lesson editor"),
-      tr("The lesson was changed and not saved. Close it and lose the changes?"));
-  return answer == QMessageBox::Yes;
+  QMessageBox box(QMessageBox::Question, tr("Lesson editor"),
+                  tr("The lesson was changed and not saved."),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setObjectName("editorUnsaved");
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  box.setDefaultButton(QMessageBox::Save);
+  box.setEscapeButton(QMessageBox::Cancel);
+  const int answer = box.exec();
+  if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
+  return file_.isEmpty() ? askAndSave() : saveTo(file_);
 }
 
 void LessonEditor::reject() {

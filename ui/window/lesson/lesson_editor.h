@@ -1,5 +1,6 @@
 // The window in which a teacher writes a lesson: steps are added from the scene of the main window,
 // ordered, and written on their pages (lesson_pages.h). Each change is checked as a file would be;
+// answers that no choice may cover are computed in the background. Every edit can be undone, and
 // the lesson can be tried at once. GUI thread. Failure: one line shows the error and its position;
 // the lesson cannot be saved until it is corrected.
 #pragma once
@@ -7,8 +8,12 @@
 #include <QDialog>
 #include <QString>
 #include <functional>
+#include <optional>
+#include <vector>
 
+#include "core/lesson/lesson_answers.h"
 #include "core/lesson/lesson_file.h"
+#include "ui/window/tasks/background_work.h"
 
 class QLabel;
 class QListWidget;
@@ -19,6 +24,7 @@ class QTabBar;
 namespace asperity {
 
 class HandoutSaver;
+class InputError;
 class LessonHeadPage;
 class LessonStepPage;
 
@@ -35,13 +41,19 @@ class LessonEditor : public QDialog {
   const Lesson& lesson() const { return lesson_; }
   /// Returns the error message; empty without an error.
   QString errorText() const { return errorText_; }
+  /// Whether an answer has to be computed before the lesson can be saved.
+  bool isComputing() const { return isComputing_; }
 
   void addShownStep();
   void removeStep();
   void moveStep(int by);
+  /// Gives the present step the scene that the window shows. The steps after it keep theirs.
+  void takeShownScene();
+  void undo() { restore(-1); }
+  void redo() { restore(1); }
   /// Returns whether it was written.
   bool saveTo(const QString& file);
-  /// Asks where changes would be lost.
+  /// Asks where changes would be lost, and saves them if that is wanted.
   bool canClose();
 
  signals:
@@ -49,26 +61,57 @@ class LessonEditor : public QDialog {
 
  protected:
   void reject() override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// The lesson after an edit of the step in a row of the list.
+  struct State {
+    Lesson lesson;
+    int row = 0;
+    QString field{};  // in which it was typed; empty: a button, a list or a table
+  };
+  /// A number that a step asks for.
+  struct Computed {
+    Scene scene{};
+    LessonValue value{};
+    LessonNumber number{};
+    QString failure{};  // why there is none
+  };
+
   QWidget* buildSteps();
   QLayout* buildFoot();
   void showList();
   void showStep();
   void take();
   void check();
+  void remember();
+  void restore(int by);
+  void keepOwnScene(std::size_t step);
+  void complain(const InputError& error);
+  const Computed* computed(const LessonStep& step) const;
+  bool compute(const LessonStep& step);
+  void checkAnswers();
+  QString computedText() const;
+  bool askAndSave();
   void showButtons();
   Lesson checked() const;
   void openOther();
   LessonStep* present();
   QString nameOf(std::size_t step) const;
+  QString sceneText(std::size_t step) const;
   bool isGerman() const;
 
   Lesson lesson_;
   Lesson saved_;
   QString file_, errorText_;
   std::function<LessonStep()> shownNow_;
-  bool isShowing_ = false;  // the list is being filled
+  bool isShowing_ = false;     // the list is being filled
+  bool isComputing_ = false;   // an answer without which the lesson is not saved
+  std::vector<State> states_;  // of the lesson, for undo and redo
+  std::size_t state_ = 0;      // the present one
+  QString typedIn_;            // the name of the field
+  std::vector<Computed> computed_;
+  std::optional<Computed> wanted_;  // is being computed
 
   QListWidget* steps_;
   QTabBar* language_;
@@ -76,8 +119,10 @@ class LessonEditor : public QDialog {
   LessonHeadPage* head_;
   LessonStepPage* step_;
   QLabel* messageLabel_;
-  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *close_;
+  QPushButton *add_, *remove_, *up_, *down_, *try_, *open_, *handout_, *save_, *close_, *undo_,
+      *redo_;
   HandoutSaver* saver_;
+  BackgroundWork computing_;  // last: its thread ends before other members are destroyed
 };
 
 }  // namespace asperity

@@ -62,6 +62,13 @@ void LessonForm::addRow(const QString& label, QWidget* field) {
   rows_->addRow(label, field);
 }
 
+void LessonForm::addRowBelow(QWidget* above, const QString& label, QWidget* field) {
+  int row = 0;
+  QFormLayout::ItemRole role{};
+  rows_->getWidgetPosition(above, &row, &role);
+  rows_->insertRow(row + 1, label, field);
+}
+
 void LessonForm::setShown(QWidget* field, bool isShown) {
   field->setVisible(isShown);
   if (QWidget* label = rows_->labelForField(field)) label->setVisible(isShown);

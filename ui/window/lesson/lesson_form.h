@@ -37,6 +37,8 @@ class LessonForm : public QWidget {
   QComboBox* addChoice(const QString& label, const char* name);
   AssignmentList* addAssignments(const QString& label, const char* name);
   void addRow(const QString& label, QWidget* field);
+  /// Adds a row below that of another field.
+  void addRowBelow(QWidget* above, const QString& label, QWidget* field);
   /// Shows or hides a field with its label.
   void setShown(QWidget* field, bool isShown);
 

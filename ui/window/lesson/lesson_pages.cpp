@@ -2,18 +2,27 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QStandardItemModel>
+#include <QTableWidget>
 #include <QToolButton>
+#include <cmath>
+#include <utility>
 
+#include "core/base/number_text.h"
 #include "core/friction/curve_quantity.h"
 #include "core/scene/parameters.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/panels/parameter_row.h"
 #include "ui/window/lesson/assignment_list.h"
+#include "ui/window/lesson/lesson_value_fields.h"
 #include "ui/window/lesson/prediction_fields.h"
 
 namespace asperity {
@@ -58,6 +67,7 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
   text_->setToolTip(
       tr("An empty line begins a paragraph; *word* and **word** emphasize; a line "
          "that begins with “- ” is an item"));
+  addScene();
   set_ = addAssignments(tr("Changed in the scene"), "editorSet");
   set_->setToolTip(tr("What this step changes in the scene that the step before leaves"));
   tab_ = addChoice(tr("Tab in front"), "editorTab");
@@ -90,11 +100,70 @@ LessonStepPage::LessonStepPage(QWidget* parent) : LessonForm(parent) {
     others_->addItem(text, static_cast<int>(state));
   connect(others_, &QComboBox::activated, this, &LessonStepPage::chooseOthers);
   prediction_ = new PredictionFields(*this);
+  addPredictionRows();
 }
 
-void LessonStepPage::showStep(const LessonStep& step) {
+void LessonStepPage::addScene() {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  sceneText_ = new QLabel;
+  sceneText_->setObjectName("editorScene");
+  sceneText_->setTextFormat(Qt::PlainText);
+  sceneText_->setWordWrap(true);
+  auto* button = new QPushButton(tr("Take the scene that is shown"));
+  button->setObjectName("editorTakeScene");
+  button->setAutoDefault(false);
+  button->setToolTip(tr("The step begins with the scene of the main window, as it is now"));
+  connect(button, &QPushButton::clicked, this, &LessonStepPage::shownSceneWanted);
+  line->addWidget(sceneText_, 1);
+  line->addWidget(button);
+  addRow(tr("Scene"), row);
+}
+
+/// Adds to the rows of the prediction what belongs to the step and its scene as a whole.
+void LessonStepPage::addPredictionRows() {
+  kind_ = findChild<QComboBox*>("editorKind");
+  hides_ = findChild<QComboBox*>("editorHides");
+  x_ = findChild<QLineEdit*>("editorX");
+  tolerance_ = findChild<QLineEdit*>("editorTolerance");
+  choices_ = findChild<QTableWidget*>("editorChoices");
+  placeTolerance_ = new QLineEdit;
+  placeTolerance_->setObjectName("editorPlaceTolerance");
+  placeTolerance_->setAccessibleName(tr("Tolerance of the place in %"));
+  placeTolerance_->setToolTip(
+      tr("How far the place of a right answer may be from that of the largest value: the factor is "
+         "2 for 100 %"));
+  addRowBelow(tolerance_, tr("Tolerance of the place in %"), placeTolerance_);
+  connect(placeTolerance_, &QLineEdit::textEdited, this, &LessonForm::tell);
+  computed_ = new QLabel;
+  computed_->setObjectName("editorComputed");
+  computed_->setTextFormat(Qt::PlainText);
+  computed_->setWordWrap(true);
+  addRowBelow(findChild<QWidget*>("editorValueSet"), QString(), computed_);
+  setShown(computed_, false);
+  connect(kind_, &QComboBox::activated, this, [this] {
+    showRowsOfPoint();
+    tell();
+  });
+  connect(x_, &QLineEdit::textEdited, this, &LessonStepPage::showRowsOfPoint);
+}
+
+/// Shows the tolerance of a place where one is asked. The curve of a point is never in sight before
+/// the answer, but it may stay hidden after it.
+void LessonStepPage::showRowsOfPoint() {
+  const bool isPoint = kind_->currentIndex() == 1 + static_cast<int>(PredictionKind::Point);
+  setShown(placeTolerance_, isPoint && x_->text().trimmed().isEmpty());
+  hides_->setEnabled(true);
+  qobject_cast<QStandardItemModel*>(hides_->model())->item(0)->setEnabled(!isPoint);
+  if (isPoint && hides_->currentIndex() == 0) hides_->setCurrentIndex(1);
+}
+
+void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) {
   chosen_ = step.controls;
   scene_ = step.revealedScene;
+  axis_ = step.scene.sweep.key;
+  sceneText_->setText(sceneText);
   fill([&] {
     title_->setText(textOf(step.title));
     text_->setPlainText(textOf(step.text));
@@ -102,6 +171,9 @@ void LessonStepPage::showStep(const LessonStep& step) {
     tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
     prediction_->show(step);
+    const double place = step.prediction.value_or(LessonPrediction{}).placeTolerance;
+    placeTolerance_->setText(shownNumber(roundedToDigits(100 * place, 12)));
+    showRowsOfPoint();
     showControls();
   });
 }
@@ -113,7 +185,56 @@ void LessonStepPage::take(LessonStep& step) const {
   step.show.tab = tab_->currentData().toString().toStdString();
   step.show.quantity = quantity_->currentData().toString().toStdString();
   step.controls = chosen_;
+  const LessonPrediction before = step.prediction.value_or(LessonPrediction{});
   prediction_->take(step);
+  if (!step.prediction) return;
+  LessonPrediction& prediction = *step.prediction;
+  if (!unreadableIn(*tolerance_, false).isEmpty()) prediction.tolerance = before.tolerance;
+  if (!unreadableIn(*x_, true).isEmpty()) prediction.x = before.x;
+  if (!unreadableChoice().isEmpty()) {
+    prediction.choices = before.choices;
+    prediction.answer = before.answer;
+  }
+  const double percent =
+      numberIn(placeTolerance_->text().remove('%')).value_or(100 * before.placeTolerance);
+  // What was not edited stays as it is, to the last digit.
+  if (std::abs(percent - 100 * before.placeTolerance) > 1e-9 * std::abs(percent))
+    prediction.placeTolerance = percent / 100;
+}
+
+QString LessonStepPage::unreadableIn(const QLineEdit& line, bool mayBeEmpty) const {
+  const QString text = line.text().trimmed();
+  if (!line.isVisibleTo(this) || (mayBeEmpty && text.isEmpty())) return {};
+  const bool isRead = &line == x_ ? numberOfKey(axis_, text).has_value()
+                                  : numberIn(QString(text).remove('%')).has_value();
+  if (isRead) return {};
+  return tr("%1: “%2” is not a number").arg(line.accessibleName(), text);
+}
+
+QString LessonStepPage::unreadableChoice() const {
+  if (!choices_->isVisibleTo(this)) return {};
+  for (int row = 0; row < choices_->rowCount(); ++row)
+    for (const int column : {2, 3}) {
+      const QTableWidgetItem* item = choices_->item(row, column);  // none: no step was shown yet
+      const QString text = item ? item->text().trimmed() : QString();
+      if (text.isEmpty() || numberIn(text)) continue;
+      return tr("Choice %1, %2: “%3” is not a number")
+          .arg(row + 1)
+          .arg(choices_->horizontalHeaderItem(column)->text(), text);
+    }
+  return {};
+}
+
+QString LessonStepPage::unreadable() const {
+  for (const auto& [line, mayBeEmpty] :
+       {std::pair{x_, true}, {tolerance_, false}, {placeTolerance_, false}})
+    if (const QString text = unreadableIn(*line, mayBeEmpty); !text.isEmpty()) return text;
+  return unreadableChoice();
+}
+
+void LessonStepPage::showComputed(const QString& text) {
+  computed_->setText(text);
+  setShown(computed_, !text.isEmpty());
 }
 
 void LessonStepPage::beginText() {

@@ -4,7 +4,9 @@
 
 #include "ui/window/lesson/lesson_form.h"
 
+class QLabel;
 class QSpinBox;
+class QTableWidget;
 class QToolButton;
 
 namespace asperity {
@@ -34,12 +36,27 @@ class LessonStepPage : public LessonForm {
  public:
   explicit LessonStepPage(QWidget* parent = nullptr);
 
-  void showStep(const LessonStep& step);
+  /// sceneText: which scene it is, in words.
+  void showStep(const LessonStep& step, const QString& sceneText);
+  /// Takes over what is written. A number that cannot be read leaves what the step has.
   void take(LessonStep& step) const;
+  /// Returns which field has no number where it needs one, and what is in it; empty: none.
+  QString unreadable() const;
+  /// Says what is computed as the answer; empty: nothing is.
+  void showComputed(const QString& text);
   /// Puts the focus into the text, which is marked.
   void beginText();
 
+ signals:
+  /// Emitted where the step shall have the scene that the main window shows.
+  void shownSceneWanted();
+
  private:
+  void addScene();
+  void addPredictionRows();
+  void showRowsOfPoint();
+  QString unreadableIn(const QLineEdit& line, bool mayBeEmpty) const;
+  QString unreadableChoice() const;
   void fillControls();
   void showControls();
   void chooseOthers();
@@ -50,8 +67,14 @@ class LessonStepPage : public LessonForm {
   QPlainTextEdit* text_;
   QComboBox *tab_, *quantity_, *others_;
   QToolButton* controls_;
+  QLabel *sceneText_, *computed_;
   PredictionFields* prediction_;
+  // Of the rows of the prediction.
+  QComboBox *kind_, *hides_;
+  QLineEdit *x_, *tolerance_, *placeTolerance_;
+  QTableWidget* choices_;
   LessonControls chosen_;  // of the step that is shown
+  std::string axis_;       // the key of its curve's axis
   Scene scene_;            // after its reveal
 };
 

@@ -25,8 +25,10 @@ QString inReadableLines(const QString& given) {
 }
 
 QString inlineHtml(const QString& text) {
-  static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"));
-  static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"));
+  static const QRegularExpression strong(QStringLiteral(R"(\*\*(\S(?:.*?\S)?)\*\*)"),
+                                         QRegularExpression::DotMatchesEverythingOption);
+  static const QRegularExpression emphasis(QStringLiteral(R"(\*(\S(?:.*?\S)?)\*)"),
+                                           QRegularExpression::DotMatchesEverythingOption);
   QString html = inReadableLines(text.toHtmlEscaped());
   html.replace(strong, QStringLiteral("<b>\\1</b>"));
   html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
@@ -55,7 +57,8 @@ QString richText(const std::string& text) {
     QStringList words;
     bool isInList = false;
     const auto endText = [&] {
-      if (!words.isEmpty()) html += "<p>" + inlineHtml(words.join(' ')) + "</p>";
+      if (!words.isEmpty())
+        html += "<p>" + inlineHtml(words.join('\n')).replace('\n', "<br>") + "</p>";
       words.clear();
     };
     for (const QString& line : lines) {

@@ -1,0 +1,280 @@
+// The lesson editor: computed answers, numbers that cannot be read, undo, scenes of steps; and what
+// students' handouts leave out.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QStandardItemModel>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+
+#include "core/lesson/lesson_file.h"
+#include "tests/core/lesson/lesson_samples.h"
+#include "tests/core/temporary_folder.h"
+#include "tests/ui/window/main_window_fixture.h"
+#include "tests/ui/window/qt_application.h"
+#include "ui/window/lesson/handout.h"
+#include "ui/window/lesson/lesson_editor.h"
+#include "ui/window/lesson/lesson_text.h"
+#include "ui/window/lesson/lessons.h"
+
+namespace asperity {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class LessonEditorTest : public MainWindowTest {
+ protected:
+  /// Opens the editor at a step, from 1.
+  void edit(const Json& lesson, int step) {
+    editor_ = &window_.lessons().showEditor(lessonOf(lesson), {});
+    editor_->findChild<QListWidget*>("editorSteps")->setCurrentRow(step);
+  }
+  void TearDown() override {
+    delete editor_;  // else it would ask about its changes
+    MainWindowTest::TearDown();
+  }
+  template <class Widget>
+  Widget& field(const char* name) {
+    return *editor_->findChild<Widget*>(name);
+  }
+  void type(const char* name, const QString& text) {
+    auto& line = field<QLineEdit>(name);
+    line.setFocus();
+    line.selectAll();
+    if (text.isEmpty())
+      QTest::keyClick(&line, Qt::Key_Delete);
+    else
+      QTest::keyClicks(&line, text);
+  }
+  void setCell(int row, int column, const QString& text) {
+    field<QTableWidget>("editorChoices").item(row, column)->setText(text);
+  }
+  void choose(const char* name, int index) {
+    auto& box = field<QComboBox>(name);
+    box.setFocus();
+    box.setCurrentIndex(index);
+    emit box.activated(index);
+  }
+  std::string complaint() const { return editor_->complaint().toStdString(); }
+  bool canSave() { return field<QPushButton>("editorSave").isEnabled(); }
+  const LessonPrediction& prediction(std::size_t step) const {
+    return *editor_->lesson().steps[step].prediction;
+  }
+
+  LessonEditor* editor_ = nullptr;
+};
+
+/// The sample with its second step asking for the largest value of the curve.
+Json sampleWithPeak() {
+  Json json = sampleLesson();
+  json["steps"][1]["prediction"] = {
+      {"kind", "point"}, {"question", "Where?"}, {"tolerance", 0.5}, {"place_tolerance", 0.8}};
+  return json;
+}
+
+/// A student could not go on where no choice covers the computed answer, which is about 2.
+TEST_F(LessonEditorTest, RangesThatDoNotCoverTheComputedAnswerAreNotSaved) {
+  edit(sampleLesson(), 1);
+  EXPECT_TRUE(canSave());
+  setCell(1, 3, "1.6");
+  EXPECT_FALSE(canSave());  // nor before the answer is known
+  ASSERT_TRUE(waitFor([&] { return !editor_->isComputing(); }));
+  EXPECT_TRUE(complaint().starts_with("Step 1, choices: none of them covers the computed answer"))
+      << complaint();
+  EXPECT_LT(complaint().size(), 65U) << complaint();  // a number of a few digits
+  EXPECT_FALSE(canSave());
+  TemporaryFolder folder;
+  EXPECT_FALSE(editor_->saveTo(QString::fromStdString((folder.path() / "a.json").string())));
+  setCell(1, 3, "2.9");  // a gap in which the answer is not
+  EXPECT_TRUE(waitFor([&] { return canSave(); }));
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(LessonEditorTest, SaysWhatTheProgramFindsAndOverHowManyLines) {
+  edit(sampleLesson(), 1);
+  auto& said = field<QLabel>("editorComputed");
+  EXPECT_TRUE(said.isVisibleTo(editor_));
+  EXPECT_TRUE(said.text().contains("4 lines"));
+  EXPECT_TRUE(waitFor([&] { return said.text().contains("The program finds"); }));
+}
+
+TEST_F(LessonEditorTest, WhatIsNoNumberIsSaidAndChangesNothing) {
+  Json json = sampleWithPeak();
+  json["steps"][1]["prediction"].erase("place_tolerance");
+  json["steps"][1]["prediction"]["x"] = 0.1;
+  edit(json, 2);
+  type("editorX", "abc");
+  EXPECT_EQ(complaint(), "Step 2: Place on the axis: “abc” is not a number");
+  EXPECT_FALSE(canSave());
+  EXPECT_EQ(prediction(1).x, 0.1);  // the question is still the same
+  type("editorX", "10 mm/s");
+  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(prediction(1).x, 0.01);
+  type("editorTolerance", "abc");
+  EXPECT_EQ(complaint(), "Step 2: Tolerance in %: “abc” is not a number");
+  EXPECT_EQ(prediction(1).tolerance, 0.5);
+  type("editorTolerance", "-5");
+  EXPECT_EQ(complaint(), "Step 2: Tolerance in %: -5 is not above 0 and up to 1000");
+  type("editorTolerance", "20");
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(LessonEditorTest, ChoicesAreCheckedInTheWordsOfTheForm) {
+  edit(sampleLesson(), 1);
+  setCell(1, 2, "abc");
+  EXPECT_EQ(complaint(), "Step 1: Choice 2, From: “abc” is not a number");
+  EXPECT_EQ(prediction(0).choices[1].above, 1.5);
+  setCell(1, 2, "1.5");
+  setCell(2, 2, "2");
+  EXPECT_TRUE(complaint().starts_with("Step 1: Choice 3: its range overlaps that of choice 2"))
+      << complaint();
+  setCell(2, 2, "");
+  EXPECT_EQ(complaint(), "Step 1: Choice 3: needs a number in From or To, as the others have");
+  for (const auto& [row, column] : {std::pair(0, 3), {1, 2}, {1, 3}}) setCell(row, column, "");
+  EXPECT_TRUE(complaint().starts_with("Step 1: Choices: tick the right one")) << complaint();
+}
+
+/// What is hidden stays hidden only where the teacher sees that it does.
+TEST_F(LessonEditorTest, AllSettingsOfAPointCanBeSeenAndChanged) {
+  edit(sampleWithPeak(), 2);
+  auto& hides = field<QComboBox>("editorHides");
+  EXPECT_TRUE(hides.isEnabled());
+  EXPECT_FALSE(qobject_cast<QStandardItemModel*>(hides.model())->item(0)->isEnabled());
+  choose("editorHides", 2);
+  EXPECT_TRUE(editor_->lesson().steps[1].show.hidesCurveAfter);
+  choose("editorHides", 1);
+  EXPECT_FALSE(editor_->lesson().steps[1].show.hidesCurveAfter);
+  auto& place = field<QLineEdit>("editorPlaceTolerance");
+  EXPECT_TRUE(place.isVisibleTo(editor_));
+  EXPECT_EQ(place.text(), "80");
+  type("editorPlaceTolerance", "30");
+  EXPECT_DOUBLE_EQ(prediction(1).placeTolerance, 0.3);
+  type("editorX", "0.1");
+  EXPECT_FALSE(place.isVisibleTo(editor_));
+  choose("editorKind", 2);
+  EXPECT_TRUE(qobject_cast<QStandardItemModel*>(hides.model())->item(0)->isEnabled());
+}
+
+/// Keys undo an edit of the lesson, also while a field of text has the focus.
+TEST_F(LessonEditorTest, EveryEditCanBeUndone) {
+  edit(sampleLesson(), 1);
+  const std::string before = writeLesson(editor_->lesson());
+  EXPECT_FALSE(field<QPushButton>("editorUndo").isEnabled());
+  ASSERT_TRUE(waitFor([&] {  // its keys are those of the active window
+    editor_->activateWindow();
+    return editor_->isActiveWindow();
+  }));
+  editor_->removeStep();
+  ASSERT_EQ(editor_->lesson().steps.size(), 1U);
+  QTest::keyClick(&field<QListWidget>("editorSteps"), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(writeLesson(editor_->lesson()), before);
+  EXPECT_TRUE(editor_->mayClose());  // nothing is changed
+  EXPECT_EQ(field<QListWidget>("editorSteps").currentRow(), 1);
+  EXPECT_EQ(field<QLineEdit>("editorStepTitle").text(), "First");
+
+  type("editorStepTitle", "Another title");
+  choose("editorHides", 1);
+  const std::string after = writeLesson(editor_->lesson());
+  auto& title = field<QLineEdit>("editorStepTitle");
+  QTest::keyClick(&title, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(editor_->lesson().steps[0].show.hidesCurve);
+  EXPECT_EQ(title.text(), "Another title");
+  QTest::keyClick(&title, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(writeLesson(editor_->lesson()), before);
+  field<QPushButton>("editorRedo").click();
+  field<QPushButton>("editorRedo").click();
+  EXPECT_EQ(writeLesson(editor_->lesson()), after);
+  EXPECT_FALSE(field<QPushButton>("editorRedo").isEnabled());
+}
+
+TEST_F(LessonEditorTest, ClosingAsksWhetherToSave) {
+  TemporaryFolder folder;
+  const std::string file = (folder.path() / "mine.json").string();
+  edit(sampleLesson(), 1);
+  ASSERT_TRUE(editor_->saveTo(QString::fromStdString(file)));
+  const auto answerWith = [](QMessageBox::StandardButton wanted) {
+    QTimer::singleShot(0, [wanted] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(box, nullptr);
+      EXPECT_EQ(box->defaultButton(), box->button(QMessageBox::Save));
+      box->button(wanted)->click();
+    });
+  };
+  type("editorStepTitle", "New title");
+  answerWith(QMessageBox::Cancel);
+  EXPECT_FALSE(editor_->mayClose());
+  answerWith(QMessageBox::Discard);
+  EXPECT_TRUE(editor_->mayClose());
+  EXPECT_EQ(readLessonFile(file).steps[0].title.english, "First");
+  answerWith(QMessageBox::Save);
+  EXPECT_TRUE(editor_->mayClose());
+  EXPECT_EQ(readLessonFile(file).steps[0].title.english, "New title");
+}
+
+/// A step whose predecessor is removed keeps its scene, and its changes can still be seen.
+TEST_F(LessonEditorTest, AStepShowsItsSceneAndKeepsItsChanges) {
+  Json json = sampleLesson();
+  json["steps"][0]["scene"]["title"] = "The small line";
+  edit(json, 2);
+  EXPECT_EQ(field<QLabel>("editorScene").text(), "The small line, as step 1 leaves it");
+  const Scene scene = editor_->lesson().steps[1].scene;
+  field<QListWidget>("editorSteps").setCurrentRow(1);
+  editor_->removeStep();
+  ASSERT_EQ(editor_->lesson().steps.size(), 1U);
+  EXPECT_EQ(editor_->lesson().steps[0].scene, scene);
+  EXPECT_EQ(editor_->lesson().steps[0].set,
+            (std::vector<std::string>{"sliding.velocity=0.0002", "load.normal_force=20mN"}));
+  EXPECT_EQ(field<QLabel>("editorScene").text(), "The small line");
+}
+
+TEST_F(LessonEditorTest, AStepTakesTheSceneThatIsShown) {
+  edit(sampleLesson(), 1);
+  const Scene next = editor_->lesson().steps[1].scene;
+  field<QPushButton>("editorTakeScene").click();
+  EXPECT_EQ(editor_->complaint(), QString());
+  EXPECT_EQ(editor_->lesson().steps[0].scene.surface, session().scene().surface);
+  EXPECT_NE(editor_->lesson().steps[0].scene.surface, next.surface);
+  EXPECT_EQ(editor_->lesson().steps[1].scene, next);
+  EXPECT_EQ(editor_->lesson().steps[1].set, std::vector<std::string>{"load.normal_force=20mN"});
+}
+
+/// Later texts and curves may contain the answer.
+TEST(StudentHandouts, WhatComesAfterAQuestionBeginsOnANewPage) {
+  Json json = sampleLesson();
+  json["steps"].push_back({{"text", "Now you know it."}});
+  const QByteArray students = handoutHtml(lessonOf(json));
+  EXPECT_EQ(students.count("class=\"stays page\""), 2);
+  const qsizetype first = students.indexOf("After your answer to step 1");
+  const qsizetype second = students.indexOf("After your answer to step 2");
+  EXPECT_LT(students.indexOf("Twice as fast?"), first);
+  EXPECT_LT(first, students.indexOf("Indentation?"));
+  EXPECT_LT(students.indexOf("Indentation?"), second);
+  EXPECT_LT(second, students.indexOf("Now you know it."));
+  EXPECT_EQ(handoutPdf(lessonOf(json)).count("/Type /Page\n"), 3);
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  EXPECT_FALSE(handoutHtml(lessonOf(json), teacher).contains("After your answer"));
+}
+
+TEST(StudentHandouts, TeachersSeeTheTolerance) {
+  HandoutOptions teacher;
+  teacher.forTeacher = true;
+  EXPECT_TRUE(handoutHtml(lessonOf(sampleLesson()), teacher).contains("(right within ±20\u00A0%)"));
+  const QByteArray point = handoutHtml(lessonOf(sampleWithPeak()), teacher);
+  EXPECT_TRUE(point.contains("(right within a factor of 1.5, its place within a factor of 1.8)"));
+  EXPECT_TRUE(point.contains("Mark the place in the chart."));
+}
+
+TEST(StudentHandouts, LinesOfATextStayLines) {
+  EXPECT_EQ(richText("One *and\nthe same*.\nTwo."), "<p>One <i>and<br>the same</i>.<br>Two.</p>");
+}
+
+}  // namespace
+}  // namespace asperity

@@ -1,0 +1,68 @@
+#include "ui/window/lesson/lesson_mistakes.h"
+
+#include <algorithm>
+
+#include "core/base/number_text.h"
+#include "ui/panels/number_text.h"
+#include "ui/window/lesson/lesson_editor.h"
+
+namespace asperity {
+
+namespace {
+
+QString mistakeOfRanges(const std::vector<LessonChoice>& choices) {
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const LessonChoice& choice = choices[i];
+    if (!choice.isRange())
+      return LessonEditor::tr("Choice %1: needs a number in From or To, as the others have")
+          .arg(i + 1);
+    if (!(choice.above < choice.below))
+      return LessonEditor::tr("Choice %1: From has to be less than To").arg(i + 1);
+    for (std::size_t j = 0; j < i; ++j)
+      if (choice.above < choices[j].below && choices[j].above < choice.below)
+        return LessonEditor::tr(
+                   "Choice %1: its range overlaps that of choice %2, so that one answer would make "
+                   "both right")
+            .arg(i + 1)
+            .arg(j + 1);
+  }
+  return {};
+}
+
+QString mistakeOf(const QString& field, double tolerance) {
+  if (tolerance > 0 && tolerance <= kLargestTolerance) return {};
+  return LessonEditor::tr("%1: %2 is not above 0 and up to %3")
+      .arg(field, shownNumber(roundedToDigits(100 * tolerance, 12)),
+           shownNumber(100 * kLargestTolerance));
+}
+
+QString mistakeOf(const LessonPrediction& prediction) {
+  if (prediction.kind != PredictionKind::Choice) {
+    if (const QString text = mistakeOf(LessonEditor::tr("Tolerance in %"), prediction.tolerance);
+        !text.isEmpty())
+      return text;
+    return prediction.kind == PredictionKind::Point && !prediction.x
+               ? mistakeOf(LessonEditor::tr("Tolerance of the place in %"),
+                           prediction.placeTolerance)
+               : QString();
+  }
+  if (prediction.choices.size() < 2) return LessonEditor::tr("Choices: write at least two");
+  if (prediction.answer) return mistakeOfRanges(prediction.choices);
+  if (std::ranges::count_if(prediction.choices, &LessonChoice::isRight) == 1) return {};
+  return LessonEditor::tr(
+      "Choices: tick the right one, or write into From and To for which computed answers each is "
+      "right");
+}
+
+}  // namespace
+
+QString mistakeIn(const Lesson& lesson) {
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    if (!lesson.steps[i].prediction) continue;
+    const QString text = mistakeOf(*lesson.steps[i].prediction);
+    if (!text.isEmpty()) return LessonEditor::tr("Step %1: %2").arg(i + 1).arg(text);
+  }
+  return {};
+}
+
+}  // namespace asperity

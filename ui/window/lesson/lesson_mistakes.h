@@ -1,0 +1,15 @@
+// What is wrong with the choices and tolerances of a lesson, in the words and units of the lesson
+// editor. The check of its file (core/lesson/lesson_file.h) refuses the same, in the words of the
+// file. GUI thread.
+#pragma once
+
+#include <QString>
+
+#include "core/lesson/lesson.h"
+
+namespace asperity {
+
+/// Returns the first mistake, with the number of its step; empty: there is none.
+QString mistakeIn(const Lesson& lesson);
+
+}  // namespace asperity
