@@ -155,7 +155,7 @@ TEST_F(LessonEditorTest, AllSettingsOfAPointCanBeSeenAndChanged) {
   EXPECT_TRUE(place.isVisibleTo(editor_));
   EXPECT_EQ(place.text(), "80");
   type("editorPlaceTolerance", "30");
-  EXPECT_DOUBLE_EQ(prediction(1).placeTolerance, 0.3);
+  EXPECT_DOUBLE_EQ(prediction(1).xTolerance, 0.3);
   type("editorX", "0.1");
   EXPECT_FALSE(place.isVisibleTo(editor_));
   choose("editorKind", 2);
@@ -175,7 +175,7 @@ TEST_F(LessonEditorTest, EveryEditCanBeUndone) {
   ASSERT_EQ(editor_->lesson().steps.size(), 1U);
   QTest::keyClick(&field<QListWidget>("editorSteps"), Qt::Key_Z, Qt::ControlModifier);
   ASSERT_EQ(writeLesson(editor_->lesson()), before);
-  EXPECT_TRUE(editor_->mayClose());  // nothing is changed
+  EXPECT_TRUE(editor_->canClose());  // nothing is changed
   EXPECT_EQ(field<QListWidget>("editorSteps").currentRow(), 1);
   EXPECT_EQ(field<QLineEdit>("editorStepTitle").text(), "First");
 
@@ -209,12 +209,12 @@ TEST_F(LessonEditorTest, ClosingAsksWhetherToSave) {
   };
   type("editorStepTitle", "New title");
   answerWith(QMessageBox::Cancel);
-  EXPECT_FALSE(editor_->mayClose());
+  EXPECT_FALSE(editor_->canClose());
   answerWith(QMessageBox::Discard);
-  EXPECT_TRUE(editor_->mayClose());
+  EXPECT_TRUE(editor_->canClose());
   EXPECT_EQ(readLessonFile(file).steps[0].title.english, "First");
   answerWith(QMessageBox::Save);
-  EXPECT_TRUE(editor_->mayClose());
+  EXPECT_TRUE(editor_->canClose());
   EXPECT_EQ(readLessonFile(file).steps[0].title.english, "New title");
 }
 

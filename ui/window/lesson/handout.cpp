@@ -320,7 +320,7 @@ class HandoutMaker {
       within = factor(prediction.tolerance);
     else if (prediction.kind == PredictionKind::Point)
       within = utf(Words::tr("%1, its place within %2"))
-                   .arg(factor(prediction.tolerance), factor(prediction.placeTolerance));
+                   .arg(factor(prediction.tolerance), factor(prediction.xTolerance));
     if (within.isEmpty()) return {};
     return " (" + utf(Words::tr("right within %1")).arg(within) + ")";
   }

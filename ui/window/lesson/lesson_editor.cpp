@@ -337,10 +337,10 @@ Lesson LessonEditor::checked() const {
 }
 
 /// Says what is wrong, in the words of the editor where it can.
-void LessonEditor::complain(const InputError& error) {
-  complaint_ = translatedText(InputError("", error.key(), error.message()).message());
-  QString place = placeInWords(QString::fromStdString(error.key()));
-  if (!place.isEmpty()) complaint_ = place.replace(0, 1, place[0].toUpper()) + ": " + complaint_;
+void LessonEditor::showError(const InputError& error) {
+  errorText_ = translatedText(InputError("", error.key(), error.message()).message());
+  QString key = keyText(QString::fromStdString(error.key()));
+  if (!key.isEmpty()) errorText_ = key.replace(0, 1, key[0].toUpper()) + ": " + errorText_;
 }
 
 /// Reads the lesson as if it came from a file, which finds every mistake, and the steps' scenes.
@@ -348,17 +348,17 @@ void LessonEditor::check() {
   const int row = steps_->currentRow() - 1;
   isComputing_ = false;
   errorText_ = present() ? step_->unreadable() : QString();
-  if (!complaint_.isEmpty()) complaint_ = tr("Step %1: %2").arg(row + 1).arg(complaint_);
-  if (complaint_.isEmpty()) complaint_ = mistakeIn(lesson_);
+  if (!errorText_.isEmpty()) errorText_ = tr("Step %1: %2").arg(row + 1).arg(errorText_);
+  if (errorText_.isEmpty()) errorText_ = mistakeIn(lesson_);
   try {
     const Lesson read = checked();
     for (std::size_t i = 0; i < read.steps.size(); ++i) {
       lesson_.steps[i].scene = read.steps[i].scene;
       lesson_.steps[i].revealedScene = read.steps[i].revealedScene;
     }
-    if (complaint_.isEmpty()) checkAnswers();
+    if (errorText_.isEmpty()) checkAnswers();
   } catch (const InputError& error) {
-    if (complaint_.isEmpty()) complain(error);
+    if (errorText_.isEmpty()) showError(error);
   }
   step_->showComputed(computedText());
   messageLabel_->setText(
@@ -417,7 +417,7 @@ void LessonEditor::checkAnswers() {
     const LessonStep& step = lesson_.steps[i];
     const Computed* known = computed(step);
     if (known && !known->failure.isEmpty()) {
-      complaint_ = tr("Step %1, computed answer: %2").arg(i + 1).arg(known->failure);
+      errorText_ = tr("Step %1, computed answer: %2").arg(i + 1).arg(known->failure);
       return;
     }
     if (!step.prediction || !leavesOutNumbers(*step.prediction)) continue;
@@ -428,7 +428,7 @@ void LessonEditor::checkAnswers() {
     try {
       rightChoice(*step.prediction, known->number);
     } catch (const InputError& error) {
-      return complain(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
+      return showError(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
                                  error.message()));
     }
   }
@@ -622,7 +622,7 @@ void LessonEditor::openOther() {
 }
 
 bool LessonEditor::saveTo(const QString& file) {
-  if (!complaint_.isEmpty() || isComputing_) return false;  // the line of the window says why
+  if (!errorText_.isEmpty() || isComputing_) return false;  // the line of the window says why
   try {
     const std::filesystem::path path = std::filesystem::absolute(file.toStdString());
     const std::string text = writeLesson(lesson_);

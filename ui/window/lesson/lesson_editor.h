@@ -87,7 +87,7 @@ class LessonEditor : public QDialog {
   void remember();
   void restore(int by);
   void keepOwnScene(std::size_t step);
-  void complain(const InputError& error);
+  void showError(const InputError& error);
   const Computed* computed(const LessonStep& step) const;
   bool compute(const LessonStep& step);
   void checkAnswers();

@@ -43,7 +43,7 @@ QString mistakeOf(const LessonPrediction& prediction) {
       return text;
     return prediction.kind == PredictionKind::Point && !prediction.x
                ? mistakeOf(LessonEditor::tr("Tolerance of the place in %"),
-                           prediction.placeTolerance)
+                           prediction.xTolerance)
                : QString();
   }
   if (prediction.choices.size() < 2) return LessonEditor::tr("Choices: write at least two");

@@ -171,7 +171,7 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
     tab_->setCurrentIndex(tab_->findData(QString::fromStdString(step.show.tab)));
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
     prediction_->show(step);
-    const double place = step.prediction.value_or(LessonPrediction{}).placeTolerance;
+    const double place = step.prediction.value_or(LessonPrediction{}).xTolerance;
     placeTolerance_->setText(shownNumber(roundedToDigits(100 * place, 12)));
     showRowsOfPoint();
     showControls();
@@ -196,10 +196,10 @@ void LessonStepPage::take(LessonStep& step) const {
     prediction.answer = before.answer;
   }
   const double percent =
-      numberIn(placeTolerance_->text().remove('%')).value_or(100 * before.placeTolerance);
+      numberIn(placeTolerance_->text().remove('%')).value_or(100 * before.xTolerance);
   // What was not edited stays as it is, to the last digit.
-  if (std::abs(percent - 100 * before.placeTolerance) > 1e-9 * std::abs(percent))
-    prediction.placeTolerance = percent / 100;
+  if (std::abs(percent - 100 * before.xTolerance) > 1e-9 * std::abs(percent))
+    prediction.xTolerance = percent / 100;
 }
 
 QString LessonStepPage::unreadableIn(const QLineEdit& line, bool mayBeEmpty) const {
