@@ -451,6 +451,10 @@ TEST_F(LessonsTest, AGuessStaysOnTheAxis) {
   lessons().start(sampleWithPoint(true), 1);
   PredictionPoint& point = lessons().point();
   ASSERT_TRUE(waitFor([&] { return point.isVisible() && chart().y.to == 1; }));
+  ASSERT_TRUE(waitFor([&] { return session().friction().progress() >= 1; }));
+  const std::shared_ptr<const Frame> before = session().frame();
+  ASSERT_TRUE(waitFor([&] { return session().frame() != before; }));
+  EXPECT_FALSE(said("factMu").contains("mean"));
   const QPoint beside = window_.plotView().positionOf(0.1, 1).toPoint() - QPoint(0, 15);
   QTest::mouseClick(&point, Qt::LeftButton, {}, beside);
   EXPECT_FALSE(point.point());  // the legend is no place for an answer

@@ -123,6 +123,7 @@ QString windowStyleSheet(const Theme& theme) {
       border-bottom: 2px solid transparent; }
     QTabWidget QTabBar[crowded="true"]::tab { padding: 6px 7px; }
     QTabWidget QTabBar::tab:hover { color: %2; }
+    QTabWidget QTabBar::tab:disabled { color: %3; }
     QTabWidget QTabBar::tab:selected { color: %2; border-bottom: 2px solid %5; }
     #fitButton { border: none; border-radius: 5px; margin: 4px 8px 4px 4px; padding: 3px 10px;
       background: %4; color: %2; }
@@ -141,6 +142,7 @@ QString windowStyleSheet(const Theme& theme) {
     #dockTitle QLabel { color: %6; }
     #dockTitle QToolButton { border: none; border-radius: 4px; color: %6; padding: 2px 6px; }
     #dockTitle QToolButton:hover { background: %4; color: %2; }
+    #dockTitle #lessonKeep { border: 1px solid %3; color: %2; }
     QToolTip { background: %1; color: %2; border: 1px solid %3; padding: 3px; }
     QScrollBar:vertical { background: transparent; width: 9px; margin: 0; }
     QScrollBar::handle:vertical { background: %3; border-radius: 4px; min-height: 30px; }

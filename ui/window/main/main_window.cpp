@@ -411,7 +411,9 @@ void MainWindow::showFrame() {
   if (figures_->isShowingViews()) canvas_->setFrame(frame);
   CurveReading reading = readCurve(*frame, session_->curve());
   if (session_->friction().isConcealed()) {
-    // The shape of the curve is to be guessed. The mean at the present state is read in lessons.
+    // The shape of the curve is to be guessed. Some lessons read the mean at the present state;
+    // where a point of the curve is asked, it would be one.
+    if (lessons_ && lessons_->point().isVisible()) reading.mu = kNotApplicable;
     if (!reading.region.empty()) reading.regime.clear();
     reading.region.clear();
     reading.notes = {};
