@@ -269,7 +269,7 @@ void ExportDialog::requestPreview() {
   QStringList notes;
   if (wish.kind == ExportKind::Film) {
     wish.kind = ExportKind::Picture;
-    notes += tr("One picture of the film.");
+    notes += tr("One picture of the film, which begins at time 0.");
   }
   if (wish.kind == ExportKind::Figure) wish = previewOfFigure(wish, notes);
   if (wish.kind != ExportKind::Table) {
