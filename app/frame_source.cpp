@@ -143,8 +143,7 @@ Frame FrameSource::steadyFrame(std::int64_t index) const {
 
 /// Marches to this time in whole steps.
 void FrameSource::march(double time) {
-  const double part = (time - motion_->frame().time) / duration_;
-  if (part > 0) motion_->advance(part, 1 / plan_.framesPerSecond);
+  motion_->advanceTo(time, 1, 1 / plan_.framesPerSecond);
 }
 
 /// Returns the frame of a motion at the present time, as the window shows it.

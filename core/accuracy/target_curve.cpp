@@ -36,7 +36,7 @@ class Targeting {
         columns_(scene_, sampler_.source(0)),
         isRandom_(sampler_.source(0).isRandom() && sampler_.source(0).lines() > 1),
         isFrictionless_(isFrictionless(scene_)) {
-    for (const double velocity : sweepVelocities(scene_.sweep))
+    for (const double velocity : velocitiesOfCurve(scene_.sweep, options_))
       states_.emplace_back().velocity = velocity;
   }
 

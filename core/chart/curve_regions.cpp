@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/friction/ensemble.h"
 #include "core/material/element_law.h"
 
 namespace asperity {
@@ -45,10 +46,14 @@ struct Known {
   std::size_t size() const { return mu.size(); }
 };
 
-Known knownPart(std::span<const CurvePoint> points) {
+/// Regions are found on velocities that are evenly spaced in their logarithm: of a curve over
+/// linearly spaced ones on those that were computed besides them.
+Known knownPart(const Scene& scene, std::span<const CurvePoint> points) {
+  const std::vector<double> chosen = logVelocitiesBeside(scene.sweep);
   Known known;
   for (const CurvePoint& point : points)
-    if (point.realizations > 0 && std::isfinite(point.mu) && point.mu > 0 && point.velocity > 0) {
+    if (point.realizations > 0 && std::isfinite(point.mu) && point.mu > 0 && point.velocity > 0 &&
+        (chosen.empty() || std::ranges::binary_search(chosen, point.velocity))) {
       known.velocities.push_back(point.velocity);
       known.mu.push_back(point.mu);
     }
@@ -105,7 +110,7 @@ std::vector<CurveRegion> regionsOf(const Known& known) {
 }  // namespace
 
 std::vector<CurveRegion> findRegions(const Scene& scene, std::span<const CurvePoint> points) {
-  const Known known = knownPart(points);
+  const Known known = knownPart(scene, points);
   if (known.size() < 3 || elementLaw(scene.elastomer).kind() != ElementKind::Kelvin) return {};
   return regionsOf(known);
 }

@@ -26,7 +26,8 @@ namespace asperity {
 /// Returns the regions in order of velocity; those that begin or end beyond the curve end with it.
 /// Region I needs a linear beginning, region III a maximum inside the curve or a flat end. There
 /// are none for bodies with more than one relaxation time, which the paper's regions do not
-/// describe, and without friction.
+/// describe, without friction, and for linearly spaced velocities alone
+/// (logVelocitiesBeside in core/friction/ensemble.h).
 std::vector<CurveRegion> findRegions(const Scene& scene, std::span<const CurvePoint> points);
 
 /// Returns "linear", "transition", "plateau", "decrease" for "I" to "IV"; empty for others.

@@ -17,7 +17,7 @@ class Averaging {
       : scene_(scene),
         options_(options),
         source_(scene, curvePointsPerElement(scene)),
-        velocities_(sweepVelocities(scene.sweep)),
+        velocities_(velocitiesOfCurve(scene.sweep, options)),
         total_(source_.lines()),
         columns_(scene, source_),
         averages_(velocities_.size()) {}
@@ -84,6 +84,21 @@ std::vector<double> velocitiesOf(const Scene& scene, Purpose purpose) {
 }
 
 }  // namespace
+
+std::vector<double> logVelocitiesBeside(const Sweep& sweep) {
+  if (!sweep.isOfVelocity() || sweep.scale != SweepScale::Linear) return {};
+  return logSpaced(sweep.velocityFrom, sweep.velocityTo, sweep.points);
+}
+
+std::vector<double> velocitiesOfCurve(const Sweep& sweep, const CurveOptions& options) {
+  std::vector<double> velocities = sweepVelocities(sweep);
+  if (!options.addsLogVelocities) return velocities;
+  const std::vector<double> beside = logVelocitiesBeside(sweep);
+  velocities.insert(velocities.end(), beside.begin(), beside.end());
+  std::ranges::sort(velocities);
+  velocities.erase(std::unique(velocities.begin(), velocities.end()), velocities.end());
+  return velocities;
+}
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options) {
   return Averaging(scene, options).run();

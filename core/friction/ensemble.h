@@ -32,6 +32,8 @@ struct CurveOptions {
   /// from one thread; may be empty. A curve to a target accuracy, whose lines differ from velocity
   /// to velocity, does not call it.
   std::function<void(std::int64_t realization, std::span<const SteadyResult>)> eachLine;
+  /// Computes a curve over linearly spaced velocities also at those of `logVelocitiesBeside`.
+  bool addsLogVelocities = false;
 };
 
 struct Curve {
@@ -44,6 +46,14 @@ struct Curve {
   double achievedError = kNotApplicable;
   bool isTargetMet = true;
 };
+
+/// Returns as many velocities (m/s) as a sweep over velocity has, evenly spaced in their logarithm,
+/// where its own are evenly spaced: those tell nothing of what friction does over the decades below
+/// the second one. Empty for other sweeps.
+std::vector<double> logVelocitiesBeside(const Sweep& sweep);
+
+/// Returns the velocities (m/s) of a curve over velocity, ascending.
+std::vector<double> velocitiesOfCurve(const Sweep& sweep, const CurveOptions& options);
 
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
 

@@ -37,8 +37,9 @@ RigidLine RigidLine::coarser(std::size_t every) const {
   return {std::move(coarse), prepared.scheme};
 }
 
-MarchLoad marchLoad(const Load& load) {
-  return {load.kind, load.normalForce, load.depth};
+MarchLoad marchLoad(const Load& load, double length) {
+  const Load onLine = loadOn(load, length);
+  return {onLine.kind, onLine.normalForce, onLine.depth};
 }
 
 TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,
@@ -73,7 +74,7 @@ TimeMarch restingMarch(const RigidLine& rigid, const Scene& scene, double distan
   requireEquilibrium(scene);
   TimeMarch march(rigid.line, rigid.prepared.lowestHeight, elementLaw(scene.elastomer));
   march.setDistance(distance);
-  march.settleAtRest(marchLoad(loadOn(scene.load, rigid.line->length)));
+  march.settleAtRest(marchLoad(scene.load, rigid.line->length));
   return march;
 }
 

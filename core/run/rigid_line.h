@@ -32,7 +32,9 @@ struct RigidLine {
   RigidLine(Line made, Scheme scheme);
 };
 
-MarchLoad marchLoad(const Load& load);
+/// Returns the load on one period of a line of this length (m): a nominal pressure as the force
+/// that it means there.
+MarchLoad marchLoad(const Load& load, double length);
 
 /// Begins in the steady state, with the line moved to the node nearest to `distance` (m).
 TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, double velocity,

@@ -143,6 +143,8 @@ struct Runner::Body {
       CurveOptions curveOptions;
       curveOptions.stop = work.stop;
       curveOptions.threads = options.threads;
+      // What is read at the present velocity must not depend on the axis of the diagram.
+      curveOptions.addsLogVelocities = true;
       run(work, curveOptions);
     }
   }

@@ -35,6 +35,9 @@ constexpr int kFramesOfRipple = 60;
 // this part of its duration.
 constexpr double kBudgetByHand = 10, kMotionByHand = 0.005;
 
+// Samples of a motion, at least: as many as its march has steps.
+constexpr double kSamplesOfMotion = Transient::kLeastSteps;
+
 // States of a motion that are kept to go back to: how many, and their size in bytes together.
 constexpr double kMostKept = 32, kKeptBytes = 64e6;
 
@@ -138,7 +141,7 @@ void Simulation::update(std::shared_ptr<const Scene> scene, std::uint64_t number
   // is shown.
   if (!isSameLine) {
     const double velocity = ready_->velocity();
-    march_->step(marchLoad(ready_->scene->load),
+    march_->step(marchLoad(ready_->scene->load, ready_->line().length),
                  velocity > 0 ? naturalStep() / velocity : restingStep(), 0);
   }
   clearReading();
@@ -230,7 +233,7 @@ double Simulation::restingStep() const {
 }
 
 void Simulation::stepOnce(double dt, double distance) {
-  last_ = march_->step(marchLoad(loadOn(ready_->scene->load, ready_->line().length)), dt, distance);
+  last_ = march_->step(marchLoad(ready_->scene->load, ready_->line().length), dt, distance);
   lineWork_ += last_.lineWork;
   normalWork_ += last_.normalForce * distance;
   const RetardationModes& modes = march_->modes();
@@ -288,6 +291,31 @@ bool Simulation::beginsAnew() {
   return true;
 }
 
+/// Marches a motion by at least one step, and on to this time, with samples on the way: their
+/// distance in time is limited, so that a fast pace leaves none out. The first one begins at
+/// time 0.
+void Simulation::marchMotion(double time) {
+  const double longest = transient_->motion().duration() / kSamplesOfMotion;
+  if (samples_.empty()) {
+    const TransientSample first = transient_->singleStep();
+    samples_.push_back(first);
+    samples_.front().time = samples_.front().distance = 0;
+    samples_.push_back(first);
+  } else {
+    samples_.push_back(transient_->marchTo(std::min(time, sampleAfter(longest))));
+  }
+  while (transient_->canReach(time))
+    samples_.push_back(transient_->marchTo(std::min(time, sampleAfter(longest))));
+  time_ = transient_->time();
+  steps_ = transient_->steps();
+}
+
+/// Returns the next multiple of `longest`, s; the present time is near its own one, because steps
+/// are whole.
+double Simulation::sampleAfter(double longest) const {
+  return (std::round(transient_->time() / longest) + 1) * longest;
+}
+
 /// Advances a motion, which begins again after its end. Frames have equal distances in time through
 /// the whole motion, which are limited by its fastest part, so fast parts appear fast.
 void Simulation::advanceMotion(double part, double wallSeconds, double end) {
@@ -295,9 +323,7 @@ void Simulation::advanceMotion(double part, double wallSeconds, double end) {
   const double duration = transient_->motion().duration();
   const double stretch = std::min(part * duration, mostSteps() * transient_->shortestStep());
   const double next = (std::round(time_ / stretch) + 1) * stretch;
-  samples_.push_back(transient_->marchTo(std::min(next, end)));
-  time_ = transient_->time();
-  steps_ = transient_->steps();
+  marchMotion(std::min(next, end));
   timeScale_ = stretch / wallSeconds;
   keepState();
 }
@@ -374,9 +400,7 @@ void Simulation::stepMotion(double distance) {
   const double most =
       std::min(kMotionByHand * duration, kBudgetByHand * mostSteps() * transient_->shortestStep());
   const double time = fastest > 0 ? std::min(distance / fastest, most) : most;
-  samples_.push_back(transient_->marchTo(transient_->time() + time));
-  time_ = transient_->time();
-  steps_ = transient_->steps();
+  marchMotion(transient_->time() + time);
 }
 
 bool Simulation::showsSteadyState() const {

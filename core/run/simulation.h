@@ -65,6 +65,8 @@ class Simulation {
   void begin();
   void advanceSteadily(double part);
   void advanceMotion(double part, double wallSeconds, double end);
+  void marchMotion(double time);
+  double sampleAfter(double longest) const;
   double mostSteps() const;
   void stepOnce(double dt, double distance);
   void clearReading();

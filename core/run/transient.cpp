@@ -73,7 +73,7 @@ class Transient::Means {
 
 Transient::Transient(const Scene& scene, std::shared_ptr<const RigidLine> rigid,
                      std::int64_t leastSteps, int division)
-    : load_(loadOn(scene.load, rigid->line->length)),
+    : load_(scene.load),
       interface_(scene.interface),
       temperatureShift_(temperatureShift(scene.elastomer)),
       hasInterface_(needsStage(scene, Purpose::Picture, Stage::Interface)),
@@ -178,7 +178,7 @@ double Transient::timeAfter(double dt) {
 void Transient::stepOnce(double dt, Means& means) {
   const double next = timeAfter(dt);
   const double distance = motion_.distanceAt(next) - motion_.distanceAt(time_);
-  last_ = march_.step(marchLoad(load_), dt, distance);
+  last_ = march_.step(marchLoad(load_, rigid_->line->length), dt, distance);
   means.add(last_, dt, distance);
   time_ = next;
   ++steps_;

@@ -56,6 +56,10 @@
         <translation>%1 gleitet über ein Elastomer</translation>
     </message>
     <message>
+        <source>t = %1, displaced by %2</source>
+        <translation>t = %1; verschoben um %2</translation>
+    </message>
+    <message>
         <source>t = %1, slid %2</source>
         <translation>t = %1; Weg %2</translation>
     </message>
@@ -555,20 +559,24 @@
         <translation>Abbrechen (%1 %)</translation>
     </message>
     <message>
-        <source>measured: %1 to compute, error of friction %2</source>
-        <translation>gemessen: %1 Rechenzeit, Fehler der Reibung %2</translation>
+        <source>Measured is the time on the clock from the change of the scene to its whole curve. Other programs that run meanwhile make it longer than predicted.</source>
+        <translation>Gemessen ist die Zeit nach der Uhr von der Änderung der Szene bis zu ihrer ganzen Kurve. Andere Programme, die zugleich laufen, machen sie länger als vorhergesagt.</translation>
     </message>
     <message>
-        <source>measured: %1 to compute, standard error of the curve %2</source>
-        <translation>gemessen: %1 Rechenzeit, Standardfehler der Kurve %2</translation>
+        <source>measured: %1 on the clock, error of friction %2</source>
+        <translation>gemessen: %1 nach der Uhr, Fehler der Reibung %2</translation>
     </message>
     <message>
-        <source>predicted motion: %1 to compute %2 steps, error of friction %3 (time step %4, resolution %5, settling %6)</source>
-        <translation>vorhergesagte Bewegung: %1 Rechenzeit für %2 Schritte, Fehler der Reibung %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+        <source>measured: %1 on the clock, standard error of the curve %2</source>
+        <translation>gemessen: %1 nach der Uhr, Standardfehler der Kurve %2</translation>
     </message>
     <message>
-        <source>predicted: %1 to compute, error of friction %2 (resolution %3, lines %4)</source>
-        <translation>vorhergesagt: %1 Rechenzeit, Fehler der Reibung %2 (Auflösung %3, Linien %4)</translation>
+        <source>predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step %4, resolution %5, settling %6)</source>
+        <translation>vorhergesagte Bewegung: %1 auf freien Prozessoren für %2 Schritte, Fehler der Reibung %3 (Zeitschritt %4, Auflösung %5, Einschwingen %6)</translation>
+    </message>
+    <message>
+        <source>predicted: %1 on free processors, error of friction %2 (resolution %3, lines %4)</source>
+        <translation>vorhergesagt: %1 auf freien Prozessoren, Fehler der Reibung %2 (Auflösung %3, Linien %4)</translation>
     </message>
 </context>
 <context>
@@ -1174,8 +1182,8 @@
         <translation>Die Vorschau wird erstellt…</translation>
     </message>
     <message>
-        <source>One picture of the film.</source>
-        <translation>Ein Bild des Films.</translation>
+        <source>One picture of the film, which begins at time 0.</source>
+        <translation>Ein Bild des Films, der zum Zeitpunkt 0 beginnt.</translation>
     </message>
     <message>
         <source>The curve of the preview is the mean of %1 lines, that of the file of %2.</source>
@@ -1475,6 +1483,14 @@
     <message>
         <source>Folder: PNG, SVG, PDF, CSV</source>
         <translation>Ordner: PNG, SVG, PDF, CSV</translation>
+    </message>
+    <message>
+        <source>Same p&amp;art of the line as in the window</source>
+        <translation>Ausschnitt &amp;wie im Fenster</translation>
+    </message>
+    <message>
+        <source>MP4 knows no transparency. WebM, GIF and WebP know it.</source>
+        <translation>MP4 kennt keine Transparenz. WebM, GIF und WebP kennen sie.</translation>
     </message>
     <message>
         <source>Same p&amp;art of the line and moment as in the window</source>

@@ -126,5 +126,24 @@ TEST(FilmFile, AnFfmpegThatMakesNoFilmIsAFailureAndTheOldFilmStays) {
   EXPECT_EQ(folder.names().size(), 5U);
 }
 
+/// The sides of an mp4 are even: where those of the pictures are odd, the background goes on.
+TEST(FilmFile, AnMp4OfOddSidesHasNoBlackEdge) {
+  const TemporaryFolder folder;
+  FilmOptions options;
+  options.width = 65;
+  options.height = 49;
+  QImage picture(options.width, options.height, QImage::Format_RGBA8888_Premultiplied);
+  picture.fill(QColor(240, 240, 240));
+  FilmFile film((folder / "a.mp4").string(), options);
+  for (int i = 0; i < 3; ++i) film.add(picture);
+  film.finish();
+  const std::string line = "cd '" + folder.path().string() +
+                           "' && ffmpeg -v error -i a.mp4 -pix_fmt gray -f rawvideo all";
+  ASSERT_EQ(std::system(line.c_str()), 0);
+  const std::string all = TemporaryFolder::read(folder / "all");
+  ASSERT_EQ(all.size(), 3U * 66 * 50);
+  for (const char shade : all) ASSERT_GT(static_cast<unsigned char>(shade), 230);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -560,6 +560,16 @@ void ChartView::moveMarker(double x, bool finely) {
   emit markerMoved(x, finely);
 }
 
+double ChartView::lineValue() const {
+  if (!hasMarker()) return kNaN;
+  return std::isfinite(wantedX_) ? wantedX_ : sheet_.diagrams[0].marker->x;
+}
+
+void ChartView::releaseMarker() {
+  wantedX_ = kNaN;
+  updateMarker();
+}
+
 /// Moves the marker to the next point of the present curve; does nothing without a curve.
 void ChartView::chooseNextPoint(bool forward) {
   if (!hasMarker()) return;

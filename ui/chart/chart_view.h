@@ -42,6 +42,10 @@ class ChartView : public QWidget {
   const DiagramSheet& sheet() const { return sheet_; }
   /// Changes only the marker of the first diagram, which is fast.
   void setMarker(const std::optional<DiagramMarker>& marker);
+  /// Returns the value on the axis at which the line of the marker stands; NaN without one.
+  double lineValue() const;
+  /// Puts the line back to its marker, where it waits at the place to which the user moved it.
+  void releaseMarker();
   void setTheme(const Theme& theme);
 
   /// Returns the position of a value in the widget's pixels; the axes must be able to show it.

@@ -187,12 +187,16 @@ std::string titleOf(const Frame& frame) {
       {lineOf(frame.scene->surface)});
 }
 
-/// Returns "t = 3.2 ms, slid 1.5 mm", or nothing before the first step.
+/// Returns "t = 3.2 ms, slid 1.5 mm", of a motion that returns "displaced by 1.5 mm", or nothing
+/// before the first step.
 std::string progressOf(const Frame& frame) {
   if (!(frame.time > 0)) return {};
   constexpr double kRounding = 1e-12;  // part of the period, for a motion that returned
   const double slid = std::abs(frame.distance);
-  return filled(Words::tr("t = %1, slid %2"),
+  const SlidingKind kind = frame.scene->sliding.kind;
+  // Of a line that moves back and forth the distance is that from its beginning.
+  const bool returns = kind == SlidingKind::Oscillation || kind == SlidingKind::Reversal;
+  return filled(returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
                 {quantity(frame.time, "s", 3, Zeros::Keep),
                  quantity(slid > kRounding * frame.length ? slid : 0, "m", 3, Zeros::Keep)});
 }

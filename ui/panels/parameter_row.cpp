@@ -241,10 +241,26 @@ QString withLabels(const QString& text) {
   return labelled + text.mid(end);
 }
 
+/// Moves the slider. It reaches as far as a scene's value: longer at once where a value lies beyond
+/// it, and as long as before with the next scene.
+void ParameterRow::showOnSlider(double value, bool replace) {
+  // Whoever moves the handle keeps the scale under it.
+  if (replace && isSliderLonger_ && !slider_->hasFocus()) {
+    slider_->setScale(SliderScale(parameter_));
+    isSliderLonger_ = false;
+  }
+  if (std::isfinite(value) && !slider_->contains(value)) {
+    slider_->setScale(SliderScale(parameter_, value));
+    isSliderLonger_ = true;
+  }
+  slider_->showValue(value);
+}
+
 void ParameterRow::showScene(const Scene& scene, const LineSize& known, bool replace) {
   const ParameterValue value = parameterValue(parameter_, scene);
   const std::optional<Placeholder> placeholder = placeholderFor(parameter_, scene, known);
-  if (slider_) slider_->showValue(placeholder ? placeholder->value.value_or(0) : asNumber(value));
+  if (slider_)
+    showOnSlider(placeholder ? placeholder->value.value_or(0) : asNumber(value), replace);
   if (entry_) showEntry(value, placeholder, replace);
   if (text_) {
     const QString text = shownText(parameter_, value).number;

@@ -101,6 +101,7 @@ class ParameterRow : public QWidget {
   void showRemark(QLabel& remark, const QString& text);
   void showEnabled();
   void setWidths();
+  void showOnSlider(double value, bool replace);
   void showEntry(const ParameterValue& value, const std::optional<Placeholder>& placeholder,
                  bool replace);
   void showReset(const ParameterValue& value, const ParameterValue& initial);
@@ -113,6 +114,7 @@ class ParameterRow : public QWidget {
 
   Parameter parameter_;
   bool isLocked_ = false, isFixed_ = false;  // by the panel, by the scene
+  bool isSliderLonger_ = false;  // than that of the parameter, to reach the scene's value
   ValueSlider* slider_ = nullptr;
   ValueEntry* entry_ = nullptr;
   ChoiceBox* choice_ = nullptr;

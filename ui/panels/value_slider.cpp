@@ -9,6 +9,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/number_text.h"
 
@@ -32,21 +33,39 @@ Span spanOf(const Parameter& parameter) {
           integer.scale, true};
 }
 
+/// Returns the span with a value in it, as far as the parameter allows.
+Span reaching(Span span, const Parameter& parameter, double value) {
+  const bool isLogarithmic = span.scale != Scale::Linear;
+  if (!std::isfinite(value) || (isLogarithmic && !(value > 0))) return span;
+  const AllowedRange allowed = *allowedRange(parameter);
+  const auto decade = [](double exponent) { return roundedToDigits(std::pow(10, exponent), 15); };
+  if (value < span.from)
+    span.from =
+        std::max(isLogarithmic ? decade(std::floor(std::log10(value))) : value, allowed.minimum);
+  if (value > span.to)
+    span.to =
+        std::min(isLogarithmic ? decade(std::ceil(std::log10(value))) : value, allowed.maximum);
+  return span;
+}
+
 }  // namespace
 
-SliderScale::SliderScale(const Parameter& parameter) {
-  const Span span = spanOf(parameter);
+SliderScale::SliderScale(const Parameter& parameter)
+    : SliderScale(parameter, std::numeric_limits<double>::quiet_NaN()) {}
+
+SliderScale::SliderScale(const Parameter& parameter, double value) {
+  const Span span = reaching(spanOf(parameter), parameter, value);
   scale_ = span.scale;
   if (scale_ == Scale::LogarithmicFromNone) values_.push_back(0);
   const double low = coordinate(span.from);
   const double high = coordinate(span.to);
   for (int i = 0; i <= kSteps; ++i) {
     const double between = low + (high - low) * i / kSteps;
-    double value = scale_ == Scale::Linear ? between : std::exp(between);
-    value = roundedToDigits(value, kDigits);
-    if (span.whole) value = std::round(value);
-    value = std::clamp(value, span.from, span.to);
-    if (values_.empty() || value > values_.back()) values_.push_back(value);
+    double place = scale_ == Scale::Linear ? between : std::exp(between);
+    place = roundedToDigits(place, kDigits);
+    if (span.whole) place = std::round(place);
+    place = std::clamp(place, span.from, span.to);
+    if (values_.empty() || place > values_.back()) values_.push_back(place);
   }
 }
 

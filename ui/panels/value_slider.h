@@ -23,6 +23,13 @@ class SliderScale {
   /// Makes the scale of a row with a RealField or an IntegerField.
   explicit SliderScale(const Parameter& parameter);
 
+  /// Makes the same scale, longer where the value lies beyond it: a linear one up to the value, a
+  /// logarithmic one up to the end of its decade.
+  SliderScale(const Parameter& parameter, double value);
+
+  /// Returns whether the value lies between the ends.
+  bool contains(double value) const { return value >= values_.front() && value <= values_.back(); }
+
   int count() const { return static_cast<int>(values_.size()); }
 
   /// Returns the positions of a large step: a decade of a logarithmic scale, a tenth of a linear
@@ -48,6 +55,8 @@ class ValueSlider : public QSlider {
 
   /// Replaces the scale without emitting valuePicked.
   void setScale(const SliderScale& scale);
+
+  bool contains(double value) const { return scale_.contains(value); }
 
   /// Moves the handle to the nearest position without emitting valuePicked.
   void showValue(double value);

@@ -195,5 +195,17 @@ TEST(CurveOverAnyKey, TheFirstColumnIsTheLastWordOfTheKey) {
   EXPECT_EQ(curveCsv(curve.points).find("tangential_force"), std::string::npos);
 }
 
+/// To a target, too, a curve over evenly spaced velocities has those of a logarithmic one beside.
+TEST(ComputeCurve, ToATargetHasTheLogarithmicVelocitiesBeside) {
+  Scene scene = smallScene();
+  scene.sweep = {1e-3, 1e2, 6};
+  scene.sweep.scale = SweepScale::Linear;
+  scene.accuracy.targetRelativeError = 0.3;
+  CurveOptions options;
+  options.addsLogVelocities = true;
+  EXPECT_EQ(computeCurve(scene).points.size(), 6U);
+  EXPECT_EQ(computeCurve(scene, options).points.size(), 6U + 6U - 2U);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <string>
@@ -181,6 +182,26 @@ TEST(Ensemble, AFlatLineHasNoLaw) {
     EXPECT_EQ(point.mu, 0);
     EXPECT_TRUE(std::isnan(point.muLaw));
     EXPECT_TRUE(std::isnan(point.dimensionlessForce));
+  }
+}
+
+/// What the window reads at a velocity does not depend on the spacing of the axis.
+TEST(Ensemble, ACurveOverEvenlySpacedVelocitiesHasThePointsOfALogarithmicOneBeside) {
+  Scene scene = smallScene();
+  scene.sweep = {1e-4, 1e3, 13};
+  const auto logarithmic = frictionCurve(scene).points;
+  scene.sweep.scale = SweepScale::Linear;
+  EXPECT_EQ(frictionCurve(scene).points.size(), 13U);
+  CurveOptions options;
+  options.addsLogVelocities = true;
+  const auto both = frictionCurve(scene, options).points;
+  EXPECT_EQ(both.size(), 13U + 13U - 2U);  // the ends are the same
+  EXPECT_TRUE(std::ranges::is_sorted(both, {}, &CurvePoint::velocity));
+  for (const CurvePoint& point : logarithmic) {
+    const auto same = std::ranges::find(both, point.velocity, &CurvePoint::velocity);
+    ASSERT_NE(same, both.end()) << point.velocity;
+    // The search for the balance begins elsewhere.
+    EXPECT_NEAR(same->mu / point.mu, 1, 1e-8) << point.velocity;
   }
 }
 

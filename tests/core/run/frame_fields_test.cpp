@@ -130,7 +130,7 @@ TEST(Power, OfAMarchAddsUpToWhatItsStepsDissipate) {
     const double spacing = rigid.line->spacing;
     for (int i = 0; i < 50; ++i) {
       const double distance = (0.2 + 0.05 * i) * spacing, dt = distance / 0.2;
-      const MarchStep step = march.step(marchLoad(scene.load), dt, distance);
+      const MarchStep step = march.step(marchLoad(scene.load, rigid.line->length), dt, distance);
       EXPECT_NEAR(integral(march.power(), spacing) * dt, step.dissipated + step.gapWork,
                   1e-9 * std::abs(step.work) + 1e-25)
           << static_cast<int>(rheology) << " " << i;

@@ -514,5 +514,62 @@ TEST(Simulation, AStepAndAResetAreCounted) {
   EXPECT_EQ(simulation.frame().distance, 0);
 }
 
+/// A nominal pressure is a force on the period: another line is pressed in by it before it is
+/// shown, as by that force.
+TEST(Simulation, AnotherLineUnderAPressureIsPressedInByItsForce) {
+  const auto pressedIn = [](LoadKind kind) {
+    auto scene = someScene();
+    const double length = scene->surface.length;
+    scene->load.nominalPressure = scene->load.normalForce / (length * length);
+    scene->load.kind = kind;
+    Simulation simulation(scene, 1);
+    for (int i = 0; i < 10; ++i) simulation.advance(1.0 / 50, 1.0 / 60);
+    auto other = std::make_shared<Scene>(*scene);
+    other->surface.seed += 1;
+    simulation.update(other, 2);
+    return simulation.frame();
+  };
+  const Frame force = pressedIn(LoadKind::Force), pressure = pressedIn(LoadKind::Pressure);
+  ASSERT_TRUE(pressure.isSettling);
+  EXPECT_NEAR(pressure.drawn.indentation / force.drawn.indentation, 1, 1e-9);
+  EXPECT_NEAR(pressure.drawn.normalForce / force.drawn.normalForce, 1, 1e-9);
+}
+
+/// The strips of a motion begin at time 0 and show its extremes, whether few or many frames are
+/// shown of it.
+TEST(Simulation, TheSamplesOfAMotionDoNotDependOnItsPace) {
+  auto scene = someScene();
+  scene->sliding.kind = SlidingKind::Oscillation;
+  scene->sliding.velocity = 0;
+  scene->sliding.amplitude = 0.5;
+  scene->sliding.frequency = 50;
+  scene->sliding.duration = 0.06;
+  struct Extremes {
+    double leastSpeed = 1, greatestSpeed = 0, leastMu = 1;
+    double longest = 0;  // s, between samples
+  };
+  const auto run = [&](double part) {
+    Simulation simulation(scene, 1);
+    while (simulation.frame().time < scene->sliding.duration) simulation.advance(part, 1.0 / 60);
+    const Frame last = simulation.frame();
+    const std::vector<TransientSample>& samples = *last.transient;
+    EXPECT_EQ(samples.front().time, 0);
+    EXPECT_EQ(samples.back().time, scene->sliding.duration);
+    Extremes found;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+      found.longest = std::max(found.longest, samples[i].time - samples[i - 1].time);
+      found.leastSpeed = std::min(found.leastSpeed, std::abs(samples[i].velocity));
+      found.greatestSpeed = std::max(found.greatestSpeed, std::abs(samples[i].velocity));
+      found.leastMu = std::min(found.leastMu, samples[i].mu);
+    }
+    return found;
+  };
+  const Extremes slow = run(1.0 / 2000), fast = run(1.0 / 40);
+  EXPECT_LT(fast.longest, 2.01 * scene->sliding.duration / 500);
+  EXPECT_NEAR(fast.greatestSpeed, slow.greatestSpeed, 0.001);
+  EXPECT_NEAR(fast.leastSpeed, slow.leastSpeed, 0.01);
+  EXPECT_LT(fast.leastMu, 1.5 * slow.leastMu);
+}
+
 }  // namespace
 }  // namespace asperity

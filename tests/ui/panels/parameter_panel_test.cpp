@@ -270,5 +270,17 @@ TEST_F(ParameterPanelTest, ShowsComplaintsOfTheRunner) {
   EXPECT_TRUE(entry("surface.length").hasError());  // still what someone typed
 }
 
+TEST_F(ParameterPanelTest, ASliderContainsTheScenesValue) {
+  auto& slider = *panel_.findChild<ValueSlider*>("slider:surface.rms_height");
+  Scene scene;
+  scene.surface.rmsHeight = 1.8e-4;
+  panel_.setScene(scene);
+  EXPECT_LT(slider.value(), slider.maximum());
+  slider.setFocus();
+  QTest::keyClick(&slider, Qt::Key_Left);
+  EXPECT_GT(panel_.scene().surface.rmsHeight, 1.4e-4);
+  EXPECT_LT(panel_.scene().surface.rmsHeight, 1.8e-4);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -80,5 +80,31 @@ TEST(NumberText, SymbolsLookLikePrint) {
   EXPECT_EQ(wordText("self_affine"), QStringLiteral("self-affine"));
 }
 
+/// A scene may lie beyond the usual slider: asphalt has an rms height of 180 um.
+TEST(SliderScale, ReachesAsFarAsTheScenesValue) {
+  const Parameter& height = *findParameter("surface.rms_height");
+  const auto& field = std::get<RealField>(height.field);
+  const SliderScale scale(height, 1.8e-4);
+  EXPECT_EQ(scale.valueAt(0), field.sliderFrom);
+  EXPECT_EQ(scale.valueAt(scale.count() - 1), 1e-3);
+  const int position = scale.positionOf(1.8e-4);
+  EXPECT_NEAR(scale.valueAt(position) / 1.8e-4, 1, 0.02);
+  EXPECT_GT(scale.valueAt(position - 1) / 1.8e-4, 0.97);
+  EXPECT_EQ(SliderScale(height, 1e-6).count(), SliderScale(height).count());
+  const SliderScale lower(height, 3e-11);
+  EXPECT_EQ(lower.valueAt(0), 1e-11);
+  EXPECT_EQ(SliderScale(height, 1).valueAt(scale.count() - 1), 1);
+  Scene scene;
+  for (const Parameter& parameter : parameters()) {
+    if (!isNumber(parameter)) continue;
+    const AllowedRange allowed = *allowedRange(parameter);
+    for (const double value : {allowed.minimum, allowed.maximum}) {
+      const SliderScale whole(parameter, value);
+      for (const int end : {0, whole.count() - 1})
+        EXPECT_NO_THROW(setValue(parameter, scene, whole.valueAt(end))) << parameter.key;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace asperity

@@ -465,5 +465,38 @@ TEST_F(ExportDialogTest, ClosingTheWindowEndsWhatRuns) {
   EXPECT_LT(time.elapsed(), 3000);
 }
 
+TEST_F(ExportDialogTest, AnotherUnitIsTheSameSize) {
+  openDialog(ExportKind::Picture);
+  choose("exportContent", "contact");
+  enter("exportWidth", "1219");
+  enter("exportHeight", "600");
+  choose("exportUnit", "mm");
+  EXPECT_NEAR(in<QLineEdit>("exportWidth").text().toDouble(), 1219 * 25.4 / 96, 0.001);
+  EXPECT_NEAR(dialog_->form().pixels().width(), 1219, 0.01);
+  EXPECT_NEAR(dialog_->form().pixels().height(), 600, 0.01);
+  choose("exportUnit", "");
+  EXPECT_EQ(in<QLineEdit>("exportWidth").text(), "1219");
+  EXPECT_EQ(in<QLineEdit>("exportHeight").text(), "600");
+}
+
+TEST_F(ExportDialogTest, NoTransparencyIsOfferedToAFormatWithoutIt) {
+  openDialog(ExportKind::Film);
+  auto& transparent = in<QCheckBox>("exportTransparent");
+  choose("exportFormat", ".webm");
+  transparent.setChecked(true);
+  EXPECT_TRUE(command().contains("--transparent"));
+  choose("exportFormat", ".mp4");
+  EXPECT_FALSE(transparent.isEnabled());
+  EXPECT_TRUE(transparent.toolTip().contains("MP4"));
+  EXPECT_FALSE(command().contains("--transparent"));
+  choose("exportFormat", ".gif");
+  EXPECT_TRUE(transparent.isEnabled());
+  EXPECT_TRUE(command().contains("--transparent"));
+  // A film begins at time 0, and the option does not say otherwise.
+  EXPECT_FALSE(in<QCheckBox>("exportAsShown").text().contains("moment"));
+  dialog_->form().setKind(ExportKind::Picture);
+  EXPECT_TRUE(in<QCheckBox>("exportAsShown").text().contains("moment"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -921,5 +921,19 @@ TEST(Handouts, PdfIsWholeAndTheSameEveryTime) {
   EXPECT_EQ(handoutPdf(lesson), pdf);
 }
 
+/// The line of the chart follows the pointer no farther than the velocity does.
+TEST_F(LessonsTest, TheLineOfALockedVelocityStaysWithIt) {
+  lessons().start(lessonOf(sampleLesson()));
+  const Scene shown = session().scene();
+  ASSERT_TRUE(
+      waitFor([&] { return chart().marker && chart().marker->x == shown.sliding.velocity; }));
+  ChartView& plot = window_.plotView();
+  QTest::keyClick(&plot, Qt::Key_Right);  // as a drag does
+  EXPECT_GT(plot.lineValue(), shown.sliding.velocity);
+  ASSERT_TRUE(waitFor([&] { return session().scene() == shown; }));
+  ASSERT_TRUE(waitFor([&] { return said("lessonNote").contains("guess"); }));
+  EXPECT_TRUE(waitFor([&] { return plot.lineValue() == shown.sliding.velocity; }));
+}
+
 }  // namespace
 }  // namespace asperity

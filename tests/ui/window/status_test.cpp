@@ -354,5 +354,66 @@ TEST_F(WithoutLibrariesTest, ThePictureIsDrawnAndTheWindowGoesOn) {
       waitFor([&] { return session().curve() && session().curve()->realizationsDone > 0; }));
 }
 
+TEST(CurveReading, SaysNothingBetweenPointsThatAreFarApart) {
+  CurveUpdate curve = bentCurve();
+  std::erase_if(curve.points, [](const CurvePoint& point) {
+    return point.velocity > 1.1e-4 && point.velocity < 30;
+  });
+  for (CurvePoint& point : curve.points) point.notes.add(Note::FewContacts);
+  Frame frame = frameAt(1e-3);
+  frame.velocity = 1e-3;
+  const CurveReading between = readCurve(frame, &curve);
+  EXPECT_FALSE(std::isfinite(between.mu));
+  EXPECT_EQ(between.regime, "");
+  EXPECT_TRUE(between.notes.empty());
+  EXPECT_TRUE(std::isfinite(readCurve(frameAt(100), &curve).mu));
+}
+
+/// The present velocity is where it was, however the axis of the diagram is spaced.
+TEST_F(StatusTest, ALinearAxisLeavesTheReadingsAsTheyWere) {
+  Scene scene = smallScene();
+  scene.sweep = {1e-4, 1e3, 36};
+  scene.sliding.velocity = 3e-3;
+  scene.ensemble.realizations = 8;
+  window_.document().open(scene);
+  const auto isRead = [&] {
+    return session().averaging() == Session::Averaging::Done &&
+           haveSameCurve(*session().curve()->scene, session().scene()) &&
+           frame()->sceneNumber == session().sceneNumber() && !fact("factRegime").isEmpty();
+  };
+  ASSERT_TRUE(waitFor(isRead));
+  const QString regime = fact("factRegime");
+  const CurveReading before = readCurve(*frame(), session().curve());
+  EXPECT_EQ(regime, "region I, linear");
+  action("linearAxis").trigger();
+  ASSERT_EQ(session().scene().sweep.scale, SweepScale::Linear);
+  ASSERT_TRUE(waitFor(isRead));
+  const CurveReading after = readCurve(*frame(), session().curve());
+  EXPECT_EQ(fact("factRegime"), regime);
+  EXPECT_NEAR(after.mu / before.mu, 1, 1e-6);
+  EXPECT_NEAR(after.error / before.error, 1, 1e-4);
+  EXPECT_EQ(after.notes, before.notes);
+}
+
+/// While time is paused no further frame makes up for what the first one could not know.
+TEST_F(StatusTest, WhilePausedTheReadingsAreThoseOfTheWholeCurve) {
+  ASSERT_TRUE(waitForFrame());
+  session().setPlaying(false);
+  Scene scene = smallScene();
+  scene.ensemble.realizations = 200;
+  scene.load.normalForce = 0.05;
+  scene.sliding.velocity = 0.01;
+  window_.document().edit(scene);
+  ASSERT_TRUE(waitForFrame());
+  ASSERT_TRUE(waitForRest());
+  ASSERT_TRUE(waitFor([&] { return session().averaging() == Session::Averaging::Done; }));
+  const CurveReading reading = readCurve(*frame(), session().curve());
+  ASSERT_FALSE(reading.regime.isEmpty());
+  EXPECT_EQ(fact("factRegime"), reading.regime);
+  StatusLine expected;
+  expected.showFrame(*frame(), reading);
+  EXPECT_EQ(fact("factMu"), expected.findChild<QLabel*>("factMu")->text());
+}
+
 }  // namespace
 }  // namespace asperity

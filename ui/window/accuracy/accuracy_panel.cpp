@@ -15,6 +15,7 @@
 #include "core/run/motion_accuracy.h"
 #include "ui/chart/friction_chart_model.h"
 #include "ui/draw/ticks.h"
+#include "ui/language/explained.h"
 #include "ui/language/translated.h"
 #include "ui/panels/number_text.h"
 #include "ui/window/curve/comparison_box.h"
@@ -150,6 +151,10 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
 
 /// Sets all texts that do not depend on the scene.
 void AccuracyPanel::showTexts() {
+  const QString tip =
+      tr("Measured is the time on the clock from the change of the scene to its whole curve. "
+         "Other programs that run meanwhile make it longer than predicted.");
+  for (QLabel* label : {predicted_, measured_}) label->setToolTip(wrappedTip(tip));
   quick_->setText(tr("quick"));
   exact_->setText(tr("exact"));
   for (QWidget* widget : {static_cast<QWidget*>(slider_), scrolled_})
@@ -199,9 +204,9 @@ void AccuracyPanel::showTarget() {
 void AccuracyPanel::showMeasured(double time, double standardError, double interval) {
   measuredCurve_ = {time, standardError, interval};
   const bool isSingle = !std::isfinite(standardError) && std::isfinite(interval);
-  measured_->setText(isSingle ? tr("measured: %1 to compute, error of friction %2")
+  measured_->setText(isSingle ? tr("measured: %1 on the clock, error of friction %2")
                                     .arg(seconds(time), percent(interval))
-                              : tr("measured: %1 to compute, standard error of the curve %2")
+                              : tr("measured: %1 on the clock, standard error of the curve %2")
                                     .arg(seconds(time), percent(standardError)));
 }
 
@@ -257,16 +262,16 @@ void AccuracyPanel::predict() {
 void AccuracyPanel::showPrediction(const Prediction& prediction) {
   if (prediction.steps > 0)
     return predicted_->setText(
-        tr("predicted motion: %1 to compute %2 steps, error of friction %3 (time step %4, "
-           "resolution %5, settling %6)")
+        tr("predicted motion: %1 on free processors for %2 steps, error of friction %3 (time step "
+           "%4, resolution %5, settling %6)")
             .arg(seconds(prediction.seconds))
             .arg(prediction.steps, 0, 'f', 0)
             .arg(percent(prediction.error.total()), percent(prediction.error.timeStep),
                  percent(prediction.error.resolution), percent(prediction.error.settling)));
-  predicted_->setText(tr("predicted: %1 to compute, error of friction %2 (resolution %3, lines %4)")
-                          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
-                               percent(prediction.error.resolution),
-                               percent(prediction.error.standardError)));
+  predicted_->setText(
+      tr("predicted: %1 on free processors, error of friction %2 (resolution %3, lines %4)")
+          .arg(seconds(prediction.seconds), percent(prediction.error.total()),
+               percent(prediction.error.resolution), percent(prediction.error.standardError)));
 }
 
 /// Drops the diagram of another scene. The diagram does not depend on the method that computes the

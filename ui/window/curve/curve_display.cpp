@@ -27,6 +27,12 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   });
   connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
+  // A value that was refused, as in a step of a lesson, is no longer where the line waits for it.
+  connect(&session_, &Session::stirred, this, [this] {
+    if (!wanted_ || ownSweptValue(session_.scene()) == *wanted_) return;
+    wanted_.reset();
+    view_.releaseMarker();
+  });
   view_.setDescribe([this](int id, int row) { return session_.friction().describe(id, row); });
   connect(&view_, &ChartView::markerMoved, this, [this](double x, bool finely) {
     const auto value = session_.friction().sweptAt(x);
@@ -63,7 +69,9 @@ void CurveDisplay::showMarker() {
 /// Sets the key of the axis to exactly this value, within the limits of the table of parameters.
 void CurveDisplay::setSwept(double value) {
   const Scene scene = withSweptValue(session_.scene(), value);
-  if (!(scene == session_.scene())) emit sceneEdited(scene);
+  if (scene == session_.scene()) return;
+  wanted_ = ownSweptValue(scene);
+  emit sceneEdited(scene);
 }
 
 }  // namespace asperity

@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
 #include "core/scene/scene.h"
 #include "ui/chart/chart_view.h"
@@ -35,6 +36,7 @@ class CurveDisplay : public QObject {
   QTimer pause_;        // runs after the diagram was painted
   bool isDue_ = false;  // a change arrived meanwhile
   bool wasStale_ = false;
+  std::optional<double> wanted_;  // the newest value of the swept key that was set here
 };
 
 }  // namespace asperity

@@ -47,10 +47,17 @@ Neighbours neighboursOf(const CurveUpdate& curve, double position) {
   return found;
 }
 
+/// Returns whether two velocities of a curve are more than a decade apart: friction may do anything
+/// between them, and a straight line says nothing of it.
+bool areFarApart(const CurvePoint& below, const CurvePoint& above) {
+  constexpr double kFarApart = 10 * (1 + 1e-9);
+  return std::isnan(below.swept) && above.velocity > kFarApart * below.velocity;
+}
+
 /// Interpolates along a straight line between two points of the diagram.
 void readMean(const CurveUpdate& curve, double position, CurveReading& reading) {
   const auto [below, above] = neighboursOf(curve, position);
-  if (!below || !above) return;
+  if (!below || !above || areFarApart(*below, *above)) return;
   reading.lines = std::min(below->realizations, above->realizations);
   const double from = axisPosition(*below, *curve.scene), to = axisPosition(*above, *curve.scene);
   if (from == to) {
@@ -68,12 +75,15 @@ void readMean(const CurveUpdate& curve, double position, CurveReading& reading) 
 NoteSet notesAt(const CurveUpdate& curve, double position) {
   const auto [below, above] = neighboursOf(curve, position);
   NoteSet notes;
+  if (below && above && areFarApart(*below, *above)) return notes;
   for (const CurvePoint* point : {below, above})
     if (point) notes.add(point->notes);
   return notes;
 }
 
 std::string regionAt(const CurveUpdate& curve, double velocity) {
+  const auto [below, above] = neighboursOf(curve, velocity);
+  if (below && above && areFarApart(*below, *above)) return {};
   for (const CurveRegion& region : findRegions(*curve.scene, curve.points))
     if (velocity >= region.from && velocity <= region.to) return region.name;
   return {};

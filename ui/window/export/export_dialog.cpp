@@ -269,7 +269,7 @@ void ExportDialog::requestPreview() {
   QStringList notes;
   if (request.kind == ExportKind::Film) {
     request.kind = ExportKind::Picture;
-    notes += tr("One picture of the film.");
+    notes += tr("One picture of the film, which begins at time 0.");
   }
   if (request.kind == ExportKind::Figure) request = previewOfFigure(request, notes);
   if (request.kind != ExportKind::Table) {

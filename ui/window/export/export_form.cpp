@@ -172,7 +172,10 @@ ExportForm::ExportForm(bool isMotion, const RenderCommandOptions& shown, QWidget
       }
       if (box == preset_ || box == style_ || box == content_ || box == kind_) takePreset();
       if (box == preset_ && isOnPaper() && chosen(*theme_) == "dark") choose(*theme_, "");
-      if (box == unit_) choose(*preset_, kOwn);
+      if (box == unit_) {
+        convertSize();
+        choose(*preset_, kOwn);
+      }
       showRows();
       emit changed();
     });
@@ -348,10 +351,28 @@ void ExportForm::takePreset() {
   isFilling_ = false;
 }
 
+/// Gives width and height in the unit that was just chosen, at the resolution of the form, so that
+/// the picture keeps its size.
+void ExportForm::convertSize() {
+  const double perInch = machineNumber(*density_).toDouble();
+  if (!(perInch > 0)) return;
+  for (QLineEdit* entry : {width_, height_}) {
+    const double size = machineNumber(*entry).toDouble();
+    if (!(size > 0)) continue;
+    entry->setText(isOnPaper() ? QString::number(size * kInch / perInch, 'g', 6)
+                               : QString::number(std::lround(size * perInch / kInch)));
+  }
+}
+
 /// Returns whether the command chooses the size: that of the style, or of a figure.
 bool ExportForm::hasOwnSize() const {
   const QString size = chosen(*preset_);
   return size == kOfStyle || (size == kDefault && kind() == ExportKind::Figure);
+}
+
+/// Returns whether the format of the file knows transparency.
+bool ExportForm::canBeTransparent() const {
+  return kind() != ExportKind::Film || extension() != ".mp4";
 }
 
 bool ExportForm::isOnPaper() const {
@@ -376,6 +397,12 @@ void ExportForm::showRows() {
   for (QWidget* field : std::initializer_list<QWidget*>{width_, height_, unit_, density_})
     field->setEnabled(!hasOwnSize());
   show(asShown_, hasContact);
+  asShown_->setText(isFilm ? tr("Same p&art of the line as in the window")
+                           : tr("Same p&art of the line and moment as in the window"));
+  transparent_->setEnabled(canBeTransparent());
+  transparent_->setToolTip(canBeTransparent()
+                               ? QString()
+                               : tr("MP4 knows no transparency. WebM, GIF and WebP know it."));
   for (QWidget* field : std::initializer_list<QWidget*>{duration_, rate_, speedRow_})
     show(field, isFilm);
   duration_->setEnabled(!(isMotion_ && isSlow));
@@ -396,7 +423,7 @@ ExportRequest ExportForm::request() const {
   }
   request.style = chosen(*style_);
   request.theme = chosen(*theme_);
-  request.isTransparent = transparent_->isChecked();
+  request.isTransparent = transparent_->isChecked() && canBeTransparent();
   if (request.kind == ExportKind::Figure) request.realizations = machineNumber(*realizations_);
   if (!hasOwnSize()) {
     const QString unit = chosen(*unit_);

@@ -51,6 +51,8 @@ class ExportForm : public QWidget {
   void fillFormats();
   void fillSizes();
   void takePreset();
+  void convertSize();
+  bool canBeTransparent() const;
   void showRows();
   bool isOnPaper() const;
   bool hasOwnSize() const;

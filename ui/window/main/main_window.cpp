@@ -365,6 +365,10 @@ void MainWindow::showTitle() {
 
 void MainWindow::connectFrames() {
   connect(session_, &Session::frameArrived, this, &MainWindow::showFrame);
+  // While time is paused no frame follows a curve that is complete.
+  connect(session_, &Session::plotChanged, this, [this] {
+    if (session_->frame()) showReadings();
+  });
   connect(session_, &Session::errorOccurred, messages_, &MessageBar::showSceneError);
   connect(messages_, &MessageBar::sceneErrorShown, panel_, &ParameterPanel::showError);
   connect(session_, &Session::sceneRuns, messages_, &MessageBar::sceneRuns);
@@ -409,6 +413,17 @@ void MainWindow::connectFrames() {
 void MainWindow::showFrame() {
   const std::shared_ptr<const Frame> frame = session_->frame();
   if (figures_->isShowingViews()) canvas_->setFrame(frame);
+  tabs_->showFrame(*frame);
+  if (frame->sceneNumber == session_->sceneNumber()) {
+    timeBar_->showFrame(*frame);
+    panel_->showLine(sizeOf(*frame));
+  }
+  showReadings();
+}
+
+/// Shows what the present frame and the present curve say together.
+void MainWindow::showReadings() {
+  const std::shared_ptr<const Frame> frame = session_->frame();
   CurveReading reading = readCurve(*frame, session_->curve());
   if (session_->friction().isConcealed()) {
     // The shape of the curve is to be guessed. Some lessons read the mean at the present state;
@@ -419,11 +434,7 @@ void MainWindow::showFrame() {
     reading.notes = {};
   }
   status_->showFrame(*frame, reading);
-  tabs_->showFrame(*frame);
-  if (frame->sceneNumber != session_->sceneNumber()) return;
-  timeBar_->showFrame(*frame);
-  panel_->showLine(sizeOf(*frame));
-  showWarnings(*frame, reading.notes);
+  if (frame->sceneNumber == session_->sceneNumber()) showWarnings(*frame, reading.notes);
 }
 
 /// Shows at the parameters how far the present result holds. Until the curve of a changed scene is
