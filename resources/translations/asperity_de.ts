@@ -4301,8 +4301,8 @@
         <translation>In der letzten Sekunde gezeigte Bilder des Kontakts</translation>
     </message>
     <message>
-        <source>What draws the contact</source>
-        <translation>Was den Kontakt zeichnet</translation>
+        <source>What draws the contact: the program itself (software) or the graphics card (OpenGL)</source>
+        <translation>Was den Kontakt zeichnet: das Programm selbst (Software) oder die Grafikkarte (OpenGL)</translation>
     </message>
     <message>
         <source>making the line</source>
@@ -4347,10 +4347,6 @@
     <message>
         <source>1 frame/s</source>
         <translation>1 Bild/s</translation>
-    </message>
-    <message>
-        <source>drawn by %1</source>
-        <translation>gezeichnet mit %1</translation>
     </message>
     <message>
         <source>%1 frames/s</source>

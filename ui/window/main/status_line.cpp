@@ -207,7 +207,8 @@ void StatusLine::showTips() {
          "the chart describe. R shows that state at once.")));
   simulations_->setToolTip(tr("Lines computed per second for the curve, each at one velocity"));
   rate_->setToolTip(tr("Pictures of the contact shown in the last second"));
-  backend_->setToolTip(tr("What draws the contact"));
+  backend_->setToolTip(
+      tr("What draws the contact: the program itself (software) or the graphics card (OpenGL)"));
 }
 
 /// Reserves the width of readings that appear only during work, so that the others do not move when
@@ -419,7 +420,7 @@ void StatusLine::showDrawing(int framesPerSecond, const QString& backend) {
                  : framesPerSecond == 1 ? tr("1 frame/s")
                                         : tr("%1 frames/s").arg(framesPerSecond));
   backendName_ = backend;
-  backend_->setText(backend.isEmpty() ? QString() : tr("drawn by %1").arg(backend));
+  backend_->setText(backend);
   fitReadings();
 }
 
