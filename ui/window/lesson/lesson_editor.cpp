@@ -447,7 +447,7 @@ QString LessonEditor::computedText() const {
   if (step.scene.ensemble.realizations > 1)
     sentences += tr("Computed answers are means over the scene's %1 lines; the picture shows one.")
                      .arg(step.scene.ensemble.realizations);
-  return sentences.join(' ');
+  return sentences.join('\n');
 }
 
 // ---- Undo and redo

@@ -110,7 +110,8 @@ void LessonStepPage::addScene() {
   sceneText_ = new QLabel;
   sceneText_->setObjectName("editorScene");
   sceneText_->setTextFormat(Qt::PlainText);
-  sceneText_->setWordWrap(true);
+  // QFormLayout of Qt 6.4 writes beyond its rows where one of them wraps its words.
+  sceneText_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* button = new QPushButton(tr("Take the scene that is shown"));
   button->setObjectName("editorTakeScene");
   button->setAutoDefault(false);
@@ -139,8 +140,8 @@ void LessonStepPage::addPredictionRows() {
   computed_ = new QLabel;
   computed_->setObjectName("editorComputed");
   computed_->setTextFormat(Qt::PlainText);
-  computed_->setWordWrap(true);
-  addRowBelow(findChild<QWidget*>("editorValueSet"), QString(), computed_);
+  computed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // as the scene above
+  addRowBelow(findChild<QWidget*>("editorValueSet")->parentWidget(), QString(), computed_);
   setShown(computed_, false);
   connect(kind_, &QComboBox::activated, this, [this] {
     showRowsOfPoint();
@@ -164,6 +165,7 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
   scene_ = step.revealedScene;
   axis_ = step.scene.sweep.key;
   sceneText_->setText(sceneText);
+  sceneText_->setToolTip(sceneText);
   fill([&] {
     title_->setText(textOf(step.title));
     text_->setPlainText(textOf(step.text));
