@@ -562,11 +562,11 @@ void ChartView::moveMarker(double x, bool finely) {
 
 double ChartView::lineValue() const {
   if (!hasMarker()) return kNaN;
-  return std::isfinite(wantedX_) ? wantedX_ : sheet_.diagrams[0].marker->x;
+  return std::isfinite(targetX_) ? targetX_ : sheet_.diagrams[0].marker->x;
 }
 
 void ChartView::releaseMarker() {
-  wantedX_ = kNaN;
+  targetX_ = kNaN;
   updateMarker();
 }
 

@@ -107,13 +107,13 @@ TEST(CurveRegions, DoNotDependOnTheSpacingOfTheAxis) {
   scene.ensemble.realizations = 4;
   scene.surface.elements = 1000;
   scene.sweep = {1e-4, 1e3, 31};
-  const auto logarithmic = regionsOfCurve(scene, frictionCurve(scene).points);
+  const auto logarithmic = findRegions(scene, frictionCurve(scene).points);
   ASSERT_GE(logarithmic.size(), 3U);
   scene.sweep.scale = SweepScale::Linear;
-  EXPECT_TRUE(regionsOfCurve(scene, frictionCurve(scene).points).empty());
+  EXPECT_TRUE(findRegions(scene, frictionCurve(scene).points).empty());
   CurveOptions options;
   options.addsLogVelocities = true;
-  const auto linear = regionsOfCurve(scene, frictionCurve(scene, options).points);
+  const auto linear = findRegions(scene, frictionCurve(scene, options).points);
   ASSERT_EQ(namesOf(linear), namesOf(logarithmic));
   for (std::size_t i = 0; i < linear.size(); ++i)
     EXPECT_NEAR(linear[i].to / logarithmic[i].to, 1, 1e-6);

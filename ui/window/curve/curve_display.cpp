@@ -28,7 +28,7 @@ CurveDisplay::CurveDisplay(Session& session, ChartView& view, QObject* parent)
   connect(&session_, &Session::plotChanged, this, &CurveDisplay::showSoon);
   connect(&session_, &Session::markChanged, this, &CurveDisplay::showMarker);
   // A value that was refused, as in a step of a lesson, is no longer where the line waits for it.
-  connect(&session_, &Session::stirred, this, [this] {
+  connect(&session_, &Session::commandSent, this, [this] {
     if (!wanted_ || ownSweptValue(session_.scene()) == *wanted_) return;
     wanted_.reset();
     view_.releaseMarker();
