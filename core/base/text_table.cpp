@@ -434,6 +434,22 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
     }
 }
 
+Message unclearMark(char decimal) {
+  return message(
+      "All marks in the numbers stand before three digits: '{}' is taken for the decimal mark.",
+      std::string(1, decimal));
+}
+
+void refuseUnclearMark(const TextTable& table, const std::string& name) {
+  if (!table.dialect.isUnclear) return;
+  throw InputError(
+      name, "",
+      message("all marks in the numbers stand before three digits, so '{}' may separate "
+              "decimals or thousands; write thousands without a mark, or one number "
+              "with more or fewer decimals",
+              std::string(1, table.dialect.decimal)));
+}
+
 bool countsRows(const TextBlock& block, std::size_t column) {
   if (block.columns[column].isText || block.rows < 2) return false;
   const double first = block.at(0, column);
