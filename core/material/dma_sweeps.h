@@ -29,9 +29,10 @@ struct SweepColumns {
 };
 
 /// The sweeps of a block that can be read; none where it is no table of moduli. Throws InputError
-/// where columns of moduli would be left over, or sweeps side by side have no temperature.
+/// where columns of moduli would be left over or are not understood, or sweeps side by side have no
+/// temperature. Adds the names of deviations and set values, which are not read, to `leftOut`.
 std::vector<SweepColumns> sweepsOf(const TextBlock& block, const std::string& fileName,
-                                   const DmaChoices& choices);
+                                   const DmaChoices& choices, std::string& leftOut);
 
 /// The column's name, or "column 3".
 std::string nameOf(const TextBlock& block, std::size_t column);
