@@ -55,6 +55,15 @@ class TableReader {
           fail(message("has no rows of numbers; line {}: '{}' is no number", line.number,
                        shortened(trimmedField(fields_[i]))));
     }
+    // A row that would be one with a number in its empty field.
+    for (const TextLine& line : above_) {
+      if (isComment(line.text)) continue;
+      readRow(line.text);
+      for (std::size_t i = 0; i < fields_.size(); ++i)
+        if (kinds_[i].kind == FieldKind::Missing && fields_.size() > 1)
+          fail(message("has no rows of numbers; line {}: the value in column {} is missing",
+                       line.number, i + 1));
+    }
     fail("has no rows of numbers");
   }
 

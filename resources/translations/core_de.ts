@@ -6074,6 +6074,10 @@
         <source>%1 may count into the material; say %2 where it does not, and set surface.contact_side to valleys as well where it does</source>
         <translation>%1 kann ins Material zählen; sonst hier %2 angeben, und wenn es so ist, zusätzlich surface.contact_side auf valleys setzen</translation>
     </message>
+    <message>
+        <source>has no rows of numbers; line %1: the value in column %2 is missing</source>
+        <translation>hat keine Zeilen mit Zahlen; Zeile %1: Der Wert in Spalte %2 fehlt</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

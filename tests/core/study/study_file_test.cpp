@@ -220,5 +220,12 @@ TEST(StudyFile, CommasInQuotedNumbersOfATableSeparateThousands) {
   EXPECT_EQ(point, (std::vector<double>{2000, 5}));
 }
 
+TEST(StudyFile, AnEmptyCellOfATableNamesItsLine) {
+  const TemporaryFolder folder;
+  folder.write("rows.csv", "accuracy.scheme,surface.hurst\nlinear,\ncubic,0.5\n");
+  EXPECT_THAT(errorFrom([&] { parse(R"("space":{"rows":"rows.csv"})", folder.path()); }),
+              testing::HasSubstr("line 2: the value in column 2 is missing"));
+}
+
 }  // namespace
 }  // namespace asperity
