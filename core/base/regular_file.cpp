@@ -121,7 +121,12 @@ std::string_view detectNonText(std::string_view bytes) {
   for (const Signature& signature : kSignatures)
     if (bytes.starts_with(signature.bytes)) return signature.kind;
   const std::string_view beginning = bytes.substr(0, kLookedAt);
-  if (beginning.find('\0') == std::string_view::npos) return {};
+  const std::size_t zero = beginning.find('\0');
+  if (zero == std::string_view::npos) return {};
+  // Zeros behind a text alone fill up its last block.
+  if (zero > 1 && !looksLikeUtf16(beginning) &&
+      bytes.find_first_not_of('\0', zero) == std::string_view::npos)
+    return {};
   return looksLikeUtf16(beginning) ? "text in UTF-16"sv : "a binary file"sv;
 }
 

@@ -211,8 +211,9 @@ enum class Mark { Decimal, Unclear, Thousands };
 /// Returns the meaning of the marks in the numbers. Where each mark has exactly three digits behind
 /// it, it may separate thousands. It does where numbers below a thousand have no mark: some of so
 /// many decimals would end with a zero, which programs omit where whole numbers have no mark.
-Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit) {
-  constexpr std::size_t kManyMarked = 50, kManyWhole = 3, kSomeMarked = 3;
+Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit,
+               std::size_t someMarked = 3) {
+  constexpr std::size_t kManyMarked = 50, kManyWhole = 3;
   std::vector<MarkedNumbers> columns(fit.columns);
   std::vector<std::string_view> fields;
   for (std::size_t i = fit.firstRow; i < lines.size(); ++i) {
@@ -228,7 +229,9 @@ Mark meaningOf(const Lines& lines, const TextDialect& dialect, const Fit& fit) {
     return column.marked >= kManyMarked && column.whole.size() >= kManyWhole && !column.hasLong;
   };
   if (std::ranges::any_of(columns, areThousands)) return Mark::Thousands;
-  const auto isMarked = [](const MarkedNumbers& column) { return column.marked >= kSomeMarked; };
+  const auto isMarked = [someMarked](const MarkedNumbers& column) {
+    return column.marked >= someMarked;
+  };
   return std::ranges::any_of(columns, isMarked) ? Mark::Unclear : Mark::Decimal;
 }
 
@@ -241,6 +244,8 @@ TextDialect withRightMark(const Sample& sample, const TextDialect& dialect, cons
   other.decimal = dialect.decimal == '.' ? ',' : '.';
   const Fit otherFit = fitOf(sample.lines, other);
   if (otherFit.rows >= fit.rows && otherFit.withTexts < fit.withTexts) return other;
+  // A quoted comma amid commas is a mark of thousands, unless some number shows that it is not.
+  if (isQuoted && meaningOf(sample.lines, dialect, fit, 1) != Mark::Decimal) return other;
   const Mark mark = meaningOf(sample.lines, dialect, fit);
   TextDialect right = mark == Mark::Thousands ? other : dialect;
   right.isUnclear = mark != Mark::Decimal;
@@ -355,7 +360,10 @@ TextDialect detectDialect(std::string_view text) {
     // separates.
     constexpr double kBetter = 1.1;
     const bool isLoose = !candidate.isExact() && bestFit.columns > 1;
-    if (fit.score > bestFit.score * (isLoose ? kBetter : 1) || halves) {
+    // The blank in "1 000" is none where tabs separate numbers.
+    const bool hasTabs = isLoose && best.separator == Separator::Tab && bestFit.withTexts == 0 &&
+                         bestFit.rows >= fit.rows;
+    if ((fit.score > bestFit.score * (isLoose ? kBetter : 1) && !hasTabs) || halves) {
       best = candidate;
       bestFit = fit;
     }

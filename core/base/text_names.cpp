@@ -1,6 +1,8 @@
 #include "core/base/text_names.h"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
@@ -13,8 +15,10 @@ using namespace std::string_view_literals;
 /// Returns whether a unit that is also a letter fits the name: behind "_" or a blank such letters
 /// are units only of certain quantities.
 bool suitsLetter(std::string_view name, std::string_view unit) {
-  if (unit.size() > 1) return lowerCase(unit) != "in" || name.size() <= 2;
   const char first = static_cast<char>(std::tolower(static_cast<unsigned char>(name.front())));
+  // "mu_min" is a smallest value, "time_min" a time.
+  if (lowerCase(unit) == "min") return first == 't' || first == 'z' || first == 'd';
+  if (unit.size() > 1) return lowerCase(unit) != "in" || name.size() <= 2;
   switch (unit.front()) {
     case 'm':
       return true;
@@ -30,6 +34,13 @@ bool suitsLetter(std::string_view name, std::string_view unit) {
     default:
       return false;
   }
+}
+
+/// F is a unit of temperatures alone; elsewhere it is a letter of a force or a frequency.
+bool isFahrenheit(std::string_view name, std::string_view unit) {
+  if (trimmedBlanks(unit) != "F") return false;
+  const std::string word = lowerCase(trimmedField(name));
+  return word == "t" || word.starts_with("t_") || word.find("temp") != std::string::npos;
 }
 
 ColumnName parts(std::string_view name, std::string_view unit) {
@@ -97,8 +108,17 @@ ColumnName columnName(std::string_view text) {
     if (end == std::string_view::npos) break;
     const std::string_view unit = text.substr(at + 1, end - at - 1);
     const bool isLast = end + 1 == text.size();
-    if (isKnownUnit(unit) || (text[at] == '[' && isLast && at > 0 && !trimmedBlanks(unit).empty()))
-      return parts(text.substr(0, at), unit);
+    if (isKnownUnit(unit) || isFahrenheit(text.substr(0, at), unit) ||
+        (text[at] == '[' && isLast && at > 0 && !trimmedBlanks(unit).empty())) {
+      // Words behind the unit belong to the name: "G' (MPa) std" is no modulus.
+      ColumnName found = parts(text.substr(0, at), unit);
+      const std::string_view rest = trimmedBlanks(text.substr(end + 1));
+      const bool hasWords = std::ranges::any_of(rest, [](char letter) {
+        return std::isalnum(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0;
+      });
+      if (hasWords) found.name += (found.name.empty() ? "" : " ") + std::string(rest);
+      return found;
+    }
   }
 
   // "v_m/s", "v m/s".
@@ -109,7 +129,8 @@ ColumnName columnName(std::string_view text) {
 
   // The unit may be behind a stroke, which may also be part of it: "v / m/s".
   for (std::size_t at = 0; (at = text.find('/', at)) != std::string_view::npos; ++at)
-    if (at > 0 && isKnownUnit(text.substr(at + 1)))
+    if (at > 0 &&
+        (isKnownUnit(text.substr(at + 1)) || isFahrenheit(text.substr(0, at), text.substr(at + 1))))
       return parts(text.substr(0, at), text.substr(at + 1));
 
   // Behind a comma, " in ", a blank or "_".
@@ -118,6 +139,7 @@ ColumnName columnName(std::string_view text) {
     if (at == std::string_view::npos || at == 0) continue;
     const std::string_view unit = text.substr(at + between.size());
     const bool isLoose = between == " " || between == "_";
+    if (isFahrenheit(text.substr(0, at), unit)) return parts(text.substr(0, at), unit);
     if (isUnitWord(unit) && (!isLoose || suitsLetter(text.substr(0, at), unit)))
       return parts(text.substr(0, at), unit);
   }
@@ -139,7 +161,14 @@ std::vector<std::string> splitNames(std::string_view line, const TextDialect& di
   if (!isSeparated) ways.push_back(splitAtBlanks(line));
   for (const Separator separator : {Separator::Semicolon, Separator::Comma})
     ways.push_back(splitAt(line, separator));
-  if (!isSeparated) ways.push_back(splitAt(line, Separator::Blanks));
+  // A unit in brackets is no name of its own among others.
+  if (std::vector<std::string> words = splitAt(line, Separator::Blanks); !isSeparated) {
+    const auto isBracketed = [](const std::string& word) {
+      return word.starts_with('(') || word.starts_with('[');
+    };
+    const auto units = std::ranges::count_if(words, isBracketed);
+    if (units == 0 || units == std::ssize(words)) ways.push_back(std::move(words));
+  }
   for (std::vector<std::string>& way : ways)
     if (way.size() == columns) return std::move(way);
   return {};

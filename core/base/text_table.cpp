@@ -54,6 +54,15 @@ class TableReader {
           fail(message("has no rows of numbers; line {}: '{}' is no number", line.number,
                        shortened(trimmedField(fields_[i]))));
     }
+    // A row that would be one with a number in its empty field.
+    for (const TextLine& line : above_) {
+      if (isComment(line.text)) continue;
+      readRow(line.text);
+      for (std::size_t i = 0; i < fields_.size(); ++i)
+        if (kinds_[i].kind == FieldKind::Missing && fields_.size() > 1)
+          fail(message("has no rows of numbers; line {}: the value in column {} is missing",
+                       line.number, i + 1));
+    }
     fail("has no rows of numbers");
   }
 
@@ -432,6 +441,22 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
         if (std::isinf(value)) value = std::numeric_limits<double>::quiet_NaN();
       }
     }
+}
+
+Message unclearMark(char decimal) {
+  return message(
+      "All marks in the numbers stand before three digits: '{}' is taken for the decimal mark.",
+      std::string(1, decimal));
+}
+
+void refuseUnclearMark(const TextTable& table, const std::string& name) {
+  if (!table.dialect.isUnclear) return;
+  throw InputError(
+      name, "",
+      message("all marks in the numbers stand before three digits, so '{}' may separate "
+              "decimals or thousands; write thousands without a mark, or one number "
+              "with more or fewer decimals",
+              std::string(1, table.dialect.decimal)));
 }
 
 bool countsRows(const TextBlock& block, std::size_t column) {

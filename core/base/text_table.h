@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/text_dialect.h"
 
 namespace asperity {
@@ -82,6 +83,12 @@ TextTable readTextTable(std::string_view bytes, const std::string& name,
 /// "lg G' (Pa)", "ln v", and changes these names accordingly. isQuantity: whether the caller knows
 /// a name without the logarithm.
 void undoLogarithms(TextTable& table, const std::function<bool(const std::string&)>& isQuantity);
+
+/// Says that the marks in the numbers may separate thousands as well (TextDialect::isUnclear).
+Message unclearMark(char decimal);
+
+/// Refuses a table whose marks are unclear, where nobody would see the note. Throws InputError.
+void refuseUnclearMark(const TextTable& table, const std::string& name);
 
 /// Returns whether a column counts the rows: 0, 1, 2, ... or 1, 2, 3, ...
 bool countsRows(const TextBlock& block, std::size_t column);

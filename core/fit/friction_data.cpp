@@ -9,6 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
+#include "core/base/text_names.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
@@ -41,7 +42,10 @@ const std::array<QuantityNames, 8>& knownNames() {
        "nominal pressure",
        {"nominalpressure", "pressure", "contactpressure", "p", "p0", "sigma0", "\u03C30", "druck",
         "fl\u00E4chenpressung", "nenndruck"}},
-      {Quantity::Temperature, "temperature", {"temperature", "temp", "t", "temperatur"}},
+      {Quantity::Temperature,
+       "temperature",
+       {"temperature", "temp", "t", "temperatur", "sampletemperature", "specimentemperature",
+        "probentemperatur"}},
       {Quantity::Label,
        "label",
        {"label", "sample", "name", "set", "series", "specimen", "probe", "bezeichnung", "comment"}},
@@ -105,6 +109,76 @@ std::optional<Quantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);
 }
 
+/// The name and unit of a column.
+TextColumn columnNamed(const std::string& text) {
+  const ColumnName whole = columnName(text);
+  return {whole.name, whole.unit, false};
+}
+
+/// Words in the order in which they stand: "velocity (mm/s) mu" has three.
+std::vector<std::string> wordsOf(std::string_view text) {
+  std::vector<std::string_view> fields;
+  splitFields(text, TextDialect::Separator::Blanks, fields);
+  return {fields.begin(), fields.end()};
+}
+
+/// All ways to make so many known columns of the words from `begin` on.
+void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
+               std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
+  constexpr std::size_t kMostWords = 6, kMostWays = 2;
+  if (ways.size() >= kMostWays) return;
+  if (made.size() == count || begin == words.size()) {
+    if (made.size() == count && begin == words.size()) ways.push_back(made);
+    return;
+  }
+  // A unit in brackets begins no name.
+  if (words[begin].starts_with('(') || words[begin].starts_with('[')) return;
+  std::string text;
+  for (std::size_t i = begin; i < std::min(words.size(), begin + kMostWords); ++i) {
+    text += (text.empty() ? "" : " ") + words[i];
+    TextColumn column = columnNamed(text);
+    if (!quantityOf(column.name, column.unit)) continue;
+    made.push_back(std::move(column));
+    findNames(words, i + 1, count, made, ways);
+    made.pop_back();
+  }
+}
+
+/// Whether some words of the line name a quantity.
+bool namesQuantity(const std::string& line) {
+  const std::vector<std::string> words = wordsOf(line);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    std::string text;
+    for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
+      text += (text.empty() ? "" : " ") + words[j];
+      const TextColumn column = columnNamed(text);
+      const auto quantity = quantityOf(column.name, column.unit);
+      if (quantity && quantity != Quantity::Label && column.name.size() > 1) return true;
+    }
+  }
+  return false;
+}
+
+std::string textOf(const TextEntry& entry) {
+  return entry.key.empty() ? entry.value : entry.key + " " + entry.value;
+}
+
+/// Gives names to columns whose line of names has blanks within the names as well: "velocity (mm/s)
+/// mu normal force (mN)". The line nearest to the numbers is taken.
+void nameColumns(TextBlock& block) {
+  const bool hasNames = std::ranges::any_of(
+      block.columns, [](const TextColumn& column) { return !column.name.empty(); });
+  if (hasNames || block.header.empty()) return;
+  std::vector<std::vector<TextColumn>> ways;
+  std::vector<TextColumn> made;
+  findNames(wordsOf(textOf(block.header.back())), 0, block.columns.size(), made, ways);
+  if (ways.size() != 1) return;
+  for (std::size_t i = 0; i < block.columns.size(); ++i) {
+    block.columns[i].name = ways.front()[i].name;
+    block.columns[i].unit = ways.front()[i].unit;
+  }
+}
+
 bool isOfFriction(const TextBlock& block) {
   bool hasVelocity = false, hasMu = false;
   for (const TextColumn& column : block.columns) {
@@ -153,6 +227,12 @@ class Reader {
     const bool hasNames = std::ranges::any_of(
         block_.columns, [](const TextColumn& column) { return !column.name.empty(); });
     if (!hasNames) {
+      for (const TextEntry& entry : block_.header)
+        if (namesQuantity(textOf(entry)))
+          refuse(
+              message("line {}: '{}' does not name {} columns; separate the names as the "
+                      "numbers are, or write each one without blanks, such as velocity_mm/s",
+                      entry.line, shortened(textOf(entry)), count));
       if (count != 2 && count != 3)
         refuse(
             message("has {} columns without names; name them: velocity, mu, and where there are "
@@ -169,6 +249,7 @@ class Reader {
       else
         refuseUnknownUnit(block_.columns[i]);
     }
+    for (const TextColumn& column : block_.columns) refuseUnclear(column);
     for (const Quantity needed : {Quantity::Velocity, Quantity::Mu})
       if (!find(needed))
         refuse(message("has no column of the {}; its columns are {}", Message(meaningOf(needed)),
@@ -183,7 +264,60 @@ class Reader {
     if (!column.unit.empty() || open == std::string::npos || open == 0) return;
     const std::string unit = column.name.substr(open);
     TextColumn known{column.name.substr(0, open), std::string(withoutBrackets(unit)), false};
-    if (const auto quantity = findMeaning(known)) conversionOf(*quantity, known);
+    if (const auto quantity = findMeaning(known)) {
+      conversionOf(*quantity, known);
+      refuse(message("column {}: the unit {} is not understood", shortened(column.name),
+                     shortened(known.unit)));
+    }
+  }
+
+  /// Bounds of a quantity, and a load or temperature with words that are not understood while no
+  /// other column gives it: leaving these out would change the result.
+  void refuseUnclear(const TextColumn& column) const {
+    if (quantityOf(column) || column.isText) return;
+    std::string text = column.name;
+    std::ranges::replace(text, '_', ' ');
+    std::ranges::replace(text, '-', ' ');
+    std::vector<std::string> words;
+    for (const std::string& word : wordsOf(text)) words.push_back(plainWord(word));
+    std::erase(words, std::string());
+    if (words.size() < 2) return;
+    const auto isBound = [](const std::string& word) {
+      constexpr std::array<std::string_view, 8> kBounds{"min",   "max",   "minimum", "maximum",
+                                                        "lower", "upper", "low",     "high"};
+      return std::ranges::find(kBounds, word) != kBounds.end();
+    };
+    std::string subject;
+    for (const std::string& word : words)
+      if (!isBound(word)) subject += word;
+    const bool hasBound = std::ranges::any_of(words, isBound);
+    for (const QuantityNames& known : knownNames())
+      if (hasBound && std::ranges::find(known.names, subject) != known.names.end())
+        refuse(
+            message("column {}: bounds of the {} are not read; give its error as a column such "
+                    "as mu_error, or take the column out",
+                    shortened(column.name), Message(known.meaning)));
+    if (withoutError(plainWord(column.name))) return;
+    constexpr std::size_t kShortest = 4;  // letters; shorter names mean something else in a text
+    for (const QuantityNames& known : knownNames()) {
+      if (known.quantity != Quantity::Force && known.quantity != Quantity::Pressure &&
+          known.quantity != Quantity::Temperature)
+        continue;
+      const bool isForce = known.quantity != Quantity::Temperature;
+      if (find(known.quantity) || (isForce && (find(Quantity::Force) || find(Quantity::Pressure))))
+        continue;
+      const auto isOfFriction = [](const std::string& word) {
+        return word.starts_with("fric") || word.starts_with("tang") || word.starts_with("later") ||
+               word.starts_with("shear") || word.starts_with("drag") || word.starts_with("reib");
+      };
+      if (std::ranges::any_of(words, isOfFriction)) continue;
+      for (const std::string* word : {&words.front(), &words.back()})
+        if (word->size() >= kShortest && std::ranges::find(known.names, *word) != known.names.end())
+          refuse(
+              message("column {}: is it the {}? Name it so alone, with its unit in brackets, "
+                      "or take the column out",
+                      shortened(column.name), Message(known.meaning)));
+    }
   }
 
   /// Adds notes on how the columns were understood, and which ones were ignored.
@@ -237,21 +371,21 @@ class Reader {
 
   /// Finds the conversion of a column; one without a unit is in SI units.
   Conversion conversionOf(Quantity quantity, const TextColumn& column) const {
-    const auto unitOf = [&](std::string_view si, const char* known) {
+    const auto unitOf = [&](std::string_view si, const std::string& known) {
       if (column.unit.empty()) return Conversion{Unit{si}};
       const auto unit = quantity == Quantity::Temperature ? temperatureUnit(column.unit)
                                                           : unitInAnyCase(column.unit, si);
       if (!unit)
         refuse(message("column {}: the unit {} is unknown; known are {}", shortened(column.name),
-                       shortened(column.unit), std::string_view(known)));
+                       shortened(column.unit), known));
       return Conversion{*unit};
     };
     const Conversion share{*findUnit("%"), true};
     switch (quantity) {
       case Quantity::Velocity:
-        return unitOf("m/s", "m/s, mm/s, um/s, cm/s, km/h, m/min");
+        return unitOf("m/s", unitsOf("m/s"));
       case Quantity::VelocityError:
-        return column.unit == "%" ? share : unitOf("m/s", "m/s, mm/s, um/s, cm/s, km/h, m/min, %");
+        return column.unit == "%" ? share : unitOf("m/s", unitsOf("m/s") + ", %");
       case Quantity::Force:
         return unitOf("N", "N, mN, uN, kN");
       case Quantity::Pressure:
@@ -357,6 +491,7 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
   TextTable table = readTextTable(bytes, name, options);
   undoLogarithms(
       table, [](const std::string& quantity) { return findMeaning(quantity, "?").has_value(); });
+  for (TextBlock& block : table.blocks) nameColumns(block);
   const TextBlock* first = nullptr;
   for (const TextBlock& block : table.blocks) {
     if (!isOfFriction(block)) continue;
@@ -368,7 +503,9 @@ FrictionData parseFrictionData(std::string_view bytes, const std::string& name) 
                                first->lines.front(), block.lines.front()));
     first = &block;
   }
-  return Reader(table.largest(), name).read();
+  FrictionData data = Reader(table.largest(), name).read();
+  if (table.dialect.isUnclear) data.notes.push_back(unclearMark(table.dialect.decimal));
+  return data;
 }
 
 FrictionData readFrictionData(const std::filesystem::path& file, const std::string& label) {

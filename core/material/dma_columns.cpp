@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <initializer_list>
 #include <numbers>
 #include <utility>
@@ -12,6 +13,21 @@
 
 namespace asperity {
 namespace {
+
+/// Letters of names that are words of their own.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kGreek{
+    {{"\u03B4", " delta "},
+     {"\u0394", " delta "},
+     {"\u03C3", " sigma "},
+     {"\u2032", "'"},
+     {"\u2033", "'"},
+     {"\u2019", "'"},
+     {"\u2018", "'"},
+     {"\u201C", "'"},
+     {"\u201D", "'"},
+     {"\u00B4", "'"},
+     {"\u00A0", " "},
+     {"\u2217", "*"}}};
 
 /// Returns the name in lower case, with plain primes, with Greek letters as words, and without
 /// blanks, "_", "-" and ".".
@@ -61,8 +77,8 @@ DmaQuantity dmaQuantity(std::string_view word) {
                          "dampingfactor", "verlustfaktor", "daempfungsfaktor", "tangentdelta"}) ||
       word == "tan";
   if (isLossTangent) return LossTangent;
-  if (containsAny(word, {"viscosity", "viskositaet", "compliance", "nachgiebigkeit", "error",
-                         "stdev", "strainrate", "energy", "energie", "stiffness", "torque"}) ||
+  if (containsAny(word, {"viscosity", "viskositaet", "compliance", "nachgiebigkeit", "strainrate",
+                         "energy", "energie", "stiffness", "torque"}) ||
       word.starts_with("eta") || word.starts_with("\u03B7") || word.starts_with("j'") ||
       word.starts_with("d'"))
     return None;
@@ -92,6 +108,106 @@ DmaQuantity dmaQuantity(std::string_view word) {
     return Magnitude;
   if (containsAny(word, {"strain", "gamma", "dehnung", "deformation"})) return Strain;
   return None;
+}
+
+/// The words of a name in lower case: "G'_err" has g and err, "tanDelta" tan and delta.
+std::vector<std::string> wordsOf(std::string_view name) {
+  std::string text(name);
+  for (const auto& [from, to] : kGreek) replaceAll(text, from, to);
+  std::vector<std::string> words;
+  bool isOpen = false, wasLower = false;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool isPart = byte >= 0x80 || std::isalnum(byte) != 0;
+    if (isPart && (!isOpen || (wasLower && std::isupper(byte) != 0))) words.emplace_back();
+    if (isPart) words.back() += static_cast<char>(std::tolower(byte));
+    isOpen = isPart;
+    wasLower = std::islower(byte) != 0;
+  }
+  return words;
+}
+
+/// Whether a name is that of a deviation or a bound of another column: "std G'", "u(G')",
+/// "\u0394G'", "G' \u00B1", "G' 95% CI", "G' min".
+bool isOfDeviation(std::string_view name, const std::vector<std::string>& words) {
+  if (words.empty()) return false;
+  for (const std::string_view sign : {"\u00B1", "+/-", "+-", "\u0394G", "\u0394E", "\u0394|"})
+    if (name.find(sign) != name.npos) return true;
+  if (words.size() > 1 && isOneOf(words.front(), {"s", "u", "d"})) return true;
+  if (words.size() > 1 && words[0] == "delta" &&
+      isOneOf(words[1], {"g", "e", "storage", "loss", "modulus"}))
+    return true;
+  return std::ranges::any_of(words, [](const std::string& word) {
+    return isOneOf(word,
+                   {"std",      "sd",      "dev",     "err",       "se",       "sem",   "sigma",
+                    "unc",      "ci",      "var",     "rsd",       "cv",       "cov",   "min",
+                    "max",      "minimum", "maximum", "lower",     "upper",    "range", "limit",
+                    "bound",    "iqr",     "mad",     "tolerance", "toleranz", "noise", "dg",
+                    "residual", "de",      "spread",  "scatter",   "streuung"}) ||
+           containsAny(word, {"stdev", "stddev", "stderr", "error", "deviation", "uncertain",
+                              "abweichung", "unsicherheit", "fehler", "variance", "varianz",
+                              "confidence", "konfidenz", "quantil", "percentil"});
+  });
+}
+
+/// Whether a word is made of those that name moduli and how they were measured.
+bool isMadeOfKnownWords(std::string_view word) {
+  constexpr std::string_view kParts[] = {"storage",     "loss",        "modulus",
+                                         "moduli",      "module",      "modul",
+                                         "mod",         "shear",       "youngs",
+                                         "young",       "tensile",     "tension",
+                                         "torsional",   "torsion",     "compression",
+                                         "compressive", "bending",     "bend",
+                                         "flexural",    "complex",     "dynamic",
+                                         "elastic",     "viscous",     "real",
+                                         "imaginary",   "imag",        "part",
+                                         "phase",       "absolute",    "abs",
+                                         "magnitude",   "mag",         "star",
+                                         "prime",       "double",      "tangent",
+                                         "tan",         "delta",       "factor",
+                                         "damping",     "angle",       "lag",
+                                         "shifted",     "shift",       "speicher",
+                                         "verlust",     "schub",       "zug",
+                                         "biege",       "komplexer",   "komplex",
+                                         "dynamischer", "betrag",      "winkel",
+                                         "faktor",      "daempfungs",  "d\u00E4mpfungs",
+                                         "teil",        "values",      "value",
+                                         "wert",        "mean",        "average",
+                                         "avg",         "mittel",      "measured",
+                                         "raw",         "corrected",   "smoothed",
+                                         "reduced",     "linear",      "reference",
+                                         "ref",         "temperature", "temperatur",
+                                         "temp",        "of",          "at",
+                                         "in",          "out",         "the",
+                                         "ratio",       "von",         "bei"};
+  return word.empty() || std::ranges::any_of(kParts, [word](std::string_view part) {
+           return word.starts_with(part) && isMadeOfKnownWords(word.substr(part.size()));
+         });
+}
+
+/// The words of a modulus' name that are not understood. What stands in brackets or behind a stroke
+/// at its end is read as a unit.
+std::string unknownWords(std::string_view name) {
+  std::size_t end = name.find_last_not_of(' ');
+  end = end == name.npos ? 0 : end + 1;
+  const std::size_t bracket = name.find_last_of("([");
+  if (bracket != name.npos && bracket > 0 && name.find_last_of(")]") + 1 == end)
+    end = bracket;
+  else if (const std::size_t stroke = name.rfind('/'); stroke != name.npos && stroke > 0)
+    end = stroke;
+  std::string unknown;
+  for (const std::string& word : wordsOf(name.substr(0, end))) {
+    if (isOneOf(word,
+                {"g",     "e",     "d",     "t",     "s",      "p",        "pp",       "g1",
+                 "g2",    "e1",    "e2",    "gp",    "gpp",    "ep",       "epp",      "gabs",
+                 "eabs",  "gmag",  "emag",  "tand",  "gprime", "eprime",   "dprime",   "gstar",
+                 "estar", "greal", "ereal", "gimag", "eimag",  "gstorage", "estorage", "gloss",
+                 "eloss", "lossg", "losse", "log",   "lg",     "ln",       "log10"}) ||
+        isMadeOfKnownWords(word))
+      continue;
+    unknown += (unknown.empty() ? "" : " ") + word;
+  }
+  return unknown;
 }
 
 /// Returns the temperature with its unit that begins at this position.
@@ -156,6 +272,23 @@ DmaColumn dmaColumn(std::string_view name, std::string_view unit) {
   const std::string plain = compact(word);
   column.quantity = dmaQuantity(plain);
   column.kind = modulusKind(plain);
+  const std::vector<std::string> words = wordsOf(word);
+  for (const std::string& one : words) column.words += " " + one;
+  for (const char mark : word)
+    if (mark == '*' || mark == '|') column.words += mark;
+  const bool isModulus =
+      column.quantity == DmaQuantity::Storage || column.quantity == DmaQuantity::Loss ||
+      column.quantity == DmaQuantity::Magnitude || column.quantity == DmaQuantity::LossTangent ||
+      column.quantity == DmaQuantity::Phase;
+  // The largest strain of a period is its amplitude.
+  const bool isAmplitude = column.quantity == DmaQuantity::Strain &&
+                           std::ranges::any_of(words, [](const std::string& one) {
+                             return one == "max" || one == "maximum";
+                           });
+  column.isDeviation =
+      column.quantity != DmaQuantity::None && !isAmplitude && isOfDeviation(word, words);
+  if (column.isDeviation) column.quantity = DmaQuantity::None;
+  if (isModulus && !column.isDeviation) column.unknown = unknownWords(word);
   column.isAngular = containsAny(plain, {"omega", "angular", "kreisfreq"}) || plain == "w";
   return column;
 }

@@ -31,6 +31,9 @@ struct DmaColumn {
   ModulusKind kind = ModulusKind::Unknown;  // of a modulus
   bool isAngular = false;                   // of a frequency: omega by its name
   std::optional<double> temperature{};      // K, where the name states one: "G' (20 \u00B0C)"
+  bool isDeviation = false;  // of another column: "G' std", "u(G')"; its quantity is none
+  std::string unknown{};     // words beside the name of a modulus that are not understood: "fit"
+  std::string words{};       // all of the name's words, by which equal names are recognized
 };
 
 /// Returns what a column means: "G'", "E_storage", "Storage modulus", "tan(delta)", "|E*|",

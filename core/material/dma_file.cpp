@@ -59,7 +59,9 @@ class Reader {
   static bool isSaid(const std::string& choice) { return !choice.empty(); }
 
   bool readBlock(const TextBlock& block) {
-    const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_);
+    std::string leftOut;
+    const std::vector<SweepColumns> sweeps = findSweeps(block, name_, choices_, leftOut);
+    if (!sweeps.empty() && file_.facts.leftOutColumns.empty()) file_.facts.leftOutColumns = leftOut;
     for (const SweepColumns& columns : sweeps) readSweep(block, columns, sweeps.size() > 1);
     return !sweeps.empty();
   }
@@ -137,6 +139,16 @@ class Reader {
     const auto unit = unitSize(fact.unit, "Pa");
     if (!unit) refuseUnit(fact, unitNames("Pa"), "--modulus-unit");
     return *unit;
+  }
+
+  /// What a loss factor is multiplied by: 0.01 of per cent.
+  double tangentUnit(const TextBlock& block, std::size_t column) const {
+    DmaColumnFact fact = factOf(block, column, {});
+    if (fact.unit.empty() || fact.unit == "1" || fact.unit == "-") return 1;
+    if (const auto unit = sizeOfUnit(fact.unit == "percent" ? "%" : fact.unit, "")) return *unit;
+    throw InputError(
+        name_, fact.name,
+        message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));
   }
 
   /// Returns the factor that turns the moduli into shear moduli.
@@ -247,16 +259,16 @@ class Reader {
     if (columns.has(Storage)) {
       const double size = modulusUnit(block, at(Storage), facts.storage);
       facts.loss.name = columnLabel(block, at(LossTangent));
-      return {at(Storage), at(LossTangent), size * shearFactor(block, {at(Storage)}), 1,
-              [](double storage, double tangent) {
+      return {at(Storage), at(LossTangent), size * shearFactor(block, {at(Storage)}),
+              tangentUnit(block, at(LossTangent)), [](double storage, double tangent) {
                 return DynamicModulus{0, storage, storage * tangent};
               }};
     }
     if (columns.has(Loss)) {
       const double size = modulusUnit(block, at(Loss), facts.loss);
       facts.storage.name = columnLabel(block, at(LossTangent));
-      return {at(Loss), at(LossTangent), size * shearFactor(block, {at(Loss)}), 1,
-              [](double loss, double tangent) {
+      return {at(Loss), at(LossTangent), size * shearFactor(block, {at(Loss)}),
+              tangentUnit(block, at(LossTangent)), [](double loss, double tangent) {
                 return DynamicModulus{0, loss / tangent, loss};
               }};
     }
@@ -265,7 +277,8 @@ class Reader {
     const bool hasPhase = columns.has(Phase);
     facts.loss.name = columnLabel(block, at(hasPhase ? Phase : LossTangent));
     if (!hasPhase)
-      return {at(Magnitude), at(LossTangent), size * factor, 1, [](double magnitude, double tan) {
+      return {at(Magnitude), at(LossTangent), size * factor, tangentUnit(block, at(LossTangent)),
+              [](double magnitude, double tan) {
                 const double storage = magnitude / std::hypot(1, tan);
                 return DynamicModulus{0, storage, storage * tan};
               }};
@@ -280,6 +293,9 @@ class Reader {
   double phaseUnit(const TextBlock& block, std::size_t column) const {
     const std::string& unit = block.columns[column].unit;
     if (const auto size = angleUnit(unit)) return *size;
+    if (const std::string unknown = factOf(block, column, {}).unit; !unknown.empty())
+      throw InputError(name_, nameOf(block, column),
+                       message("has the unit {}; an angle is in rad or deg", shortened(unknown)));
     double largest = 0;
     for (const double value : block.column(column))
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -365,6 +381,8 @@ DmaFile readDmaFile(TextTable table, const std::string& name, const DmaChoices& 
   undoLogarithms(
       table, [](const std::string& quantity) { return dmaColumn(quantity, {}).quantity != None; });
   DmaFile file = Reader(table, name, choices).read();
+  file.facts.isMarkUnclear = table.dialect.isUnclear;
+  file.facts.decimal = table.dialect.decimal;
   if (file.facts.storage.isUnitAssumed && choices.modulusUnit.empty()) {
     double largest = 0;
     for (const MeasuredModulus& row : file.rows) largest = std::max(largest, row.modulus.storage);

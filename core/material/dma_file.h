@@ -38,8 +38,11 @@ struct DmaFacts {
   DmaColumnFact frequency, storage, loss;
   std::string temperature;  // the column's name, or where the temperatures come from
   ModulusKind modulus = ModulusKind::Shear;
-  bool isReduced = false;   // frequencies are shifted to one temperature already
-  std::size_t leftOut = 0;  // rows without a value
+  bool isReduced = false;        // frequencies are shifted to one temperature already
+  std::size_t leftOut = 0;       // rows without a value
+  std::string leftOutColumns{};  // names of deviations and set values, which are not read
+  bool isMarkUnclear = false;    // the decimal mark may separate thousands, too
+  char decimal = '.';
 };
 
 struct DmaFile {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "core/base/input_error.h"
 #include "core/base/text.h"
+#include "core/base/text_number.h"
 
 namespace asperity {
 namespace {
@@ -159,6 +161,119 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
                              listColumns(block, unused)));
 }
 
+const char* optionOf(DmaQuantity quantity) {
+  switch (quantity) {
+    case Storage:
+      return "--storage-column";
+    case Loss:
+      return "--loss-column";
+    case LossTangent:
+      return "--tan-delta-column";
+    case Magnitude:
+      return "--magnitude-column";
+    case Phase:
+      return "--phase-column";
+    default:
+      return "--temperature-column";
+  }
+}
+
+const std::string& choiceOf(DmaQuantity quantity, const DmaChoices& choices) {
+  switch (quantity) {
+    case Storage:
+      return choices.storageColumn;
+    case Loss:
+      return choices.lossColumn;
+    case LossTangent:
+      return choices.lossTangentColumn;
+    case Magnitude:
+      return choices.magnitudeColumn;
+    case Phase:
+      return choices.phaseColumn;
+    default:
+      return choices.temperatureColumn;
+  }
+}
+
+bool hasWord(const DmaColumn& column, std::initializer_list<std::string_view> words) {
+  const std::string text = column.words + " ";
+  return std::ranges::any_of(words, [&text](std::string_view word) {
+    return text.find(" " + std::string(word) + " ") != std::string::npos;
+  });
+}
+
+/// Of a set temperature and the sample's own, the sample's is read.
+void dropSetTemperatures(std::vector<DmaColumn>& found) {
+  const auto isOfSample = [](const DmaColumn& column) {
+    return column.quantity == Temperature &&
+           hasWord(column, {"sample", "specimen", "probe", "proben", "actual", "ist", "measured",
+                            "tsample", "tprobe", "tist", "tactual", "tmeasured"});
+  };
+  const auto isOfDevice = [](const DmaColumn& column) {
+    return column.quantity == Temperature &&
+           hasWord(column,
+                   {"set", "setpoint", "soll", "target", "nominal", "program", "programmed", "oven",
+                    "furnace", "chamber", "bath", "ofen", "kammer", "tset", "tsoll"});
+  };
+  if (!std::ranges::any_of(found, [&](const DmaColumn& column) {
+        return isOfSample(column) && !isOfDevice(column);
+      }))
+    return;
+  for (DmaColumn& column : found)
+    if (isOfDevice(column)) {
+      column.quantity = None;
+      column.isDeviation = true;
+    }
+}
+
+/// Refuses names of moduli with words that are not understood, and two columns that claim the same
+/// quantity under different names: which one is meant is for the user to say. Equal names are
+/// sweeps side by side.
+void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
+                          const DmaChoices& choices, std::vector<DmaColumn>& found) {
+  const auto has = [&found](DmaQuantity quantity) {
+    return std::ranges::any_of(found, [quantity](const DmaColumn& column) {
+      return column.quantity == quantity && column.unknown.empty();
+    });
+  };
+  const bool hasBoth = (has(Storage) || !choices.storageColumn.empty()) &&
+                       (has(Loss) || !choices.lossColumn.empty());
+  // A table without any frequency is no table of moduli.
+  if (!has(Frequency) && !has(ReducedFrequency) && choices.frequencyColumn.empty()) return;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    DmaColumn& column = found[i];
+    const DmaQuantity quantity = column.quantity;
+    if (!isMeasured(quantity) && quantity != Temperature) continue;
+    const bool isNeeded = quantity == Storage || quantity == Loss || quantity == Temperature;
+    const bool isChosen = !choiceOf(quantity, choices).empty();
+    if (isChosen || (!isNeeded && hasBoth)) {
+      if (!column.unknown.empty()) column.quantity = None;
+      continue;
+    }
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      const DmaColumn& other = found[j];
+      if (j == i || other.quantity != quantity || other.temperature != column.temperature ||
+          (other.words == column.words && other.unknown == column.unknown &&
+           lowerCase(block.columns[i].name) == lowerCase(block.columns[j].name)))
+        continue;
+      // The same words in other signs: G' and G\u2032.
+      if (other.words == column.words && other.unknown.empty() && column.unknown.empty() &&
+          block.columns[i].name.find('/') == std::string::npos &&
+          block.columns[i].name.find('(') == std::string::npos)
+        continue;
+      throw InputError(fileName, nameOf(block, std::min(i, j)),
+                       message("and {} seem to be the same quantity; take one of them out, or say "
+                               "with {} which is meant",
+                               shortened(nameOf(block, std::max(i, j))), optionOf(quantity)));
+    }
+    if (!column.unknown.empty())
+      throw InputError(fileName, nameOf(block, i),
+                       message("'{}' is not understood beside the name of a modulus; name the "
+                               "column after the modulus alone, or say with {} which is meant",
+                               shortened(column.unknown), optionOf(quantity)));
+  }
+}
+
 }  // namespace
 
 bool SweepColumns::hasModuli() const {
@@ -176,13 +291,18 @@ std::string columnLabel(const TextBlock& block, std::size_t column) {
 }
 
 std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
-                                     const DmaChoices& choices) {
+                                     const DmaChoices& choices, std::string& leftOut) {
   std::vector<DmaColumn> found;
   for (const TextColumn& column : block.columns)
     found.push_back(column.isText ? DmaColumn{} : dmaColumn(column.name, column.unit));
   const ModulusKind kind = kindToRead(found, choices);
   for (DmaColumn& column : found)
     if (isModulus(column.quantity) && !isOfKind(column, kind)) column.quantity = None;
+  dropSetTemperatures(found);
+  refuseUnclearColumns(block, fileName, choices, found);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i].isDeviation)
+      leftOut += (leftOut.empty() ? "" : ", ") + shortened(nameOf(block, i));
   const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
                           choices.magnitudeColumn + choices.phaseColumn)
                              .empty();

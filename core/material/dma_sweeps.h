@@ -30,10 +30,11 @@ struct SweepColumns {
 };
 
 /// Returns the sweeps of a block that can be read; none where it is no table of moduli. Throws
-/// InputError where columns of moduli would be left over, or where sweeps side by side have no
-/// temperature.
+/// InputError where columns of moduli would be left over or are not understood, or sweeps side by
+/// side have no temperature. Adds the names of deviations and set values, which are not read, to
+/// `leftOut`.
 std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& fileName,
-                                     const DmaChoices& choices);
+                                     const DmaChoices& choices, std::string& leftOut);
 
 /// Returns the column's name, or "column 3".
 std::string columnLabel(const TextBlock& block, std::size_t column);

@@ -357,6 +357,10 @@ std::vector<Message> materialSummary(const Material& material) {
                     quantity(curve.highestFrequency(), "Hz")));
   if (material.facts.leftOut > 0)
     lines.push_back(message("rows without a value, left out: {}", material.facts.leftOut));
+  if (!material.facts.leftOutColumns.empty())
+    lines.push_back(message("columns of deviations and set values, not read: {}",
+                            Message::name(material.facts.leftOutColumns)));
+  if (material.facts.isMarkUnclear) lines.push_back(unclearMark(material.facts.decimal));
   std::size_t repeats = 0;
   double ratio = 1;
   for (const Isotherm& isotherm : material.isotherms) {

@@ -156,6 +156,7 @@ class RoleFinder {
  public:
   RoleFinder(const TextBlock& block, const SurfaceSource& source)
       : block_(block),
+        name_(source.name),
         positionChoice_(chosen(source, source.choices.positionColumn, "surface.position_column")),
         heightChoice_(chosen(source, source.choices.heightColumn, "surface.height_column")) {
     if (positionChoice_ >= 0 && positionChoice_ == heightChoice_)
@@ -169,11 +170,23 @@ class RoleFinder {
     takeRowsAsHeights();
     findPositions();
     findHeights();
+    refuseDepth();
     if (roles_.z >= 0) countCandidates(namedHeights);
     return std::move(roles_);
   }
 
  private:
+  /// A depth counts into the material, but instruments that write a path call a height so, too.
+  void refuseDepth() const {
+    constexpr std::array kDepths{"depth"sv, "tiefe"sv};
+    if (heightChoice_ >= 0 || roles_.z < 0 || !begins(kDepths, lowerCase(nameOf(roles_.z)))) return;
+    if (roles_.x >= 0 && isPlaceOfProfile(lowerCase(nameOf(roles_.x)))) return;
+    throw InputError(name_, "surface.height_column",
+                     message("{} may count into the material; say {} where it does not, and set "
+                             "surface.contact_side to valleys as well where it does",
+                             columnText(block_, roles_.z), roles_.z + 1));
+  }
+
   /// Returns the column that the user chose, counted from 0; -1: none.
   int chosen(const SurfaceSource& source, int choice, const char* key) const {
     const int columns = static_cast<int>(block_.columns.size());
@@ -266,6 +279,7 @@ class RoleFinder {
   bool isCount(int column) const { return countsRows(block_, static_cast<std::size_t>(column)); }
 
   const TextBlock& block_;
+  const std::string& name_;
   int positionChoice_, heightChoice_;
   std::vector<int> open_;  // columns whose meaning is not known by name
   ColumnRoles roles_;

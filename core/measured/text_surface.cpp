@@ -63,11 +63,7 @@ void addAssumptions(const TextTable& table, ReadingFacts& facts) {
         message("{} lines, the first is line {}, are left out: they begin with a number and are no "
                 "rows of the table.",
                 leftOut.size(), leftOut.front()));
-  if (table.dialect.isUnclear)
-    add(
-        message("All marks in the numbers stand before three digits: '{}' is taken for the decimal "
-                "mark.",
-                std::string(1, table.dialect.decimal)));
+  if (table.dialect.isUnclear) add(unclearMark(table.dialect.decimal));
 }
 
 }  // namespace

@@ -177,6 +177,7 @@ StudyAxis readRows(const Json& spec, const std::string& where,
     options.keepsTexts = true;
     const TextTable table =
         readTextTable(readRegularFile(file, kLargestTable), file.string(), options);
+    refuseUnclearMark(table, file.string());
     const TextBlock& block = table.largest();
     for (const TextColumn& column : block.columns) {
       const Parameter* row = findParameter(column.name);

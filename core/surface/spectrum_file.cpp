@@ -59,10 +59,41 @@ double factorOf(const TextColumn& column, int power, const std::string& file) {
   return std::pow(unit->metres, power);
 }
 
+/// What a unit says of a phase: "rad/m" counts radians, "cycles/mm" periods.
+enum class Counts { Nothing, Radians, Cycles };
+
+Counts countsOf(std::string_view unit) {
+  const std::string word = lowerCase(unit);
+  if (word.find("rad") != std::string::npos) return Counts::Radians;
+  if (word.find("cyc") != std::string::npos) return Counts::Cycles;
+  return Counts::Nothing;
+}
+
+/// What is left of a name such as c1_one_sided, and how many sides it states; 0: none.
+int takeSides(std::string& name) {
+  constexpr std::array<std::pair<std::string_view, int>, 8> kSides{{{"one_sided", 1},
+                                                                    {"onesided", 1},
+                                                                    {"single_sided", 1},
+                                                                    {"1_sided", 1},
+                                                                    {"two_sided", 2},
+                                                                    {"twosided", 2},
+                                                                    {"double_sided", 2},
+                                                                    {"2_sided", 2}}};
+  for (const auto& [words, sides] : kSides) {
+    const std::size_t at = name.find(words);
+    if (at == std::string::npos) continue;
+    name.erase(at, words.size());
+    while (name.ends_with('_')) name.pop_back();
+    while (name.starts_with('_')) name.erase(0, 1);
+    return sides;
+  }
+  return 0;
+}
+
 class SpectrumReader {
  public:
-  SpectrumReader(const TextBlock& block, std::string name, SpectrumKind kind)
-      : block_(block), name_(std::move(name)), kind_(kind) {}
+  SpectrumReader(TextBlock block, std::string name, SpectrumKind kind)
+      : block_(std::move(block)), name_(std::move(name)), kind_(kind) {}
 
   SpectralDensity read() {
     findColumns();
@@ -76,7 +107,44 @@ class SpectrumReader {
     fail(message("line {}: {}", block_.lines[row], what));
   }
 
+  /// What stands in brackets at the end of a name is its unit, be it one or none.
+  void takeUnits() {
+    for (TextColumn& column : block_.columns) {
+      const std::size_t open = column.name.find_last_of("([");
+      if (!column.unit.empty() || open == std::string::npos || open == 0 ||
+          column.name.find_last_of(")]") + 1 != column.name.size())
+        continue;
+      column.unit = withoutBrackets(std::string_view(column.name).substr(open));
+      column.name = trimmedBlanks(std::string_view(column.name).substr(0, open));
+    }
+  }
+
+  /// Cycles belong to a spatial frequency, radians to a wave number.
+  void checkCounts() {
+    const TextColumn &wave = block_.columns[waveColumn_], &density = block_.columns[densityColumn_];
+    const Counts counts = countsOf(wave.unit);
+    const std::string name = plainName(wave.name);
+    if (abscissa_ == Abscissa::WaveNumber && counts == Counts::Cycles && name != "q" &&
+        name != "angular_wave_number")
+      abscissa_ = Abscissa::SpatialFrequency;
+    const auto contradicts = [this](Counts one) {
+      return (abscissa_ == Abscissa::WaveNumber && one == Counts::Cycles) ||
+             (abscissa_ != Abscissa::WaveNumber && one == Counts::Radians);
+    };
+    if (contradicts(counts))
+      fail(
+          message("{} in {} contradicts itself: a wave number is in rad/m, a spatial frequency in "
+                  "cycles/m",
+                  shortened(wave.name), shortened(wave.unit)));
+    if (contradicts(countsOf(density.unit)))
+      fail(
+          message("{} in {} is no density over {}: over a wave number it is per rad/m, over a "
+                  "spatial frequency or a wavelength per cycles/m",
+                  shortened(density.name), shortened(density.unit), shortened(wave.name)));
+  }
+
   void findColumns() {
+    takeUnits();
     const std::vector<TextColumn>& columns = block_.columns;
     // Of several abscissae the first wave number is used, else the first spatial frequency.
     std::optional<Abscissa> found;
@@ -89,6 +157,7 @@ class SpectrumReader {
     if (!found || columns.size() < 2) fail(kWanted);
     abscissa_ = *found;
     findDensity();
+    checkCounts();
     waveSize_ = factorOf(columns[waveColumn_], abscissa_ == Abscissa::Wavelength ? 1 : -1, name_);
     densitySize_ = factorOf(columns[densityColumn_], kind_ == SpectrumKind::C2 ? 4 : 3, name_);
   }
@@ -102,7 +171,9 @@ class SpectrumReader {
     const std::vector<TextColumn>& columns = block_.columns;
     const auto find = [&](const auto& words) {
       return std::ranges::find_if(columns, [&](const TextColumn& column) {
-        return std::ranges::find(words, plainName(column.name)) != words.end();
+        std::string name = plainName(column.name);
+        takeSides(name);
+        return std::ranges::find(words, name) != words.end();
       });
     };
     const bool isOfArea = kind_ == SpectrumKind::C2;
@@ -121,8 +192,27 @@ class SpectrumReader {
         if (column == columns.end() && i < columns.size() &&
             !abscissaOf(plainName(columns[i].name)))
           column = columns.begin() + static_cast<std::ptrdiff_t>(i);
+      // Any name will do with the unit of such a density, but the root of a density is none.
+      if (column != columns.end() &&
+          (column->unit.empty() || plainName(column->name).starts_with("asd")))
+        fail(
+            message("its column {} is not known as a spectrum; allowed are C1, C2 or psd, or "
+                    "another name with its unit",
+                    shortened(column->name)));
     }
     if (column == columns.end()) fail(kWanted);
+    std::string plain = plainName(column->name);
+    const int sides = takeSides(plain);
+    const int wanted = kind_ == SpectrumKind::C1OneSided   ? 1
+                       : kind_ == SpectrumKind::C1TwoSided ? 2
+                                                           : 0;
+    if (sides != 0 && wanted != 0 && sides != wanted)
+      fail(sides == 1 ? message("its column {} is one-sided, which surface.spectrum_kind does not "
+                                "say",
+                                shortened(column->name))
+                      : message("its column {} is two-sided, which surface.spectrum_kind does not "
+                                "say",
+                                shortened(column->name)));
     densityColumn_ = static_cast<std::size_t>(column - columns.begin());
   }
 
@@ -174,7 +264,7 @@ class SpectrumReader {
     return density;
   }
 
-  const TextBlock& block_;
+  TextBlock block_;
   std::string name_;
   SpectrumKind kind_;
   Abscissa abscissa_ = Abscissa::WaveNumber;
@@ -189,6 +279,7 @@ SpectralDensity parseSpectrum(std::string_view text, const std::string& name, Sp
   if (const std::string_view foreign = detectNonText(text); !foreign.empty())
     throw InputError(name, "", message("is {}; {}", Message(foreign), Message(kWanted)));
   const TextTable table = readTextTable(text, name);
+  refuseUnclearMark(table, name);
   return SpectrumReader(table.largest(), name, kind).read();
 }
 

@@ -6018,6 +6018,74 @@
         <source>Tinted: from 5 to 95 % of the loss in complete contact, q C1(q) G''(q v). The share is per decade of frequency, q² C1 G'', over its largest value.</source>
         <translation>Getönt: von 5 bis 95 % des Verlusts bei Vollkontakt, q C1(q) G''(q v). Der Anteil gilt je Dekade der Frequenz, q² C1 G'', bezogen auf den größten Wert.</translation>
     </message>
+    <message>
+        <source>columns of deviations and set values, not read: %1</source>
+        <translation>Spalten mit Abweichungen und Sollwerten, nicht gelesen: %1</translation>
+    </message>
+    <message>
+        <source>and %1 seem to be the same quantity; take one of them out, or say with %2 which is meant</source>
+        <translation>und %1 scheinen dieselbe Größe zu sein; eine davon herausnehmen oder mit %2 sagen, welche gemeint ist</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not understood beside the name of a modulus; name the column after the modulus alone, or say with %2 which is meant</source>
+        <translation>„%1“ ist neben dem Namen eines Moduls nicht verständlich; die Spalte allein nach dem Modul benennen oder mit %2 sagen, welche gemeint ist</translation>
+    </message>
+    <message>
+        <source>has the unit %1; a loss factor has none, or %</source>
+        <translation>hat die Einheit %1; ein Verlustfaktor hat keine oder %</translation>
+    </message>
+    <message>
+        <source>has the unit %1; an angle is in rad or deg</source>
+        <translation>hat die Einheit %1; ein Winkel steht in rad oder deg</translation>
+    </message>
+    <message>
+        <source>all marks in the numbers stand before three digits, so &apos;%1&apos; may separate decimals or thousands; write thousands without a mark, or one number with more or fewer decimals</source>
+        <translation>alle Zeichen in den Zahlen stehen vor drei Ziffern, „%1“ kann also Dezimalstellen oder Tausender trennen; Tausender ohne Zeichen schreiben oder eine Zahl mit mehr oder weniger Dezimalstellen</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; does not name %3 columns; separate the names as the numbers are, or write each one without blanks, such as velocity_mm/s</source>
+        <translation>Zeile %1: „%2“ benennt nicht %3 Spalten; die Namen trennen wie die Zahlen oder jeden ohne Leerzeichen schreiben, etwa velocity_mm/s</translation>
+    </message>
+    <message>
+        <source>column %1: the unit %2 is not understood</source>
+        <translation>Spalte %1: Die Einheit %2 ist nicht verständlich</translation>
+    </message>
+    <message>
+        <source>column %1: bounds of the %2 are not read; give its error as a column such as mu_error, or take the column out</source>
+        <translation>Spalte %1: Grenzen werden nicht gelesen (%2); den Fehler als Spalte wie mu_error angeben oder die Spalte herausnehmen</translation>
+    </message>
+    <message>
+        <source>column %1: is it the %2? Name it so alone, with its unit in brackets, or take the column out</source>
+        <translation>Spalte %1: Ist das gemeint: %2? Die Spalte nur so benennen, mit ihrer Einheit in Klammern, oder sie herausnehmen</translation>
+    </message>
+    <message>
+        <source>%1 in %2 contradicts itself: a wave number is in rad/m, a spatial frequency in cycles/m</source>
+        <translation>%1 in %2 widerspricht sich: Eine Wellenzahl steht in rad/m, eine Ortsfrequenz in cycles/m</translation>
+    </message>
+    <message>
+        <source>%1 in %2 is no density over %3: over a wave number it is per rad/m, over a spatial frequency or a wavelength per cycles/m</source>
+        <translation>%1 in %2 ist keine Dichte über %3: Über einer Wellenzahl ist sie je rad/m, über einer Ortsfrequenz oder Wellenlänge je cycles/m</translation>
+    </message>
+    <message>
+        <source>its column %1 is not known as a spectrum; allowed are C1, C2 or psd, or another name with its unit</source>
+        <translation>die Spalte %1 ist nicht als Spektrum bekannt; erlaubt sind C1, C2 oder psd oder ein anderer Name mit seiner Einheit</translation>
+    </message>
+    <message>
+        <source>its column %1 is one-sided, which surface.spectrum_kind does not say</source>
+        <translation>die Spalte %1 ist einseitig, was surface.spectrum_kind nicht sagt</translation>
+    </message>
+    <message>
+        <source>its column %1 is two-sided, which surface.spectrum_kind does not say</source>
+        <translation>die Spalte %1 ist zweiseitig, was surface.spectrum_kind nicht sagt</translation>
+    </message>
+    <message>
+        <source>%1 may count into the material; say %2 where it does not, and set surface.contact_side to valleys as well where it does</source>
+        <translation>%1 kann ins Material zählen; sonst hier %2 angeben, und wenn es so ist, zusätzlich surface.contact_side auf valleys setzen</translation>
+    </message>
+    <message>
+        <source>has no rows of numbers; line %1: the value in column %2 is missing</source>
+        <translation>hat keine Zeilen mit Zahlen; Zeile %1: Der Wert in Spalte %2 fehlt</translation>
+    </message>
 </context>
 <context>
     <name>scenes</name>

@@ -40,5 +40,10 @@ TEST(FileKind, OtherFilesAreNamed) {
   EXPECT_EQ(detectNonText("ISO-1.0\0\1\2\3\4\5\6\7\x08\x09 and more"s), "a binary file");
 }
 
+TEST(FileKind, ZerosBehindATextAreNoneOfIt) {
+  EXPECT_EQ(foreignKindOf("x,z\n0,1\n1,2\n\0\0\0"s), "");
+  EXPECT_EQ(foreignKindOf("x,z\n0,1\n1,2\n\0\0\0x"s), "a binary file");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -145,5 +145,19 @@ TEST(TextTableMarks, TakesMarksForThousandsWhereSmallerNumbersHaveNone) {
   EXPECT_EQ(codes.dialect.decimal, '.');
 }
 
+TEST(TextTableMarks, QuotedCommasAmidCommasSeparateThousands) {
+  const TextTable made = tableOf("v,mu\n\"1,000\",2e-4\n\"12,500\",5e-4\n");
+  EXPECT_EQ(made.largest().at(0, 0), 1000);
+  EXPECT_EQ(made.largest().at(1, 0), 12500);
+  const TextTable decimals = tableOf("v,mu\n\"1,000\",\"0,25\"\n\"12,500\",\"0,5\"\n");
+  EXPECT_EQ(decimals.largest().at(1, 0), 12.5);
+}
+
+TEST(TextTableMarks, BlanksBesideTabsSeparateThousands) {
+  const TextTable made = tableOf("v\tmu\n1 000\t0.2\n12 500\t0.5\n");
+  ASSERT_EQ(made.largest().columns.size(), 2u);
+  EXPECT_EQ(made.largest().at(1, 0), 12500);
+}
+
 }  // namespace
 }  // namespace asperity

@@ -137,5 +137,55 @@ TEST(FrictionData, AStateHasTheValuesOfItsPoint) {
   EXPECT_EQ(sceneAtPoint(point, scene).load.nominalPressure, 2e5);
 }
 
+/// Blanks separate the numbers and stand within the names, too.
+TEST(FrictionData, ReadsNamesOfSeveralWords) {
+  const FrictionData data =
+      parsed("velocity (mm/s) mu normal force (mN)\n10 0.2 3\n100 0.4 3\n1000 0.5 3\n");
+  EXPECT_DOUBLE_EQ(data.points[0].velocity, 0.01);
+  EXPECT_DOUBLE_EQ(data.points[0].normalForce, 3e-3);
+  EXPECT_FALSE(data.hasErrors());
+  for (const char* header : {"velocity (mm/s) coefficient of friction", "# v (mm/s) mu",
+                             "# velocity (mm/s) coefficient of friction"})
+    EXPECT_DOUBLE_EQ(parsed(std::string(header) + "\n10 0.2\n100 0.4\n").points[0].velocity, 0.01)
+        << header;
+  for (const char* header : {"velocity (mm/s) mu shear stress (kPa)", "velocity (mm/s) of the sled",
+                             "velocity (mm/s) mu"})
+    EXPECT_THAT(errorOf(std::string(header) + "\n10 0.2 3\n100 0.4 3\n"), HasSubstr("mine.csv"))
+        << header;
+}
+
+TEST(FrictionData, ReadsFahrenheit) {
+  for (const char* name :
+       {"temperature (F)", "temperature_F", "T (F)", "T_F", "temperature (\u00B0F)"})
+    EXPECT_NEAR(
+        parsed(std::string("v (m/s),mu,") + name + "\n1,0.2,68\n2,0.3,77\n").points[0].temperature,
+        293.15, 1e-9)
+        << name;
+  for (const char* name : {"temperature (R)", "temperature_R", "room temperature (C)"})
+    EXPECT_FALSE(errorOf(std::string("v (m/s),mu,") + name + "\n1,0.2,68\n2,0.3,77\n").empty())
+        << name;
+}
+
+TEST(FrictionData, ReadsThousands) {
+  for (const char* text :
+       {"velocity (mm/s)\tmu\n1 000\t0.2\n2 500\t0.4\n12 500\t0.5\n",
+        "velocity (mm/s),mu\n\"1,000\",2e-1\n\"2,500\",4e-1\n\"12,500\",5e-1\n"}) {
+    const FrictionData data = parsed(text);
+    ASSERT_EQ(data.points.size(), 3U) << text;
+    EXPECT_DOUBLE_EQ(data.points[2].velocity, 12.5) << text;
+    EXPECT_DOUBLE_EQ(data.points[2].mu, 0.5) << text;
+  }
+  const FrictionData unclear = parsed("velocity (mm/s);mu\n1.000;2e-1\n2.500;4e-1\n12.500;5e-1\n");
+  EXPECT_THAT(unclear.notes.back().english(), HasSubstr("is taken for the decimal mark"));
+}
+
+TEST(FrictionData, RefusesBoundsAndNamesAllUnits) {
+  EXPECT_THAT(errorOf("velocity,mu,mu_min,mu_max\n1,0.2,0.1,0.3\n2,0.3,0.2,0.4\n"),
+              HasSubstr("column mu_min: bounds of the coefficient of friction are not read"));
+  EXPECT_THAT(errorOf("v (knots),mu\n1,0.2\n2,0.3\n"), HasSubstr("ft/s"));
+  EXPECT_EQ(parsed("v,mu,friction force (N)\n1,0.2,1\n2,0.3,1\n").notes[1].english(),
+            "not used: friction force");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -280,5 +280,72 @@ TEST(DmaFile, WhatIsWrongIsSaidInOneLine) {
   EXPECT_THAT(errorOf("f,T,G',G''\n1,20,2,1\n2,20,2,1\n"), HasSubstr("--modulus-unit MPa"));
 }
 
+/// Deviations of a modulus are no modulus; averaged into it they would halve it and more.
+TEST(DmaFile, ColumnsOfDeviationsAreLeftOutByName) {
+  for (const std::string deviation :
+       {"G' std (MPa)", "std G' (MPa)", "G' SD (MPa)", "u(G') (MPa)", "\u0394G' (MPa)",
+        "s(G') (MPa)", "G'_err (MPa)", "G' \u00B1 (MPa)", "G' uncertainty (MPa)", "G' stderr (MPa)",
+        "sigma G' (MPa)", "\u03C3(G') (MPa)", "G' 95% CI (MPa)", "G' min (MPa)", "G' max (MPa)",
+        "G' (MPa) std", "G' error (MPa)", "stdev G' (MPa)"}) {
+    SCOPED_TRACE(deviation);
+    for (const bool isFirst : {false, true}) {
+      const DmaFile file = isFirst ? read("f (Hz),T (C)," + deviation +
+                                          ",G' (MPa),G'' (MPa)\n1,20,0.9,2,0.2\n10,20,0.9,3,0.4\n")
+                                   : read("f (Hz),T (C),G' (MPa)," + deviation +
+                                          ",G'' (MPa)\n1,20,2,0.9,0.2\n10,20,3,0.9,0.4\n");
+      ASSERT_EQ(file.rows.size(), 2U);
+      expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
+      expectRow(file.rows[1], 293.15, 10, 3e6, 4e5);
+      EXPECT_FALSE(file.facts.leftOutColumns.empty());
+    }
+  }
+}
+
+/// Words beside a modulus that are not understood are asked about.
+TEST(DmaFile, UnclearColumnsOfModuliAreRefused) {
+  const std::string rows = "1,20,2,0.2,3\n10,20,3,0.4,4\n";
+  for (const std::string other : {"G' fit", "G' raw", "G' mean", "G' at 10 % strain", "G'.1"})
+    EXPECT_THAT(errorOf("f (Hz),T (C),G' (MPa),G'' (MPa)," + other + " (MPa)\n" + rows),
+                HasSubstr("seem to be the same quantity"))
+        << other;
+  EXPECT_THAT(errorOf("f (Hz),T (C),G' fit (MPa),G'' (MPa),x\n" + rows),
+              HasSubstr("G' fit: 'fit' is not understood beside the name of a modulus"));
+  DmaChoices choices;
+  choices.storageColumn = "3";
+  expectRow(read("f (Hz),T (C),G' fit (MPa),G'' (MPa),x\n" + rows, choices).rows[0], 293.15, 1, 2e6,
+            2e5);
+  expectRow(read("f (Hz),T (C),G' mean (MPa),G'' mean (MPa),x\n" + rows).rows[0], 293.15, 1, 2e6,
+            2e5);
+}
+
+TEST(DmaFile, LossFactorsAreRatiosOrPerCent) {
+  for (const std::string name : {"tan delta (%)", "loss factor (%)", "tan delta [%]"})
+    expectRow(read("f (Hz),T (C),G' (MPa)," + name + "\n1,20,2,5\n10,20,2,10\n").rows[0], 293.15, 1,
+              2e6, 1e5);
+  for (const std::string name : {"tan delta (x1000)", "1000 tan delta", "tan delta (deg)"})
+    EXPECT_FALSE(errorOf("f (Hz),T (C),G' (MPa)," + name + "\n1,20,2,5\n10,20,2,10\n").empty())
+        << name;
+  EXPECT_THAT(errorOf("f (Hz),T (C),G* (MPa),phase (turns)\n1,20,2,5\n10,20,2,10\n"),
+              HasSubstr("an angle is in rad or deg"));
+}
+
+TEST(DmaFile, TheSamplesTemperatureIsTaken) {
+  const DmaFile file = read(
+      "Set temperature (C),Sample temperature (C),f (Hz),G' (MPa),G'' (MPa)\n"
+      "10,20,1,2,0.2\n10,20,10,3,0.4\n");
+  expectRow(file.rows[0], 293.15, 1, 2e6, 2e5);
+  EXPECT_EQ(file.facts.temperature, "Sample temperature");
+  EXPECT_EQ(file.facts.leftOutColumns, "Set temperature");
+  EXPECT_THAT(errorOf("Temperature (C),Room temperature (C),f (Hz),G' (MPa),G'' (MPa)\n"
+                      "10,20,1,2,0.2\n10,20,10,3,0.4\n"),
+              HasSubstr("seem to be the same quantity"));
+}
+
+TEST(DmaFile, UnclearMarksAreSaid) {
+  EXPECT_TRUE(read("f (Hz);T (C);E' (kPa);E'' (kPa)\n1;25;6.000;1.000\n10;25;7.500;1.500\n"
+                   "100;25;9.000;2.000\n1000;25;12.000;2.500\n")
+                  .facts.isMarkUnclear);
+}
+
 }  // namespace
 }  // namespace asperity

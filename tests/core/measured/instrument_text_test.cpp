@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/input_error.h"
 #include "tests/core/measured/binary_writers.h"
 #include "tests/core/measured/instrument_writers.h"
 #include "tests/core/measured/surface_expectations.h"
@@ -422,6 +423,19 @@ TEST(Units, ThatNobodyKnowsAreNamed) {
   choices.heightUnit = "um";
   EXPECT_NEAR(read(table("x (mm)\tz (furlong)", 1e-3, 1), choices).topography.at(0, 1),
               1e-6 * (3 * std::sin(0.7) + 0.1), 1e-14);
+}
+
+/// A depth counts into the material, unless the user says that the column holds heights.
+TEST(Depth, IsAskedFor) {
+  const std::string text = "x_um,depth_um\n0,0\n1,5\n2,0\n3,1\n4,0\n5,0\n6,0\n7,0\n";
+  try {
+    read(text);
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("may count into the material; say 2"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 }  // namespace

@@ -211,5 +211,21 @@ TEST(StudyFile, AHugeGridIsRefusedInNoTime) {
               testing::AnyOf(testing::HasSubstr("simulations"), testing::HasSubstr("outside")));
 }
 
+TEST(StudyFile, CommasInQuotedNumbersOfATableSeparateThousands) {
+  const TemporaryFolder folder;
+  folder.write("rows.csv", "load.normal_force,surface.seed\n\"1,000\",1\n\"2,000\",5\n");
+  const ParameterStudy study = parse(R"("space":{"rows":"rows.csv"})", folder.path());
+  std::vector<double> point(2);
+  study.space.pointInto(1, point);
+  EXPECT_EQ(point, (std::vector<double>{2000, 5}));
+}
+
+TEST(StudyFile, AnEmptyCellOfATableNamesItsLine) {
+  const TemporaryFolder folder;
+  folder.write("rows.csv", "accuracy.scheme,surface.hurst\nlinear,\ncubic,0.5\n");
+  EXPECT_THAT(errorFrom([&] { parse(R"("space":{"rows":"rows.csv"})", folder.path()); }),
+              testing::HasSubstr("line 2: the value in column 2 is missing"));
+}
+
 }  // namespace
 }  // namespace asperity

@@ -121,5 +121,43 @@ TEST(SpectrumFile, SaysWhatIsWrongAndWhere) {
   }
 }
 
+/// Cycles are periods, whatever the column is called.
+TEST(SpectrumFile, ReadsCyclesAsSpatialFrequencies) {
+  const double expected = 6e-18 * 9e4 / kTwoPi;
+  for (const char* name : {"k (cycles/mm)", "wavenumber [cycles/mm]"})
+    EXPECT_NEAR(squareHeight(parseSpectrum(
+                    std::string(name) + ";psd (nm^2 mm)\n1.5915494309;6e3\n15.915494309;6e3\n", "s",
+                    SpectrumKind::C1OneSided)) /
+                    expected,
+                1, 1e-9)
+        << name;
+}
+
+TEST(SpectrumFile, RefusesWhatContradictsTheKindOrIsUnknown) {
+  const struct {
+    const char* header;
+    const char* error;
+  } cases[] = {
+      {"spatial_frequency (rad/m),c1 (m^3)", "s: spatial_frequency in rad/m contradicts itself"},
+      {"q (cycles/m),c1 (m^3)", "s: q in cycles/m contradicts itself"},
+      {"wave_number (1/m),ASD (m^1.5)", "s: its column ASD is not known as a spectrum"},
+      {"wave_number (1/m),whatever", "s: its column whatever is not known as a spectrum"},
+      {"wave_number (1/m),c1 (foo)", "s: foo is not a unit of c1"},
+      {"wave_number (1/m),c1_one_sided (m^3)", "s: its column c1_one_sided is one-sided"},
+      {"spatial_frequency (1/m),psd [m^2/(rad/m)]", "s: psd in m^2/(rad/m) is no density over"},
+  };
+  for (const auto& one : cases) {
+    try {
+      parseSpectrum(std::string(one.header) + "\n1e4,1e-18\n1e5,2e-18\n", "s",
+                    SpectrumKind::C1TwoSided);
+      ADD_FAILURE() << one.header;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).substr(0, std::string(one.error).size()), one.error);
+    }
+  }
+  EXPECT_NO_THROW(
+      parseSpectrum("q,c1_two_sided (m^3)\n1e4,1e-18\n1e5,2e-18\n", "s", SpectrumKind::C1TwoSided));
+}
+
 }  // namespace
 }  // namespace asperity
