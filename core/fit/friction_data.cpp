@@ -383,9 +383,9 @@ class Reader {
     const Conversion share{*findUnit("%"), true};
     switch (quantity) {
       case Quantity::Velocity:
-        return unitOf("m/s", unitsOf("m/s"));
+        return unitOf("m/s", unitNames("m/s"));
       case Quantity::VelocityError:
-        return column.unit == "%" ? share : unitOf("m/s", unitsOf("m/s") + ", %");
+        return column.unit == "%" ? share : unitOf("m/s", unitNames("m/s") + ", %");
       case Quantity::Force:
         return unitOf("N", "N, mN, uN, kN");
       case Quantity::Pressure:

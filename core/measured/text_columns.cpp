@@ -180,7 +180,7 @@ class RoleFinder {
   void refuseDepth() const {
     constexpr std::array kDepths{"depth"sv, "tiefe"sv};
     if (heightChoice_ >= 0 || roles_.z < 0 || !begins(kDepths, lowerCase(nameOf(roles_.z)))) return;
-    if (roles_.x >= 0 && isPlaceOfProfile(lowerCase(nameOf(roles_.x)))) return;
+    if (roles_.x >= 0 && isProfilePosition(lowerCase(nameOf(roles_.x)))) return;
     throw InputError(name_, "surface.height_column",
                      message("{} may count into the material; say {} where it does not, and set "
                              "surface.contact_side to valleys as well where it does",

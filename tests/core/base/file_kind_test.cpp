@@ -41,8 +41,8 @@ TEST(FileKind, OtherFilesAreNamed) {
 }
 
 TEST(FileKind, ZerosBehindATextAreNoneOfIt) {
-  EXPECT_EQ(foreignKindOf("x,z\n0,1\n1,2\n\0\0\0"s), "");
-  EXPECT_EQ(foreignKindOf("x,z\n0,1\n1,2\n\0\0\0x"s), "a binary file");
+  EXPECT_EQ(detectNonText("x,z\n0,1\n1,2\n\0\0\0"s), "");
+  EXPECT_EQ(detectNonText("x,z\n0,1\n1,2\n\0\0\0x"s), "a binary file");
 }
 
 }  // namespace
