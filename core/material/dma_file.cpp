@@ -145,7 +145,7 @@ class Reader {
   double tangentUnit(const TextBlock& block, std::size_t column) const {
     DmaColumnFact fact = factOf(block, column, {});
     if (fact.unit.empty() || fact.unit == "1" || fact.unit == "-") return 1;
-    if (const auto unit = sizeOfUnit(fact.unit == "percent" ? "%" : fact.unit, "")) return *unit;
+    if (const auto unit = unitSize(fact.unit == "percent" ? "%" : fact.unit, "")) return *unit;
     throw InputError(
         name_, fact.name,
         message("has the unit {}; a loss factor has none, or %", shortened(fact.unit)));
@@ -294,7 +294,7 @@ class Reader {
     const std::string& unit = block.columns[column].unit;
     if (const auto size = angleUnit(unit)) return *size;
     if (const std::string unknown = factOf(block, column, {}).unit; !unknown.empty())
-      throw InputError(name_, nameOf(block, column),
+      throw InputError(name_, columnLabel(block, column),
                        message("has the unit {}; an angle is in rad or deg", shortened(unknown)));
     double largest = 0;
     for (const double value : block.column(column))

@@ -261,13 +261,13 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
           block.columns[i].name.find('/') == std::string::npos &&
           block.columns[i].name.find('(') == std::string::npos)
         continue;
-      throw InputError(fileName, nameOf(block, std::min(i, j)),
+      throw InputError(fileName, columnLabel(block, std::min(i, j)),
                        message("and {} seem to be the same quantity; take one of them out, or say "
                                "with {} which is meant",
                                shortened(nameOf(block, std::max(i, j))), optionOf(quantity)));
     }
     if (!column.unknown.empty())
-      throw InputError(fileName, nameOf(block, i),
+      throw InputError(fileName, columnLabel(block, i),
                        message("'{}' is not understood beside the name of a modulus; name the "
                                "column after the modulus alone, or say with {} which is meant",
                                shortened(column.unknown), optionOf(quantity)));
@@ -302,7 +302,7 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   refuseUnclearColumns(block, fileName, choices, found);
   for (std::size_t i = 0; i < found.size(); ++i)
     if (found[i].isDeviation)
-      leftOut += (leftOut.empty() ? "" : ", ") + shortened(nameOf(block, i));
+      leftOut += (leftOut.empty() ? "" : ", ") + shortened(columnLabel(block, i));
   const bool isChosen = !(choices.storageColumn + choices.lossColumn + choices.lossTangentColumn +
                           choices.magnitudeColumn + choices.phaseColumn)
                              .empty();
