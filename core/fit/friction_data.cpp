@@ -137,7 +137,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
   for (std::size_t i = begin; i < std::min(words.size(), begin + kMostWords); ++i) {
     text += (text.empty() ? "" : " ") + words[i];
     TextColumn column = columnNamed(text);
-    if (!quantityOf(column.name, column.unit)) continue;
+    if (!findMeaning(column.name, column.unit)) continue;
     made.push_back(std::move(column));
     findNames(words, i + 1, count, made, ways);
     made.pop_back();
@@ -152,7 +152,7 @@ bool namesQuantity(const std::string& line) {
     for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
       text += (text.empty() ? "" : " ") + words[j];
       const TextColumn column = columnNamed(text);
-      const auto quantity = quantityOf(column.name, column.unit);
+      const auto quantity = findMeaning(column.name, column.unit);
       if (quantity && quantity != Quantity::Label && column.name.size() > 1) return true;
     }
   }
@@ -274,7 +274,7 @@ class Reader {
   /// Bounds of a quantity, and a load or temperature with words that are not understood while no
   /// other column gives it: leaving these out would change the result.
   void refuseUnclear(const TextColumn& column) const {
-    if (quantityOf(column) || column.isText) return;
+    if (findMeaning(column) || column.isText) return;
     std::string text = column.name;
     std::ranges::replace(text, '_', ' ');
     std::ranges::replace(text, '-', ' ');
