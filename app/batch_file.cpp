@@ -153,8 +153,7 @@ class Entry {
       item.inputs.push_back(folder_ / json_["scene"].get<std::string>());
     try {
       item.scene = sceneWith(assignments);
-      if (!item.scene.surface.file.empty())
-        item.inputs.push_back(item.scene.folder / item.scene.surface.file);
+      for (const std::filesystem::path& file : filesReadBy(item.scene)) item.inputs.push_back(file);
       item.ownTitle = item.scene.title.empty() ? name_ : item.scene.title;
       giveTitle(item);
       const bool isSteady = item.scene.sliding.kind == SlidingKind::Steady;

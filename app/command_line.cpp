@@ -25,6 +25,7 @@
 #include "core/base/text.h"
 #include "core/material/material_library.h"
 #include "core/scene/parameter_help.h"
+#include "core/scene/provenance.h"
 #include "core/scene/scene_file.h"
 #include "ui/language/language.h"
 #include "ui/language/words.h"
@@ -216,9 +217,10 @@ Scene loadScene(const CommonOptions& options) {
 std::vector<std::filesystem::path> inputFiles(const CommonOptions& options, const Scene& scene) {
   std::vector<std::filesystem::path> inputs;
   if (!options.remade) inputs.emplace_back(options.scene);  // a remade file may replace itself
-  if (!scene.surface.file.empty()) inputs.push_back(scene.folder / scene.surface.file);
-  if (!scene.elastomer.material.empty())
-    inputs.push_back(materialFile(scene.elastomer.material, scene.folder));
+  for (const GivenOption& option : options.given)
+    if (option.isFile) inputs.insert(inputs.end(), option.values.begin(), option.values.end());
+  const std::vector<std::filesystem::path> named = filesReadBy(scene);
+  inputs.insert(inputs.end(), named.begin(), named.end());
   return inputs;
 }
 

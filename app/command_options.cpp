@@ -159,7 +159,8 @@ std::vector<GivenOption> givenOptions(const CLI::App& command) {
     if (option->count() == 0 || !word.starts_with("--") || !shapesOutputs(word.substr(2))) continue;
     const bool isFlag = option->get_expected_max() == 0;
     given.push_back({word.substr(2), isFlag ? std::vector<std::string>{} : option->results(),
-                     option->get_group()});
+                     option->get_group(),
+                     option->get_type_name().find("FILE") != std::string::npos});
   }
   return given;
 }

@@ -56,6 +56,7 @@ struct GivenOption {
   std::string word;
   std::vector<std::string> values;  // empty for a flag
   std::string group;
+  bool isFile = false;  // whether its values name files, which are read
 };
 
 /// Groups of options in the help; each shapes outputs of one kind.

@@ -26,6 +26,7 @@
 #include "core/friction/realization_table.h"
 #include "core/scene/list_text.h"
 #include "core/scene/parameters.h"
+#include "core/scene/provenance.h"
 #include "core/scene/scene_check.h"
 #include "core/scene/scene_file.h"
 #include "core/scene/sweep.h"
@@ -312,6 +313,15 @@ void checkCurves(const CurveArguments& arguments, const Scene& scene) {
                      "--compare needs the same resolution at every velocity, not a target");
   familyOf(arguments, scene);
   for (const std::string& assignments : arguments.with) sceneWith(scene, assignments);
+}
+
+std::vector<std::filesystem::path> filesReadBeside(const CurveArguments& arguments,
+                                                   const Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& assignments : arguments.with)
+    for (const std::filesystem::path& file : filesReadBy(sceneWith(scene, assignments)))
+      files.push_back(file);
+  return files;
 }
 
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files) {

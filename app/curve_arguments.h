@@ -2,6 +2,7 @@
 // to compare with, and further curves. Main thread.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -42,6 +43,10 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments);
 
 /// Checks all options before anything is computed. Throws InputError naming the option.
 void checkCurves(const CurveArguments& arguments, const Scene& scene);
+
+/// The files that the further scenes of the curves name.
+std::vector<std::filesystem::path> filesReadBeside(const CurveArguments& arguments,
+                                                   const Scene& scene);
 
 /// Throws InputError where an axis is given but no output file is a picture.
 void checkUseful(const CurveArguments& arguments, const std::vector<std::string>& files);

@@ -10,6 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/contact/steady_sliding.h"
+#include "core/contact/steady_solver.h"
 #include "core/friction/law.h"
 #include "core/lesson/lesson_answers.h"
 #include "core/lesson/lesson_file.h"
@@ -79,6 +80,8 @@ void checkScene(const CommonOptions& command, bool isOneOfMany,
                 std::vector<nlohmann::ordered_json>& answers) {
   const Scene scene = loadScene(command);
   withSceneContext(command, [&] {
+    // What has no steady state is refused by whatever slides it; so it is no valid scene.
+    if (scene.sliding.kind == SlidingKind::Steady) const SteadySolver solver(scene);
     const LineSource source(scene, pointsPerElement(scene));
     const LawInput in = lawInputOf(scene, source);
     const std::string name = isOneOfMany ? command.scene + ": " : "";

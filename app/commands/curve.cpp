@@ -162,6 +162,7 @@ void checkRealizations(const CurveCommand& command, const Scene& scene) {
                      "accuracy.target_relative_error each has its own");
   checkOutputs({file}, {".csv", ".json"});
   checkNoInput(file, inputFiles(command.common, scene));
+  checkNoInput(file, filesReadBeside(command.curves, scene));
   if (std::ranges::find(command.outputs, file) != command.outputs.end())
     throw InputError("", kOption, file + " is --output, too");
 }
@@ -173,8 +174,10 @@ int runCurve(const CurveCommand& command) {
   const Scene& scene = compared.scene;
   withSceneContext(command.common, [&] { requireSteadySliding(scene, "asperity curve"); });
   checkOutputs(command.outputs, kOutputExtensions, DefaultOutput::PrintsTable);
-  for (const std::string& output : command.outputs)
+  for (const std::string& output : command.outputs) {
     checkNoInput(output, inputFiles(command.common, scene));
+    checkNoInput(output, filesReadBeside(command.curves, scene));
+  }
   checkUseful(command.picture, command.outputs);
   checkUseful(command.curves, command.outputs);
   const PictureSettings settings = pictureSettings(command.picture, {1200, 800, "print"});

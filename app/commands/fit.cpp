@@ -47,8 +47,6 @@ int runFit(const FitCommand& command) {
     requireVelocityAxis(scene, "asperity fit");
     const std::vector<VariedParameter> varied = parseVariedParameters(command.varied, scene);
     const std::vector<FrictionData> data = readComparisonData(scene, compared.given);
-    std::vector<std::filesystem::path> inputs = inputFiles(command.common, scene);
-    for (const DataFile& table : scene.comparison.data) inputs.push_back(scene.folder / table.file);
     FitOptions options;
     options.threads = command.common.threads;
     options.hasProfiles = !command.withoutProfiles;
@@ -63,7 +61,7 @@ int runFit(const FitCommand& command) {
       const ProvenanceOptions given(optionsInFolder(command.common.given, "fit.json"));
       return fitReport(fitted, command.output);
     }();
-    OutputFolder output(command.output, inputs, settings);
+    OutputFolder output(command.output, inputFiles(command.common, scene), settings);
     for (const auto& [name, bytes] : report.texts)
       output.addText(name, name.ends_with(".csv") ? columns.selectAvailable(bytes) : bytes);
     for (const NamedSheet& sheet : report.sheets) output.addSheet(sheet.name, sheet.sheet);

@@ -159,6 +159,7 @@ class Rendering {
     if (kind_ == Kind::Picture) checkStill();
     checkUseful(command_.picture, {command_.output});
     checkNoInput(command_.output, inputFiles(command_.common, scene_));
+    checkNoInput(command_.output, filesReadBeside(command_.curves, scene_));
     if (kind_ != Kind::Sequence) checkWritable(command_.output);
     if (kind_ == Kind::Film) checkFilm(command_.output, settings_.transparent);
     if (command_.resume && kind_ != Kind::Sequence)

@@ -143,6 +143,13 @@ int plan(const StudyCommand& command, const ParameterStudy& study, const Shard& 
   return kDone;
 }
 
+/// Throws InputError where a page or a chunk of the store is damaged: what is computed into it
+/// could not be read again.
+void needReadable(const StudyStore& store) {
+  store.check();
+  store.eachChunk([](const StudyChunk&) { return true; });
+}
+
 std::string stateText(const StudyStore& store, std::int64_t added, std::int64_t total) {
   const std::int64_t done = store.simulationsDone();
   std::string text = filled(Words::tr("%1 of %2 simulations done, %3 of them now"),
@@ -204,9 +211,9 @@ int runStudyRun(const StudyCommand& command) {
   if (command.output.empty())
     throw InputError("", "--output", "is missing; a study needs a store, unless --plan is given");
   checkNoInput(command.output, {command.study});
-  if (!study.base.surface.file.empty())
-    checkNoInput(command.output, {study.base.folder / study.base.surface.file});
+  checkNoInput(command.output, filesReadBy(study.base));
   StudyStore store(command.output, study, shard);
+  needReadable(store);
   const std::int64_t total = simulationsOf(study, shard), before = store.simulationsDone();
   if (!command.common.quiet && before < total) {
     constexpr double kTrial = 0.1;  // s; a study of less time is simply run
@@ -221,6 +228,7 @@ int runStudyRun(const StudyCommand& command) {
     options.progress = [&](std::int64_t done) { progress.show(std::min(done, total)); };
     added = runStudy(store, options);
   }
+  if (added > 0) needReadable(store);
   printSummary(command.common.json, command.common.quiet, stateText(store, added, total));
   if (command.common.json) {
     Json answer = header(study);

@@ -201,7 +201,12 @@ std::vector<Message> describeFit(const Fit& fit) {
   std::vector<Message> lines;
   for (const FittedParameter& parameter : fit.parameters)
     lines.push_back(withRange(Message::name(parameter.key), parameter));
-  lines.emplace_back(kRangeInWords);
+  if (fit.missesPoints || !fit.hasFoundPoints)
+    lines.emplace_back(
+        "the ranges do not hold: they take for granted that the curve follows the points, and it "
+        "misses them");
+  else
+    lines.emplace_back(kRangeInWords);
   if (fit.relativeScatter > 0)
     lines.push_back(
         message("the points have no errors; they scatter by {:.2g} % about the fit, "

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/base/input_error.h"
 #include "core/base/statistics.h"
@@ -109,6 +110,7 @@ class Fitting {
   Fit run() {
     objective_.addVelocityErrors(start_);
     Minimum best = minimize(objective_, nearer(start_), all_, kIterations);
+    if (isFarOff(best)) best = fromOtherStarts(best);
     if (objective_.hasVelocityErrors()) {
       objective_.addVelocityErrors(best.coordinates);
       best = minimize(objective_, best.coordinates, all_, kIterations);
@@ -130,6 +132,7 @@ class Fitting {
   /// A fit that is further from the points in the logarithm than a factor of two has not found
   /// them.
   static constexpr double kFar = std::numbers::ln2;
+  static constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
   /// A table without errors has no weight beside a table with errors.
   void refuseMissingErrors() const {
@@ -148,6 +151,69 @@ class Fitting {
     const double distance = objective_.logarithmicDistance(objective_.evaluate(start, {}));
     if (distance < kFar || !std::isfinite(distance)) return start;
     return minimize(objective_, start, all_, kIterations, Distance::Logarithm).coordinates;
+  }
+
+  /// Whether a minimum leaves so much that another one may be the right one: chi squared far above
+  /// the degrees of freedom, or without errors points that scatter by more than a tenth.
+  bool isFarOff(const Minimum& found) const {
+    constexpr double kFarAbove = 10, kScatter = 0.1;
+    const double perFreedom = found.chiSquared / static_cast<double>(fit_.freedom);
+    return perFreedom > (hasErrors_ ? kFarAbove : kScatter * kScatter);
+  }
+
+  /// Searches again from other places. A parameter may have left the range in which friction
+  /// answers to it, from where no slope leads back: so each one in turn is set to places all over
+  /// its slider's range, the others as found, and the best of them is gone on from, as long as that
+  /// helps.
+  Minimum fromOtherStarts(Minimum best) const {
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds && isFarOff(best); ++round) {
+      const double before = best.chiSquared;
+      const VectorXd around = best.places;
+      for (std::size_t k = 0; k < parameters_.size(); ++k) {
+        const Minimum start = bestAlong(k, around);
+        if (!std::isfinite(start.chiSquared)) continue;
+        try {
+          Minimum found = minimize(objective_, start.places, all_, kIterations);
+          if (found.chiSquared < best.chiSquared) best = std::move(found);
+        } catch (const InputError&) {
+          // A start from which no state can slide leads nowhere.
+        }
+      }
+      if (!(best.chiSquared < 0.99 * before)) break;
+    }
+    return best;
+  }
+
+  /// The best of some places of one parameter over its plausible range, the others held.
+  Minimum bestAlong(std::size_t k, const VectorXd& around) const {
+    constexpr int kPlaces = 11;
+    const VariedParameter& parameter = parameters_[k];
+    const auto [from, to] = plausible(parameter);
+    Minimum best{around, kInfinite, false};
+    for (int i = 0; i < kPlaces; ++i) try {
+        VectorXd places = around;
+        places[static_cast<Eigen::Index>(k)] = from + (to - from) * i / (kPlaces - 1);
+        const double chiSquared = atPlace(places).chiSquared;
+        if (chiSquared < best.chiSquared) best = {std::move(places), chiSquared, false};
+      } catch (const InputError&) {
+        continue;  // a state that cannot slide
+      }
+    return best;
+  }
+
+  /// The places that a slider reaches, within the parameter's limits.
+  static std::pair<double, double> plausible(const VariedParameter& parameter) {
+    const auto& field = std::get<RealField>(parameter.row().field);
+    // A logarithmic slider may begin at none, which has no place.
+    constexpr double kDecades = 1e-6;
+    const double first = parameter.isLogarithmic()
+                             ? std::max(field.sliderFrom, kDecades * field.sliderTo)
+                             : field.sliderFrom;
+    const auto within = [&](double value) {
+      return std::clamp(parameter.place(value), parameter.lowest(), parameter.highest());
+    };
+    return {within(first), within(field.sliderTo)};
   }
 
   /// Scales the errors of the points if they do not hold: if chi squared is more than three of its

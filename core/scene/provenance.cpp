@@ -61,16 +61,26 @@ Json levelOversampling(std::string_view verb, const Scene& scene) {
 
 constexpr const char* kMeasurements = "FILE";  // key of the file that a material is made from
 
-/// Returns the files that a scene names, without their digests.
-std::vector<InputFile> filesOf(const Scene& scene) {
+/// Returns the files that a scene names, without their digests. A new key that names a file belongs
+/// here: provenance and the protection of what is read follow from it.
+std::vector<InputFile> namedFiles(const Scene& scene) {
   std::vector<InputFile> files;
   const auto add = [&files](const char* key, const std::string& name) {
     if (!name.empty()) files.push_back({key, name, {}});
   };
-  if (hasSurfaceFile(scene.surface)) add("surface.file", scene.surface.file);
-  if (scene.elastomer.rheology == Rheology::Prony)
-    add("elastomer.material", scene.elastomer.material);
+  add("surface.file", scene.surface.file);
+  add("elastomer.material", scene.elastomer.material);
   for (const DataFile& table : scene.comparison.data) add("comparison.data", table.file);
+  return files;
+}
+
+/// The ones among them that the scene makes use of.
+std::vector<InputFile> filesOf(const Scene& scene) {
+  std::vector<InputFile> files = namedFiles(scene);
+  std::erase_if(files, [&](const InputFile& file) {
+    return (file.key == "surface.file" && !hasSurfaceFile(scene.surface)) ||
+           (file.key == "elastomer.material" && scene.elastomer.rheology != Rheology::Prony);
+  });
   return files;
 }
 
@@ -220,6 +230,16 @@ std::vector<InputFile> inputsOf(const FoundScene& found) {
   if (const auto made = origin.find("origin"); made != origin.end()) {
     const std::string name = std::filesystem::path(textIn(*made, "file")).filename().string();
     if (!name.empty()) files.push_back({kMeasurements, name, textIn(*made, "sha256")});
+  }
+  return files;
+}
+
+std::vector<std::filesystem::path> filesReadBy(const Scene& scene) {
+  std::vector<std::filesystem::path> files;
+  for (const InputFile& file : namedFiles(scene)) {
+    const std::filesystem::path path =
+        isMaterial(file) ? materialFile(file.name, scene.folder) : scene.folder / file.name;
+    if (!path.empty()) files.push_back(path);  // a shipped material is in no file
   }
   return files;
 }

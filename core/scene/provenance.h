@@ -71,6 +71,10 @@ struct InputFile {
 /// Returns the files that a result was made from and that are still needed to make it again.
 std::vector<InputFile> inputsOf(const FoundScene& found);
 
+/// Every file that a scene names, used or not, where it is: what must not be replaced by what is
+/// computed from it. The keys are those of the provenance's inputs.
+std::vector<std::filesystem::path> filesReadBy(const Scene& scene);
+
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),
 /// or in a scene file. Relative file names in the scene refer to the file's folder, or to the first
 /// folder above it, or the present one, in which all of them are what the result was made from. At

@@ -259,6 +259,10 @@
         <translation>Bereiche: ein Standardfehler zu jeder Seite, aus den Fehlern der Punkte und der Streuung der Linien</translation>
     </message>
     <message>
+        <source>the ranges do not hold: they take for granted that the curve follows the points, and it misses them</source>
+        <translation>die Bereiche gelten nicht: sie setzen voraus, dass die Kurve den Punkten folgt, und sie verfehlt sie</translation>
+    </message>
+    <message>
         <source>the points have no errors; they scatter by %1 % about the fit, with %2 degrees of freedom</source>
         <translation>die Punkte haben keine Fehler; sie streuen um %1 % um die Anpassung, bei %2 Freiheitsgraden</translation>
     </message>

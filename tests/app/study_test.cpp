@@ -228,5 +228,23 @@ TEST_F(StudyCommandTest, MemoryDoesNotGrowWithTheStudy) {
   EXPECT_LT(big, table + 10) << "2,000 rows: " << table << " MiB";
 }
 
+TEST_F(StudyCommandTest, ADamagedStoreIsRefusedBeforeAnythingIsComputed) {
+  program.folder.write("study.json",
+                       R"({"schema":"asperity-study/1","chunk":16,"set":{"surface.elements":100,)"
+                       R"("ensemble.realizations":1},"space":{"load.normal_force":)"
+                       R"({"from":0.001,"to":1,"points":4000}}})");
+  // A store with a part of its chunks, the last pages of which are overwritten.
+  start({"study", "run", "study.json", "-o", "s", "--quiet", "--shard", "1/3"});
+  int status = 0;
+  ::wait(&status);
+  ASSERT_EQ(status, 0);
+  const auto size = std::filesystem::file_size(program.folder / "s");
+  ASSERT_GT(size, 4U * 4096U);
+  std::string bytes = TemporaryFolder::read(program.folder / "s");
+  std::fill(bytes.begin() + 2 * 4096, bytes.end(), '\x5a');
+  program.folder.write("s", bytes);
+  expectRefused("study run study.json -o s --shard 1/3 --quiet", 2, "is damaged");
+}
+
 }  // namespace
 }  // namespace asperity

@@ -281,5 +281,49 @@ TEST_F(UsageTest, TheEnvironmentForcesTheVectors) {
   EXPECT_THAT(program.run("--help").out, testing::HasSubstr("ASPERITY_TARGET=avx3|avx2|scalar"));
 }
 
+// A table of measured friction cannot be computed again.
+TEST_F(UsageTest, NoOutputReplacesAFileThatASceneOrAnOptionNames) {
+  const std::string table = "velocity,mu\n0.01,0.0002\n0.1,0.0005\n1,0.0004\n";
+  program.folder.write("d.csv", table);
+  program.folder.write("c.json", R"({"surface":{"elements":100},"sweep":{"points":3},)"
+                                 R"("ensemble":{"realizations":2},)"
+                                 R"("comparison":{"data":[{"file":"d.csv"}]}})");
+  program.folder.write("style.json", R"({"schema":"asperity-style/1"})");
+  const std::string style = TemporaryFolder::read(program.folder / "style.json");
+  program.folder.write("line.csv", "0\n1e-6\n0\n-1e-6\n");
+  program.folder.write(
+      "b.json", R"({"schema":"asperity-batch/1","entries":[{"name":"d","scene":"c.json"}]})");
+  const std::string map = " --x sliding.velocity=0.1:1:2 --y surface.hurst=0.5:0.7:2";
+  for (const std::string& line : {
+           std::string("curve s.json --data d.csv -o d.csv"),
+           std::string("curve s.json --data d.csv -o ./d.csv"),
+           std::string("curve s.json --data d.csv -o a.csv --realizations-table d.csv"),
+           std::string("curve c.json -o d.csv"),
+           std::string("curve c.json -o a.csv --realizations-table d.csv"),
+           std::string("map c.json -o d.csv") + map,
+           std::string("sensitivity c.json -o d.csv"),
+           std::string("surface c.json -o d.csv"),
+           std::string("batch b.json -o ."),
+       })
+    expectRefused(line, 2, "d.csv is what is read");
+  expectRefused("curve s.json -o a.png --style style.json -o style.json", 2,
+                "style.json is what is read");
+  expectRefused("curve s.json --with 'surface.kind=profile;surface.file=line.csv' -o line.csv", 2,
+                "line.csv is what is read");
+  // The fit writes files of its own names.
+  std::filesystem::rename(program.folder / "d.csv", program.folder / "fit.csv");
+  expectRefused("fit s.json --data fit.csv --vary surface.rms_height -o .", 2,
+                "fit.csv is what is read");
+  EXPECT_EQ(TemporaryFolder::read(program.folder / "fit.csv"), table);
+  EXPECT_EQ(TemporaryFolder::read(program.folder / "style.json"), style);
+}
+
+TEST_F(UsageTest, CheckRefusesWhatACurveRefuses) {
+  program.folder.write("p.json", R"({"elastomer":{"rheology":"prony","equilibrium_modulus":0,)"
+                                 R"("arms":[{"modulus":1e7,"relaxation_time":1e-3}]}})");
+  for (const char* verb : {"check", "curve"})
+    expectRefused(std::string(verb) + " p.json", 2, "elastomer.equilibrium_modulus: is 0");
+}
+
 }  // namespace
 }  // namespace asperity

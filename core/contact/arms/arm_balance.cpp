@@ -313,6 +313,7 @@ class Continuation {
   ArmBalance solve(double velocity, const ArmBalance* guess) {
     ArmBalance found = attempt(velocity, guess);
     if (!found.isMet() && guess) found = attempt(velocity, nullptr);
+    if (!found.isMet() && byForce_) found = byDepth(velocity, found);
     if (!found.isMet()) found = follow(velocity, found);
     if (!found.isMet()) found = lower(velocity, found);
     found.force.passes = passes_;
@@ -331,6 +332,54 @@ class Continuation {
     ArmBalance found = byForce_ ? solver.atLoad(value, guess) : solver.atDepth(value, guess);
     passes_ += found.force.passes;
     return found;
+  }
+
+  /// The depth alone is sought between what carries too little and too much, and the strains are
+  /// closed at each depth. A search of depth and strains together begins many magnitudes above the
+  /// depth of a contact that is much smaller than an element: there each step changes the contact
+  /// so much that the strains are no longer those of its period, and shorter steps get nowhere. At
+  /// a given depth the strains take a few passes, and the force only rises with the depth, nearly
+  /// as a power of it. Close to the answer depth and strains move together again.
+  ArmBalance byDepth(double velocity, ArmBalance failed) {
+    constexpr double kClose = 1e-2, kCloser = 1e-3;  // of ln F_N, for another common search
+    constexpr double kNothing = -700;                // ln of a force that is 0
+    struct End {
+      double depth, excess = 0;  // ln of both, the force over the wanted one
+      bool isKnown = false;
+    };
+    ArmSolver solver(line_, tables_, velocity);
+    const double mean = value_ / line_.length;
+    End low{std::log(mean)}, high{std::log(mean + line_.meanHeight)};
+    double close = kClose, at = high.depth;
+    ArmBalance known;
+    bool wasAbove = false;
+    for (int step = 0; step < kMostSteps; ++step) {
+      ArmBalance found = solver.atDepth(std::exp(at));
+      if (!found.isMet() && !known.strain.empty()) found = solver.atDepth(std::exp(at), &known);
+      passes_ += found.force.passes + 1;
+      if (!(found.periodicityError < kClose)) return failed;
+      const double over = solver.sums(found).depth / value_;
+      const double excess = over > 0 ? std::log(over) : kNothing;
+      known = std::move(found);
+      known.sums.reset();
+      if (std::abs(excess) < close) {
+        ArmBalance both = attempt(velocity, &known);
+        if (both.isMet()) return both;
+        close *= kCloser;
+      }
+      // An end that stays counts half as much each time (Illinois), so that both come closer.
+      const bool isAbove = excess > 0;
+      if (step > 0 && isAbove == wasAbove) (isAbove ? low : high).excess *= 0.5;
+      wasAbove = isAbove;
+      (isAbove ? high : low) = {at, excess, true};
+      const double share = low.isKnown && high.isKnown && high.excess > low.excess
+                               ? -low.excess / (high.excess - low.excess)
+                               : 0.5;
+      const double next = low.depth + share * (high.depth - low.depth);
+      if (next == at || !(next >= low.depth && next <= high.depth)) return failed;
+      at = next;
+    }
+    return failed;
   }
 
   /// Continues from a load at which a search without a guess succeeds down to the given one, by

@@ -338,6 +338,34 @@ TEST_P(Arms, ConvergeAtTheOrderOfTheScheme) {
   EXPECT_GT(order(Scheme::Cubic), 3.4);
 }
 
+/// At light loads the contact of a single state is much smaller than an element and the distance in
+/// which the arms relax: a neighbour's answer is not needed to find it.
+TEST_P(Arms, ASingleStateUnderALightLoadIsFoundWithoutANeighbour) {
+  for (const Scheme scheme : {Scheme::Linear, Scheme::Cubic})
+    for (const SurfaceKind kind : {SurfaceKind::Parabola, SurfaceKind::SelfAffine})
+      for (const double length : {0.1, 1.0})
+        for (const double force : {1e-8, 1e-7, 1e-6})
+          for (const double time : {1e-6, 1e-3, 0.4}) {
+            Scene scene;
+            scene.surface.kind = kind;
+            scene.surface.length = length;
+            scene.surface.elements = 64;
+            scene.elastomer.rheology = Rheology::StandardSolid;
+            scene.elastomer.equilibriumModulus = 1e7;
+            scene.elastomer.arms = {{1e7, time}};
+            scene.load.kind = LoadKind::Force;
+            scene.load.normalForce = force;
+            const SteadySolver solver(scene);
+            const PreparedProfile line = prepareProfile(LineSource(scene, 4).make(0), scheme);
+            for (const double velocity : {1e-4, 1e-2, 1.0, 10.0}) {
+              const SteadyState state = solver.at(line, velocity);
+              EXPECT_TRUE(state.arms.isMet())
+                  << static_cast<int>(scheme) << " " << length << " m, " << force << " N, " << time
+                  << " s, " << velocity << " m/s: " << state.result.residual;
+            }
+          }
+}
+
 }  // namespace
 
 ASPERITY_ON_EACH_INSTRUCTION_SET(Arms);

@@ -195,15 +195,13 @@ TEST(Fit, FindsThePointsFromFarAway) {
   };
   const Fit near = fitFrom(5e-7, 1e-3);
   for (const auto& [height, time] :
-       {std::pair{1e-8, 1e-4}, {1e-4, 1e-8}, {1e-9, 10.0}, {1e-6, 1e4}}) {
+       {std::pair{1e-8, 1e-4}, {1e-4, 1e-8}, {1e-9, 10.0}, {1e-6, 1e4}, {1e-9, 1e-7}}) {
     const Fit far = fitFrom(height, time);
     EXPECT_NEAR(far.chiSquared / near.chiSquared, 1, 1e-3) << height << " " << time;
     for (std::size_t k = 0; k < 2; ++k)
       EXPECT_NEAR(std::log(far.parameters[k].value / near.parameters[k].value), 0,
                   0.05 * near.parameters[k].standardError);
   }
-  // Where they lead elsewhere it is said.
-  EXPECT_FALSE(fitFrom(1e-9, 1e-7).hasFoundPoints);
 }
 
 /// The forces of the data are no parameter of the scene.
@@ -358,6 +356,37 @@ TEST(Fit, StopsWhereItIsAskedTo) {
     if (++calls == 2) source.request_stop();
   };
   EXPECT_THROW(fitFriction(scene, {&data, 1}, threeParameters(scene), options), StopRequested);
+}
+
+/// A local coefficient of friction that is too large at the start takes the height to where
+/// friction no longer answers to it.
+TEST(Fit, LeavesAMinimumInWhichAParameterHasNoEffect) {
+  Scene scene = sceneOfSize(256, 9, 2);
+  scene.surface.length = 0.02;
+  scene.surface.seed = 3;
+  scene.sweep.velocityFrom = 1e-3;
+  scene.sweep.velocityTo = 10;
+  scene.interface.frictionCoefficient = 0.02;
+  scene.surface.rmsHeight = 5e-6;
+  FrictionData data;
+  for (const CurvePoint& point : frictionCurve(scene, {}).points) {
+    MeasuredPoint measured;
+    measured.velocity = point.velocity;
+    measured.mu = point.mu + (std::isnan(point.muInterface) ? 0 : point.muInterface);
+    measured.muError = 0.01 * measured.mu;
+    measured.row = static_cast<int>(data.points.size()) + 2;
+    data.points.push_back(measured);
+  }
+  scene.interface.frictionCoefficient = 0.1;
+  scene.surface.rmsHeight = 5e-7;
+  const Fit fit =
+      fitFriction(scene, {&data, 1},
+                  {{{"interface.friction_coefficient", scene}, {"surface.rms_height", scene}}},
+                  withoutProfiles());
+  EXPECT_LT(fit.chiSquared, 1e-3);
+  EXPECT_FALSE(fit.missesPoints);
+  EXPECT_NEAR(fit.parameters[0].value, 0.02, 1e-5);
+  EXPECT_NEAR(fit.parameters[1].value, 5e-6, 1e-8);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ constexpr int kWidth = 1200, kHeight = 900;
 
 void checkNoInput(const std::filesystem::path& file, const Scene& scene) {
   std::error_code ignored;  // a missing file counts as an empty one
-  for (const DataFile& table : scene.comparison.data)
-    if (std::filesystem::equivalent(file, scene.folder / table.file, ignored))
+  for (const std::filesystem::path& input : filesReadBy(scene))
+    if (std::filesystem::equivalent(file, input, ignored))
       throw InputError(file.string(), "", "is what is read, and would be replaced");
 }
 
