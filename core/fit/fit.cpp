@@ -185,17 +185,17 @@ class Fitting {
     return best;
   }
 
-  /// The best of some places of one parameter over its plausible range, the others held.
+  /// Returns the best of some values of one parameter over its plausible range, the others held.
   Minimum bestAlong(std::size_t k, const VectorXd& around) const {
-    constexpr int kPlaces = 11;
+    constexpr int kValues = 11;
     const VariedParameter& parameter = parameters_[k];
     const auto [from, to] = plausible(parameter);
     Minimum best{around, kInfinite, false};
-    for (int i = 0; i < kPlaces; ++i) try {
-        VectorXd places = around;
-        places[static_cast<Eigen::Index>(k)] = from + (to - from) * i / (kPlaces - 1);
-        const double chiSquared = atPlace(places).chiSquared;
-        if (chiSquared < best.chiSquared) best = {std::move(places), chiSquared, false};
+    for (int i = 0; i < kValues; ++i) try {
+        VectorXd coordinates = around;
+        coordinates[static_cast<Eigen::Index>(k)] = from + (to - from) * i / (kValues - 1);
+        const double chiSquared = atCoordinates(coordinates).chiSquared;
+        if (chiSquared < best.chiSquared) best = {std::move(coordinates), chiSquared, false};
       } catch (const InputError&) {
         continue;  // a state that cannot slide
       }
