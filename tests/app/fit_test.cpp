@@ -52,6 +52,7 @@ TEST_F(FitCommandTest, FindsTheValuesThatMadeTheData) {
       "fit s.json --data data.csv --vary surface.rms_height=10nm:1mm --vary "
       "elastomer.relaxation_time=1e-5:1 -o out --size 900x800");
   ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.out + ran.err, HasSubstr("ranges: one standard error to each side"));
   const auto fit = nlohmann::json::parse(read("out/fit.json"));
   EXPECT_EQ(fit["schema"], "asperity-fit/1");
   // The same lines made the data: nothing but rounding is left.
