@@ -17,7 +17,7 @@ namespace asperity {
 /// Returns a temperature in K, such as 20C, 293.15K or 68F.
 inline double kelvinsFrom(const std::string& text, const std::string& option) {
   constexpr double kHottest = 2000;
-  const auto temperature = temperatureFrom(text);
+  const auto temperature = parseTemperature(text);
   if (!temperature || !(*temperature > 0 && *temperature <= kHottest))
     throw InputError("", option,
                      message("'{}' is not a temperature such as 20C, 293.15K or 68F", text));
@@ -26,8 +26,8 @@ inline double kelvinsFrom(const std::string& text, const std::string& option) {
 
 /// Returns a modulus in Pa; the text may have a unit: 2.3MPa.
 inline double pascalsFrom(const std::string& text, const std::string& option) {
-  const auto quantity = quantityIn(text);
-  const auto unit = quantity ? sizeOfUnit(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
+  const auto quantity = parseQuantity(text);
+  const auto unit = quantity ? unitSize(quantity->unit.empty() ? "Pa" : quantity->unit, "Pa")
                              : std::optional<double>();
   if (!unit || !(quantity->number > 0) || !std::isfinite(quantity->number * *unit))
     throw InputError("", option, message("'{}' is not a modulus such as 2.3MPa", text));

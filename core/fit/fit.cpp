@@ -162,19 +162,19 @@ class Fitting {
   }
 
   /// Searches again from other places. A parameter may have left the range in which friction
-  /// answers to it, from where no slope leads back: so each one in turn is set to places all over
-  /// its slider's range, the others as found, and the best of them is gone on from, as long as that
-  /// helps.
+  /// answers to it, from where no slope leads back: so each one in turn is set to values over
+  /// its slider's whole range, the others as found, and the search goes on from the best of them,
+  /// as long as that helps.
   Minimum fromOtherStarts(Minimum best) const {
     constexpr int kRounds = 3;
     for (int round = 0; round < kRounds && isFarOff(best); ++round) {
       const double before = best.chiSquared;
-      const VectorXd around = best.places;
+      const VectorXd around = best.coordinates;
       for (std::size_t k = 0; k < parameters_.size(); ++k) {
         const Minimum start = bestAlong(k, around);
         if (!std::isfinite(start.chiSquared)) continue;
         try {
-          Minimum found = minimize(objective_, start.places, all_, kIterations);
+          Minimum found = minimize(objective_, start.coordinates, all_, kIterations);
           if (found.chiSquared < best.chiSquared) best = std::move(found);
         } catch (const InputError&) {
           // A start from which no state can slide leads nowhere.
@@ -202,16 +202,16 @@ class Fitting {
     return best;
   }
 
-  /// The places that a slider reaches, within the parameter's limits.
+  /// Returns the coordinates that a slider reaches, within the parameter's limits.
   static std::pair<double, double> plausible(const VariedParameter& parameter) {
     const auto& field = std::get<RealField>(parameter.row().field);
-    // A logarithmic slider may begin at none, which has no place.
+    // A logarithmic slider may begin at none, which has no coordinate.
     constexpr double kDecades = 1e-6;
     const double first = parameter.isLogarithmic()
                              ? std::max(field.sliderFrom, kDecades * field.sliderTo)
                              : field.sliderFrom;
     const auto within = [&](double value) {
-      return std::clamp(parameter.place(value), parameter.lowest(), parameter.highest());
+      return std::clamp(parameter.coordinate(value), parameter.lowest(), parameter.highest());
     };
     return {within(first), within(field.sliderTo)};
   }

@@ -264,7 +264,7 @@ void refuseUnclearColumns(const TextBlock& block, const std::string& fileName,
       throw InputError(fileName, columnLabel(block, std::min(i, j)),
                        message("and {} seem to be the same quantity; take one of them out, or say "
                                "with {} which is meant",
-                               shortened(nameOf(block, std::max(i, j))), optionOf(quantity)));
+                               shortened(columnLabel(block, std::max(i, j))), optionOf(quantity)));
     }
     if (!column.unknown.empty())
       throw InputError(fileName, columnLabel(block, i),
