@@ -87,7 +87,7 @@ TEST(SliderScale, ReachesAsFarAsTheScenesValue) {
   const SliderScale scale(height, 1.8e-4);
   EXPECT_EQ(scale.valueAt(0), field.sliderFrom);
   EXPECT_EQ(scale.valueAt(scale.count() - 1), 1e-3);
-  const int position = scale.positionOf(1.8e-4);
+  const int position = scale.sliderPosition(1.8e-4);
   EXPECT_NEAR(scale.valueAt(position) / 1.8e-4, 1, 0.02);
   EXPECT_GT(scale.valueAt(position - 1) / 1.8e-4, 0.97);
   EXPECT_EQ(SliderScale(height, 1e-6).count(), SliderScale(height).count());
