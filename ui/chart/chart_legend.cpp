@@ -169,7 +169,8 @@ int ChartLegend::place(std::optional<double> widestName) {
   const auto add = [&](Entry entry, double extra) {
     const double available = std::max(40.0, width() - 2 * kSide - samples() - extra);
     if (widestName)
-      entry.lines = {metrics.elidedText(entry.text, Qt::ElideRight, std::min(room, *widestName))};
+      entry.lines = {
+          metrics.elidedText(entry.text, Qt::ElideRight, std::min(available, *widestName))};
     else
       entry.lines = brokenInto(entry.text, available, metrics);
     double widest = 0;
