@@ -426,12 +426,12 @@ TEST_F(ChartGestures, LongNamesLeaveNoEntryOut) {
   auto* legend = view_->findChild<ChartLegend*>();
   ASSERT_TRUE(legend);
   for (int id = 10; id < 14; ++id) {
-    const QRectF place = legend->placeOf(id);
+    const QRectF place = legend->entryRect(id);
     ASSERT_FALSE(place.isEmpty()) << id;
     EXPECT_LE(place.right(), legend->width()) << id;
     EXPECT_LE(place.bottom(), legend->height()) << id;
   }
-  QTest::mouseMove(legend, legend->placeOf(12).center().toPoint());
+  QTest::mouseMove(legend, legend->entryRect(12).center().toPoint());
   EXPECT_TRUE(legend->toolTip().contains(parts.join(", ")));
 }
 

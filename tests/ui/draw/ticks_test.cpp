@@ -8,7 +8,7 @@
 namespace asperity {
 namespace {
 
-constexpr double kEndless = std::numeric_limits<double>::infinity();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::string labels(const AxisTicks& axis) {
   std::string text;
@@ -58,7 +58,7 @@ TEST(Ticks, NoneWhereThereIsNoAxis) {
   EXPECT_TRUE(linearTicks(1, 1, 5, "m").ticks.empty());
   EXPECT_TRUE(linearTicks(2, 1, 5, "m").ticks.empty());
   EXPECT_TRUE(linearTicks(0, 1, 0, "m").ticks.empty());
-  EXPECT_TRUE(linearTicks(0, kEndless, 5, "m").ticks.empty());
+  EXPECT_TRUE(linearTicks(0, kInfinite, 5, "m").ticks.empty());
   EXPECT_TRUE(linearTicks(0, std::nan(""), 5, "m").ticks.empty());
   EXPECT_TRUE(linearTicks(1e9, 1e9 + 1e-6, 5, "m").ticks.empty());
 }
@@ -83,7 +83,7 @@ TEST(ShortNumber, KeepsThreeDigits) {
   EXPECT_EQ(shortNumber(2944, 2), "2900");
   EXPECT_EQ(shortNumber(2.3e-5), "2.3\u00D710\u207B\u2075");
   EXPECT_EQ(shortNumber(-4e12), "\u22124\u00D710\u00B9\u00B2");
-  EXPECT_EQ(shortNumber(kEndless), "\u2013");
+  EXPECT_EQ(shortNumber(kInfinite), "\u2013");
   EXPECT_EQ(shortNumber(std::nan("")), "\u2013");
 }
 

@@ -290,7 +290,7 @@ class HandoutMaker {
     if (prediction.kind == PredictionKind::Point && !prediction.x)
       answerText +=
           " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
-    said += toleranceOf(prediction);
+    answerText += toleranceOf(prediction);
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
     add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + answerText.toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);

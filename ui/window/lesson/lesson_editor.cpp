@@ -429,7 +429,7 @@ void LessonEditor::checkAnswers() {
       rightChoice(*step.prediction, known->number);
     } catch (const InputError& error) {
       return showError(InputError("", "steps[" + std::to_string(i) + "].prediction." + error.key(),
-                                 error.message()));
+                                  error.message()));
     }
   }
   if (const LessonStep* step = present()) compute(*step);
@@ -557,7 +557,9 @@ void LessonEditor::removeStep() {
       std::vector<std::string> set = removed.set;
       for (const std::vector<std::string>* more : {&removed.after, &before.set})
         for (const std::string& one : *more) {
-          std::erase_if(set, [&](const std::string& old) { return keyOf(old) == keyOf(one); });
+          std::erase_if(set, [&](const std::string& old) {
+            return assignmentKey(old) == assignmentKey(one);
+          });
           set.push_back(one);
         }
       after.sceneName = removed.sceneName;

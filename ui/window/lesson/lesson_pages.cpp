@@ -129,14 +129,14 @@ void LessonStepPage::addPredictionRows() {
   x_ = findChild<QLineEdit*>("editorX");
   tolerance_ = findChild<QLineEdit*>("editorTolerance");
   choices_ = findChild<QTableWidget*>("editorChoices");
-  placeTolerance_ = new QLineEdit;
-  placeTolerance_->setObjectName("editorPlaceTolerance");
-  placeTolerance_->setAccessibleName(tr("Tolerance of the place in %"));
-  placeTolerance_->setToolTip(
+  xTolerance_ = new QLineEdit;
+  xTolerance_->setObjectName("editorPlaceTolerance");
+  xTolerance_->setAccessibleName(tr("Tolerance of the place in %"));
+  xTolerance_->setToolTip(
       tr("How far the place of a right answer may be from that of the largest value: the factor is "
          "2 for 100 %"));
-  addRowBelow(tolerance_, tr("Tolerance of the place in %"), placeTolerance_);
-  connect(placeTolerance_, &QLineEdit::textEdited, this, &LessonForm::tell);
+  addRowBelow(tolerance_, tr("Tolerance of the place in %"), xTolerance_);
+  connect(xTolerance_, &QLineEdit::textEdited, this, &LessonForm::notifyEdited);
   computed_ = new QLabel;
   computed_->setObjectName("editorComputed");
   computed_->setTextFormat(Qt::PlainText);
@@ -145,7 +145,7 @@ void LessonStepPage::addPredictionRows() {
   setShown(computed_, false);
   connect(kind_, &QComboBox::activated, this, [this] {
     showRowsOfPoint();
-    tell();
+    notifyEdited();
   });
   connect(x_, &QLineEdit::textEdited, this, &LessonStepPage::showRowsOfPoint);
 }
@@ -154,7 +154,7 @@ void LessonStepPage::addPredictionRows() {
 /// the answer, but it may stay hidden after it.
 void LessonStepPage::showRowsOfPoint() {
   const bool isPoint = kind_->currentIndex() == 1 + static_cast<int>(PredictionKind::Point);
-  setShown(placeTolerance_, isPoint && x_->text().trimmed().isEmpty());
+  setShown(xTolerance_, isPoint && x_->text().trimmed().isEmpty());
   hides_->setEnabled(true);
   qobject_cast<QStandardItemModel*>(hides_->model())->item(0)->setEnabled(!isPoint);
   if (isPoint && hides_->currentIndex() == 0) hides_->setCurrentIndex(1);
@@ -174,7 +174,7 @@ void LessonStepPage::showStep(const LessonStep& step, const QString& sceneText) 
     quantity_->setCurrentIndex(quantity_->findData(QString::fromStdString(step.show.quantity)));
     prediction_->show(step);
     const double place = step.prediction.value_or(LessonPrediction{}).xTolerance;
-    placeTolerance_->setText(shownNumber(roundedToDigits(100 * place, 12)));
+    xTolerance_->setText(shownNumber(roundedToDigits(100 * place, 12)));
     showRowsOfPoint();
     showControls();
   });
@@ -198,7 +198,7 @@ void LessonStepPage::take(LessonStep& step) const {
     prediction.answer = before.answer;
   }
   const double percent =
-      numberIn(placeTolerance_->text().remove('%')).value_or(100 * before.xTolerance);
+      numberIn(xTolerance_->text().remove('%')).value_or(100 * before.xTolerance);
   // What was not edited stays as it is, to the last digit.
   if (std::abs(percent - 100 * before.xTolerance) > 1e-9 * std::abs(percent))
     prediction.xTolerance = percent / 100;
@@ -229,7 +229,7 @@ QString LessonStepPage::unreadableChoice() const {
 
 QString LessonStepPage::unreadable() const {
   for (const auto& [line, mayBeEmpty] :
-       {std::pair{x_, true}, {tolerance_, false}, {placeTolerance_, false}})
+       {std::pair{x_, true}, {tolerance_, false}, {xTolerance_, false}})
     if (const QString text = unreadableIn(*line, mayBeEmpty); !text.isEmpty()) return text;
   return unreadableChoice();
 }

@@ -71,7 +71,7 @@ class LessonStepPage : public LessonForm {
   PredictionFields* prediction_;
   // Of the rows of the prediction.
   QComboBox *kind_, *hides_;
-  QLineEdit *x_, *tolerance_, *placeTolerance_;
+  QLineEdit *x_, *tolerance_, *xTolerance_;
   QTableWidget* choices_;
   LessonControls chosen_;  // of the step that is shown
   std::string axis_;       // the key of its curve's axis

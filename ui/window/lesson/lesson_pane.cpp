@@ -234,7 +234,7 @@ QString LessonPane::verdictOf(const LessonStep& step, const LessonPage& page) co
   };
   const QString found =
       prediction.kind == PredictionKind::Point && !prediction.x
-          ? tr("The program finds %1 at %2.").arg(inWords(answer.number), inWords(answer.place))
+          ? tr("The program finds %1 at %2.").arg(inWords(answer.number), inWords(answer.x))
       : prediction.kind == PredictionKind::Choice && !prediction.answer
           ? QString()
           : tr("The program finds %1.").arg(inWords(answer.number));

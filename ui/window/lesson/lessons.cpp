@@ -437,7 +437,7 @@ void Lessons::showChart() {
   else if (result->given.isGiven())
     point_->showDecided(step.prediction->x.value_or(result->given.x), result->given.number);
   else
-    point_->showDecided(step.prediction->x.value_or(result->expected.place.value),
+    point_->showDecided(step.prediction->x.value_or(result->expected.x.value),
                         result->expected.number.value, PredictionPoint::Whose::Computed);
 }
 

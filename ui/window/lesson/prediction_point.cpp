@@ -102,10 +102,10 @@ QPointF PredictionPoint::valueAt(QPointF pixel) const {
 QRectF PredictionPoint::axesRect() const {
   const Diagram& diagram = chart_.sheet().diagrams.front();
   const VisibleRange range = chart_.visibleRange();
-  return QRectF(chart_.positionOf(axisValue(diagram.x.scale, range.x.from),
-                                  axisValue(diagram.y.scale, range.y.from)),
-                chart_.positionOf(axisValue(diagram.x.scale, range.x.to),
-                                  axisValue(diagram.y.scale, range.y.to)))
+  return QRectF(chart_.mapToPosition(axisValue(diagram.x.scale, range.x.from),
+                                     axisValue(diagram.y.scale, range.y.from)),
+                chart_.mapToPosition(axisValue(diagram.x.scale, range.x.to),
+                                     axisValue(diagram.y.scale, range.y.to)))
       .normalized();
 }
 

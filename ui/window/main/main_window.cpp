@@ -466,8 +466,8 @@ void MainWindow::updatePollInterval() {
 void MainWindow::connectTime() {
   connect(timeBar_, &TimeBar::paceChanged, session_, &Session::setPace);
   connect(timeBar_, &TimeBar::seekRequested, session_, &Session::seek);
-  connect(timeBar_, &TimeBar::said, status_, &StatusLine::say);
-  connect(canvas_, &ContactCanvas::said, status_, &StatusLine::say);
+  connect(timeBar_, &TimeBar::said, status_, &StatusLine::showMessage);
+  connect(canvas_, &ContactCanvas::said, status_, &StatusLine::showMessage);
   connect(&tabs_->motion(), &MotionView::seekRequested, session_, &Session::seek);
   // Dragging the slider of time pauses the run, which resumes afterwards if it was playing.
   connect(timeBar_, &TimeBar::scrubbing, this, [this](bool isOn) {
