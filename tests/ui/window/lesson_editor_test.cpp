@@ -62,7 +62,7 @@ class LessonEditorTest : public MainWindowTest {
     box.setCurrentIndex(index);
     emit box.activated(index);
   }
-  std::string complaint() const { return editor_->complaint().toStdString(); }
+  std::string complaint() const { return editor_->errorText().toStdString(); }
   bool canSave() { return field<QPushButton>("editorSave").isEnabled(); }
   const LessonPrediction& prediction(std::size_t step) const {
     return *editor_->lesson().steps[step].prediction;
@@ -238,7 +238,7 @@ TEST_F(LessonEditorTest, AStepTakesTheSceneThatIsShown) {
   edit(sampleLesson(), 1);
   const Scene next = editor_->lesson().steps[1].scene;
   field<QPushButton>("editorTakeScene").click();
-  EXPECT_EQ(editor_->complaint(), QString());
+  EXPECT_EQ(editor_->errorText(), QString());
   EXPECT_EQ(editor_->lesson().steps[0].scene.surface, session().scene().surface);
   EXPECT_NE(editor_->lesson().steps[0].scene.surface, next.surface);
   EXPECT_EQ(editor_->lesson().steps[1].scene, next);

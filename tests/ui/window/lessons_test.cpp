@@ -455,10 +455,10 @@ TEST_F(LessonsTest, AGuessStaysOnTheAxis) {
   const std::shared_ptr<const Frame> before = session().frame();
   ASSERT_TRUE(waitFor([&] { return session().frame() != before; }));
   EXPECT_FALSE(said("factMu").contains("mean"));
-  const QPoint beside = window_.plotView().positionOf(0.1, 1).toPoint() - QPoint(0, 15);
+  const QPoint beside = window_.plotView().mapToPosition(0.1, 1).toPoint() - QPoint(0, 15);
   QTest::mouseClick(&point, Qt::LeftButton, {}, beside);
   EXPECT_FALSE(point.point());  // the legend is no place for an answer
-  const QPoint high = window_.plotView().positionOf(0.1, 0.8).toPoint();
+  const QPoint high = window_.plotView().mapToPosition(0.1, 0.8).toPoint();
   QTest::mouseClick(&point, Qt::LeftButton, {}, high);
   ASSERT_TRUE(point.point());
   click("lessonNext");
@@ -489,7 +489,7 @@ TEST_F(LessonsTest, WhatIsShownIsSaidMarkedAndNoWrongAnswer) {
     EXPECT_TRUE(said("lessonReveal").contains("; 1 were shown to you."));
     PredictionPoint& point = lessons().point();
     EXPECT_TRUE(point.isVisible());
-    EXPECT_EQ(point.point()->y(), lessons().results().of(1)->expected.number.value);
+    EXPECT_EQ(point.point()->y(), lessons().results().find(1)->expected.number.value);
     lessons().end();
   }
 }
