@@ -62,7 +62,7 @@ class LessonEditorTest : public MainWindowTest {
     box.setCurrentIndex(index);
     emit box.activated(index);
   }
-  std::string complaint() const { return editor_->errorText().toStdString(); }
+  std::string errorText() const { return editor_->errorText().toStdString(); }
   bool canSave() { return field<QPushButton>("editorSave").isEnabled(); }
   const LessonPrediction& prediction(std::size_t step) const {
     return *editor_->lesson().steps[step].prediction;
@@ -86,15 +86,15 @@ TEST_F(LessonEditorTest, RangesThatDoNotCoverTheComputedAnswerAreNotSaved) {
   setCell(1, 3, "1.6");
   EXPECT_FALSE(canSave());  // nor before the answer is known
   ASSERT_TRUE(waitFor([&] { return !editor_->isComputing(); }));
-  EXPECT_TRUE(complaint().starts_with("Step 1, choices: none of them covers the computed answer"))
-      << complaint();
-  EXPECT_LT(complaint().size(), 65U) << complaint();  // a number of a few digits
+  EXPECT_TRUE(errorText().starts_with("Step 1, choices: none of them covers the computed answer"))
+      << errorText();
+  EXPECT_LT(errorText().size(), 65U) << errorText();  // a number of a few digits
   EXPECT_FALSE(canSave());
   TemporaryFolder folder;
   EXPECT_FALSE(editor_->saveTo(QString::fromStdString((folder.path() / "a.json").string())));
   setCell(1, 3, "2.9");  // a gap in which the answer is not
   EXPECT_TRUE(waitFor([&] { return canSave(); }));
-  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(errorText(), "");
 }
 
 TEST_F(LessonEditorTest, SaysWhatTheProgramFindsAndOverHowManyLines) {
@@ -111,34 +111,34 @@ TEST_F(LessonEditorTest, WhatIsNoNumberIsSaidAndChangesNothing) {
   json["steps"][1]["prediction"]["x"] = 0.1;
   edit(json, 2);
   type("editorX", "abc");
-  EXPECT_EQ(complaint(), "Step 2: Place on the axis: “abc” is not a number");
+  EXPECT_EQ(errorText(), "Step 2: Place on the axis: “abc” is not a number");
   EXPECT_FALSE(canSave());
   EXPECT_EQ(prediction(1).x, 0.1);  // the question is still the same
   type("editorX", "10 mm/s");
-  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(errorText(), "");
   EXPECT_EQ(prediction(1).x, 0.01);
   type("editorTolerance", "abc");
-  EXPECT_EQ(complaint(), "Step 2: Tolerance in %: “abc” is not a number");
+  EXPECT_EQ(errorText(), "Step 2: Tolerance in %: “abc” is not a number");
   EXPECT_EQ(prediction(1).tolerance, 0.5);
   type("editorTolerance", "-5");
-  EXPECT_EQ(complaint(), "Step 2: Tolerance in %: -5 is not above 0 and up to 1000");
+  EXPECT_EQ(errorText(), "Step 2: Tolerance in %: -5 is not above 0 and up to 1000");
   type("editorTolerance", "20");
-  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(errorText(), "");
 }
 
 TEST_F(LessonEditorTest, ChoicesAreCheckedInTheWordsOfTheForm) {
   edit(sampleLesson(), 1);
   setCell(1, 2, "abc");
-  EXPECT_EQ(complaint(), "Step 1: Choice 2, From: “abc” is not a number");
+  EXPECT_EQ(errorText(), "Step 1: Choice 2, From: “abc” is not a number");
   EXPECT_EQ(prediction(0).choices[1].above, 1.5);
   setCell(1, 2, "1.5");
   setCell(2, 2, "2");
-  EXPECT_TRUE(complaint().starts_with("Step 1: Choice 3: its range overlaps that of choice 2"))
-      << complaint();
+  EXPECT_TRUE(errorText().starts_with("Step 1: Choice 3: its range overlaps that of choice 2"))
+      << errorText();
   setCell(2, 2, "");
-  EXPECT_EQ(complaint(), "Step 1: Choice 3: needs a number in From or To, as the others have");
+  EXPECT_EQ(errorText(), "Step 1: Choice 3: needs a number in From or To, as the others have");
   for (const auto& [row, column] : {std::pair(0, 3), {1, 2}, {1, 3}}) setCell(row, column, "");
-  EXPECT_TRUE(complaint().starts_with("Step 1: Choices: tick the right one")) << complaint();
+  EXPECT_TRUE(errorText().starts_with("Step 1: Choices: tick the right one")) << errorText();
 }
 
 /// What is hidden stays hidden only where the teacher sees that it does.
