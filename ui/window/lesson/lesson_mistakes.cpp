@@ -42,8 +42,7 @@ QString mistakeOf(const LessonPrediction& prediction) {
         !text.isEmpty())
       return text;
     return prediction.kind == PredictionKind::Point && !prediction.x
-               ? mistakeOf(LessonEditor::tr("Tolerance of the place in %"),
-                           prediction.xTolerance)
+               ? mistakeOf(LessonEditor::tr("Tolerance of the place in %"), prediction.xTolerance)
                : QString();
   }
   if (prediction.choices.size() < 2) return LessonEditor::tr("Choices: write at least two");
