@@ -6290,8 +6290,8 @@
         <translation>Anhalten und Ruhen</translation>
     </message>
     <message>
-        <source>As in figure 1 of Li et al. (2013): summits of the line dent the rubber, which comes back behind them; the colour shows the pressure, and friction is small because the line is nearly flat. Raise the velocity: contact withdraws to the leading sides.</source>
-        <translation>Wie in Abbildung 1 von Li et al. (2013): Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck, und die Reibung ist klein, weil die Linie fast flach ist. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+        <source>As in figure 1 of Li and coworkers (2013): summits of the line dent the rubber, which comes back behind them; the colour shows the pressure, and friction is small because the line is nearly flat. Raise the velocity: contact withdraws to the leading sides.</source>
+        <translation>Wie in Abbildung 1 von Li und Mitarbeitern (2013): Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck, und die Reibung ist klein, weil die Linie fast flach ist. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>

@@ -193,7 +193,7 @@ std::string progressOf(const Frame& frame) {
   if (!(frame.time > 0)) return {};
   constexpr double kRounding = 1e-12;  // part of the period, for a motion that returned
   const double slid = std::abs(frame.distance);
-  const SlidingKind kind = frame.scene->sliding.kind;
+  const SlidingKind kind = frame.scene ? frame.scene->sliding.kind : SlidingKind::Steady;
   // Of a line that moves back and forth the distance is that from its beginning.
   const bool returns = kind == SlidingKind::Oscillation || kind == SlidingKind::Reversal;
   return filled(returns ? Words::tr("t = %1, displaced by %2") : Words::tr("t = %1, slid %2"),
