@@ -33,7 +33,7 @@ bool isAtForeignTemperature(const Elastomer& elastomer) {
   if (elastomer.rheology != Rheology::Prony || !(range.temperatureTo > 0)) return false;
   // Isotherms are a few tenths of a kelvin off what was set.
   constexpr double kNear = 0.5;  // K
-  return elastomer.temperature < range.parseTemperature - kNear ||
+  return elastomer.temperature < range.temperatureFrom - kNear ||
          elastomer.temperature > range.temperatureTo + kNear;
 }
 

@@ -47,7 +47,7 @@ struct TemperatureShift {
 /// known.
 struct MeasuredRange {
   double frequencyFrom = 0, frequencyTo = 0;       // Hz, at the temperature where a_T = 1
-  double parseTemperature = 0, temperatureTo = 0;  // K
+  double temperatureFrom = 0, temperatureTo = 0;  // K
   double strainAmplitude = 0;                      // of shear or elongation
 
   bool operator==(const MeasuredRange&) const = default;

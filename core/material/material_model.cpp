@@ -106,7 +106,7 @@ MeasuredRange measuredRange(const Material& material) {
   MeasuredRange range;
   range.frequencyFrom = material.curve.lowestFrequency();
   range.frequencyTo = material.curve.highestFrequency();
-  range.parseTemperature = material.isotherms.front().temperature;
+  range.temperatureFrom = material.isotherms.front().temperature;
   range.temperatureTo = material.isotherms.back().temperature;
   if (std::isfinite(material.strainAmplitude)) range.strainAmplitude = material.strainAmplitude;
   return range;
@@ -308,7 +308,7 @@ std::string materialJson(const Material& material) {
   root["shift"] = shiftJson(material.shift);
   root["measured"] = {{"frequency_from", range.frequencyFrom},
                       {"frequency_to", range.frequencyTo},
-                      {"temperature_from", range.parseTemperature},
+                      {"temperature_from", range.temperatureFrom},
                       {"temperature_to", range.temperatureTo},
                       {"strain_amplitude", range.strainAmplitude}};
   if (!material.isMeasured()) {

@@ -173,7 +173,7 @@ const std::array kTable{
     Parameter{"elastomer.measured.frequency_to", "measured to", "", "Hz", "Highest frequency at which the elastomer was measured, at the temperature of no shift. 0: not known.", kLive, {"elastomer.rheology", "prony"},
               RealField{ASPERITY_MEMBER(elastomer.measured, frequencyTo), 0, 1e15, 1e-6, 1e12, kNoneOrLog}, {}, kNewOfMaterial},
     Parameter{"elastomer.measured.temperature_from", "measured above", "", "K", "Lowest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
-              RealField{ASPERITY_MEMBER(elastomer.measured, parseTemperature), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
+              RealField{ASPERITY_MEMBER(elastomer.measured, temperatureFrom), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
     Parameter{"elastomer.measured.temperature_to", "measured below", "", "K", "Highest temperature at which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},
               RealField{ASPERITY_MEMBER(elastomer.measured, temperatureTo), 0, 2000, 0, 500, kLin}, {}, kNewOfMaterial},
     Parameter{"elastomer.measured.strain_amplitude", "measured strain", "", "", "Amplitude of the strain with which the elastomer was measured. 0: not known.", kLive, {"elastomer.rheology", "prony"},

@@ -170,7 +170,7 @@ void TimeBar::setWidths() {
   const auto widthOf = [this](const QString& text) {
     return fontMetrics().horizontalAdvance(text);
   };
-  const QString widest = QStringLiteral("0,000,000");
+  const QString widest = QStringLiteral("000,000");
   factor_->setFixedWidth(std::max(widthOf(slowerText(widest)), widthOf(fasterText(widest))) +
                          kEntryMargin);
   // The numbers change without moving what is beside them.
