@@ -1328,7 +1328,7 @@
     </message>
     <message>
         <source>velocity amplitude</source>
-        <translation>Geschwindigkeitsamplitude</translation>
+        <translation>Amplitude der Geschwindigkeit</translation>
     </message>
     <message>
         <source>mean velocity</source>
@@ -6290,8 +6290,8 @@
         <translation>Anhalten und Ruhen</translation>
     </message>
     <message>
-        <source>As in figure 1 of Li and coworkers (2013): summits of the line dent the rubber, which comes back behind them; the colour shows the pressure, and friction is small because the line is nearly flat. Raise the velocity: contact withdraws to the leading sides.</source>
-        <translation>Wie in Abbildung 1 von Li und Mitarbeitern (2013): Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck, und die Reibung ist klein, weil die Linie fast flach ist. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
+        <source>Summits of the line dent the rubber, which comes back behind them; the colour shows the pressure. Raise the velocity: contact withdraws to the leading sides.</source>
+        <translation>Gipfel der Linie drücken sich in das Gummi, das hinter ihnen zurückkehrt; die Farbe zeigt den Druck. Die Geschwindigkeit erhöhen: Der Kontakt zieht sich auf die Vorderseiten zurück.</translation>
     </message>
     <message>
         <source>The load is so high that the rubber fills every valley, and friction is 4 L η v times the squared rms slope over the force, exactly. Raise the velocity until the first valleys open and the straight line ends.</source>
