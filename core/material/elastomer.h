@@ -46,9 +46,9 @@ struct TemperatureShift {
 /// The range in which an elastomer was measured; results outside of it are extrapolated. 0: not
 /// known.
 struct MeasuredRange {
-  double frequencyFrom = 0, frequencyTo = 0;       // Hz, at the temperature where a_T = 1
+  double frequencyFrom = 0, frequencyTo = 0;      // Hz, at the temperature where a_T = 1
   double temperatureFrom = 0, temperatureTo = 0;  // K
-  double strainAmplitude = 0;                      // of shear or elongation
+  double strainAmplitude = 0;                     // of shear or elongation
 
   bool operator==(const MeasuredRange&) const = default;
 };
