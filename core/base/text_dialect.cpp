@@ -384,7 +384,6 @@ TextDialect detectDialect(std::string_view text) {
 }
 
 bool readPlainRow(std::string_view line, const TextDialect& dialect, std::span<double> numbers) {
-  using Separator = TextDialect::Separator;
   if (dialect.separator == Separator::CommaBlank || dialect.separator == Separator::CommaPair)
     return false;
   const char mark = separatorCharacter(dialect.separator);
