@@ -52,6 +52,10 @@ class Header {
 
 }  // namespace
 
+bool isGsf(const SurfaceSource& source) {
+  return source.bytes.starts_with("Gwyddion Simple Field");
+}
+
 SurfaceDraft readGsf(const SurfaceSource& source) {
   if (!source.bytes.starts_with(kMagic)) source.fail(message("is not a {} file", "GSF"));
   const std::size_t end = source.bytes.find('\0');

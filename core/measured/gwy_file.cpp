@@ -198,10 +198,10 @@ const Channel& chosen(const SurfaceSource& source, const std::vector<Channel>& c
   return found == channels.end() ? channels.front() : *found;
 }
 
-}  // namespace
-
-SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps) {
-  if (!source.bytes.starts_with(kMagic)) source.fail(message("is not a {} file", "GWY"));
+/// masksAreGaps: masked points were not measured, as in the files that Gwyddion makes of other
+/// formats.
+SurfaceDraft readFile(const SurfaceSource& source, bool masksAreGaps) {
+  if (!isGwy(source)) source.fail(message("is not a {} file", "GWY"));
   const Object container = readObject(source, source.bytes.substr(kMagic.size()));
   const std::vector<Component> components = readComponents(source, container.components);
   const std::vector<Channel> channels = findChannels(components);
@@ -242,6 +242,20 @@ SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps) {
       grid.height[i] = std::numeric_limits<double>::quiet_NaN();
   }
   return draft;
+}
+
+}  // namespace
+
+bool isGwy(const SurfaceSource& source) {
+  return source.bytes.starts_with(kMagic);
+}
+
+SurfaceDraft readGwy(const SurfaceSource& source) {
+  return readFile(source, false);
+}
+
+SurfaceDraft readConvertedGwy(const SurfaceSource& source) {
+  return readFile(source, true);
 }
 
 }  // namespace asperity

@@ -114,11 +114,11 @@ std::string convertWithGwyddion(const fs::path& file, const std::stop_token& sto
   const RegularFile regular(file);  // refuses a pipe, for which Gwyddion would wait
   const std::string program = findProgram("gwyddion");
   if (program.empty())
-    throw InputError(
-        name, "",
-        "is of a kind that only Gwyddion reads, which is not installed; text (profiles, "
-        "matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and "
-        "Surfer files are read without it");
+    throw InputError(name, "",
+                     message("is of a kind that only Gwyddion reads, which is not installed; text "
+                             "(profiles, matrices, points) and files of these kinds are read "
+                             "without it: {}",
+                             readableFormats()));
   const TemporaryFolder folder(name);
   const fs::path result = folder.path() / "surface.gwy";
   Process process(program, {"gwyddion", "--no-splash", "--disable-gl",

@@ -1,6 +1,7 @@
 #include "core/measured/measured_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,7 +17,7 @@ namespace asperity {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;  // bytes
-constexpr std::size_t kBeginning = 4096;                    // bytes, in which the kind shows itself
+constexpr std::size_t kBeginning = 4096;                    // bytes, in which the format shows itself
 constexpr double kFarthest = 1e6;                           // m, limit of lengths and heights
 // Numbers without a unit that exceed these limits are hardly metres.
 constexpr double kLongestAssumed = 1;    // m
@@ -25,44 +26,68 @@ constexpr double kSteepestAssumed = 10;  // rms slope
 constexpr std::string_view kUnits = "m, mm, um, nm, in";  // those of the keys
 constexpr std::string_view kKnownUnits = "m, cm, mm, \u00B5m, nm, pm, \u00C5, in, mil, \u00B5in";
 
-constexpr std::string_view kReadable =
-    "text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, "
-    "Zygo and Surfer files are read";
+// ---- Formats -----------------------------------------------------------------------------------
 
-// ---- Kinds -------------------------------------------------------------------------------------
+/// A format of surface files: a new one needs a row here, and its functions in surface_draft.h.
+struct SurfaceFormat {
+  std::string_view word;                    // of `surface.format`
+  std::string_view names;                   // for people
+  std::array<std::string_view, 2> endings;  // of file names; may be empty
+  bool (*detect)(const SurfaceSource& source);
+  SurfaceDraft (*read)(const SurfaceSource& source);
+};
 
-/// Returns the format by the first bytes; empty where the file can only be text or is unknown.
-std::string_view detectFormat(const SurfaceSource& source) {
-  const std::string_view bytes = source.bytes;
-  if (bytes.starts_with("PK\3\4") || bytes.starts_with("PK\5\6")) return "x3p";
-  if (bytes.starts_with("DIGITAL SURF") || bytes.starts_with("DSCOMPRESSED")) return "sur";
-  if (bytes.starts_with("Gwyddion Simple Field")) return "gsf";
-  if (bytes.starts_with("GWYP")) return "gwy";
-  if (isZygo(source)) return "zygo";
-  if (isWyko(source)) return "wyko";
-  if (isSurfer(source)) return "surfer";
-  if (isSdf(source)) return "sdf";
-  if (isSmd(source)) return "smd";
-  if (!detectRoadFormat(bytes).empty()) return "text";  // whose reader refuses it
-  const std::string_view foreign = detectNonText(bytes);
-  return foreign.empty() || foreign == "text in UTF-16" ? "text" : "";
+/// All formats but text, in the order in which they are tried.
+constexpr std::array kFormats{
+    SurfaceFormat{"x3p", "X3P", {"x3p"}, isX3p, readX3p},
+    SurfaceFormat{"sur", "SUR, PRO", {"sur", "pro"}, isSur, readSur},
+    SurfaceFormat{"gsf", "GSF", {"gsf"}, isGsf, readGsf},
+    SurfaceFormat{"gwy", "GWY", {"gwy"}, isGwy, readGwy},
+    SurfaceFormat{"zygo", "Zygo", {}, isZygo, readZygo},
+    SurfaceFormat{"wyko", "Wyko (text)", {"asc"}, isWyko, readWyko},
+    SurfaceFormat{"surfer", "Surfer", {"grd"}, isSurfer, readSurfer},
+    SurfaceFormat{"sdf", "SDF", {"sdf"}, isSdf, readSdf},
+    SurfaceFormat{"smd", "SMD, PRF", {"smd", "prf"}, isSmd, readSmd}};
+
+constexpr std::array<std::string_view, 5> kTextWords{"auto", "text", "profile", "matrix", "points"};
+constexpr std::array<std::string_view, 4> kTextEndings{"csv", "txt", "dat", "xyz"};
+
+/// The words of `surface.format`: those of text, of each format, and of Gwyddion.
+constexpr auto kWords = [] {
+  std::array<std::string_view, kTextWords.size() + kFormats.size() + 1> words;
+  auto* const rest = std::ranges::copy(kTextWords, words.begin()).out;
+  *std::ranges::transform(kFormats, rest, &SurfaceFormat::word).out = "gwyddion";
+  return words;
+}();
+
+/// Returns the format of the file by its beginning; null where it is none of them.
+const SurfaceFormat* detectFormat(const SurfaceSource& source) {
+  const auto* const format =
+      std::ranges::find_if(kFormats, [&](const SurfaceFormat& row) { return row.detect(source); });
+  return format != kFormats.end() ? format : nullptr;
 }
 
-bool isTextForm(std::string_view format) {
-  return format == "text" || format == "profile" || format == "matrix" || format == "points";
+/// Returns whether the file can be text. The reader of text refuses files of roads by name.
+bool canBeText(const SurfaceSource& source) {
+  if (!detectRoadFormat(source.bytes).empty()) return true;
+  const std::string_view foreign = detectNonText(source.bytes);
+  return foreign.empty() || foreign == "text in UTF-16";
 }
 
-SurfaceDraft readDraft(const SurfaceSource& source, std::string_view kind) {
-  if (kind == "x3p") return readX3p(source);
-  if (kind == "sdf") return readSdf(source);
-  if (kind == "smd") return readSmd(source);
-  if (kind == "sur") return readSur(source);
-  if (kind == "gsf") return readGsf(source);
-  if (kind == "gwy") return readGwy(source, false);
-  if (kind == "zygo") return readZygo(source);
-  if (kind == "wyko") return readWyko(source);
-  if (kind == "surfer") return readSurfer(source);
-  return readTextSurface(source);
+SurfaceDraft readDraft(const SurfaceSource& source) {
+  const std::string& word = source.choices.format;
+  const SurfaceFormat* format = nullptr;
+  if (word != "auto") {
+    const auto* const chosen = std::ranges::find(kFormats, word, &SurfaceFormat::word);
+    if (chosen != kFormats.end()) format = chosen;
+  } else {
+    format = detectFormat(source);
+    if (format == nullptr && !canBeText(source))
+      source.fail(message("is {}; text (profiles, matrices, points) and files of these kinds are "
+                          "read: {}",
+                          Message(detectNonText(source.bytes)), readableFormats()));
+  }
+  return format != nullptr ? format->read(source) : readTextSurface(source);
 }
 
 // ---- Units -------------------------------------------------------------------------------------
@@ -78,7 +103,7 @@ void requireChoices(const SurfaceSource& source) {
     if (std::ranges::find(known, value) == known.end())
       throw InputError(source.name, key, notOneOf(value, known));
   };
-  require("surface.format", source.choices.format, kSurfaceFormats);
+  require("surface.format", source.choices.format, surfaceFormats());
   require("surface.position_unit", source.choices.positionUnit, kSurfaceUnits);
   require("surface.height_unit", source.choices.heightUnit, kSurfaceUnits);
 }
@@ -323,12 +348,28 @@ std::string readInParts(const RegularFile& regular, const std::stop_token& stop)
   return bytes;
 }
 
-[[noreturn]] void refuse(const SurfaceSource& source) {
-  const std::string_view kind = detectNonText(source.bytes);
-  source.fail(message("is {}; {}", Message(kind), Message(kReadable)));
+}  // namespace
+
+std::span<const std::string_view> surfaceFormats() {
+  return kWords;
 }
 
-}  // namespace
+std::vector<std::string_view> surfaceFileEndings() {
+  std::vector<std::string_view> endings(kTextEndings.begin(), kTextEndings.end());
+  for (const SurfaceFormat& format : kFormats)
+    for (const std::string_view ending : format.endings)
+      if (!ending.empty()) endings.push_back(ending);
+  return endings;
+}
+
+std::string readableFormats() {
+  std::string names;
+  for (const SurfaceFormat& format : kFormats) {
+    if (!names.empty()) names += ", ";
+    names += format.names;
+  }
+  return names;
+}
 
 std::optional<std::int64_t> wholeNumber(double number) {
   if (!(std::abs(number) <= static_cast<double>(kMostPoints)) || number != std::floor(number))
@@ -365,13 +406,7 @@ MeasuredFile readMeasuredBytes(std::string_view bytes, const std::string& name,
   requireChoices(source);
   source.report(0);
   if (bytes.empty()) source.fail("is empty");
-  const std::string_view found = detectFormat(source);
-  const std::string& format = choices.format;
-  const std::string_view kind = format == "auto"     ? found
-                                : isTextForm(format) ? std::string_view("text")
-                                                     : std::string_view(format);
-  if (kind.empty()) refuse(source);
-  return finished(source, readDraft(source, kind));
+  return finished(source, readDraft(source));
 }
 
 MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingChoices& choices,
@@ -384,14 +419,15 @@ MeasuredFile readMeasuredFile(const std::filesystem::path& file, const ReadingCh
     // The beginning shows the kind, so that a large file of an unknown kind is not read in vain.
     const std::string beginning = regular.read(0, kBeginning);
     const SurfaceSource source{beginning, name, choices, stop, progress};
-    const bool isOther = choices.format == "auto" && detectFormat(source).empty();
+    const bool isOther =
+        choices.format == "auto" && detectFormat(source) == nullptr && !canBeText(source);
     if (choices.format != "gwyddion" && !isOther)
       return readMeasuredBytes(readInParts(regular, stop), name, choices, stop, progress);
   }
   const std::string converted = convertWithGwyddion(file, stop);
   const SurfaceSource source{converted, name, choices, stop, progress};
   requireChoices(source);
-  SurfaceDraft draft = readGwy(source, true);
+  SurfaceDraft draft = readConvertedGwy(source);
   draft.facts.format = "gwyddion";
   return finished(source, std::move(draft));
 }

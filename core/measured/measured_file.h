@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -25,20 +26,21 @@
 
 namespace asperity {
 
-/// The words of `surface.format`. `text` is any of the three text forms: `profile` is one or more
-/// columns with one row for each point; `matrix` is one row of heights for each profile; `points`
-/// is x, y and z of one point in each row, in any order. `gwyddion` is a file that only Gwyddion
-/// reads.
-inline constexpr std::array<std::string_view, 15> kSurfaceFormats{
-    "auto", "text", "profile", "matrix", "points", "x3p",    "sdf",     "smd",
-    "sur",  "gsf",  "gwy",     "zygo",   "wyko",   "surfer", "gwyddion"};
+/// Returns the words of `surface.format`. `text` is any of the three text forms: `profile` is one or
+/// more columns with one row for each point; `matrix` is one row of heights for each profile;
+/// `points` is x, y and z of one point in each row, in any order. `gwyddion` is a file that only
+/// Gwyddion reads.
+std::span<const std::string_view> surfaceFormats();
+
+/// Returns the usual endings of the names of surface files: "csv", "x3p".
+std::vector<std::string_view> surfaceFileEndings();
 
 /// The words of `surface.position_unit` and `surface.height_unit`.
 inline constexpr std::array<std::string_view, 6> kSurfaceUnits{"auto", "m", "mm", "um", "nm", "in"};
 
 /// What a user states about a file. The defaults leave everything to the reader.
 struct ReadingChoices {
-  std::string format = "auto";        // one of kSurfaceFormats
+  std::string format = "auto";        // one of surfaceFormats()
   std::string positionUnit = "auto";  // one of kSurfaceUnits; replaces what the file states
   std::string heightUnit = "auto";    // likewise
   int positionColumn = 0;             // of a text profile or of points, counted from 1; 0: found
@@ -65,7 +67,7 @@ struct UnitFact {
 
 /// How the reader understood a file.
 struct ReadingFacts {
-  std::string format{};          // one of kSurfaceFormats, never "auto" or "text"
+  std::string format{};          // one of surfaceFormats(), never "auto" or "text"
   std::string positionColumn{};  // the column's name or "column 1"; empty: no positions by column
   std::string heightColumn{};    // the column's or channel's name; empty where there is only one
   UnitFact positionUnit{}, heightUnit{};

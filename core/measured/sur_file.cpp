@@ -162,6 +162,10 @@ void takeHeights(const SurfaceSource& source, const Header& header, std::string_
 
 }  // namespace
 
+bool isSur(const SurfaceSource& source) {
+  return source.bytes.starts_with(kPlain) || source.bytes.starts_with(kPacked);
+}
+
 SurfaceDraft readSur(const SurfaceSource& source) {
   Header header = readHeader(source);
   // 1 profile, 2 surface, 4 and 5 series of them, 7 and 8 in layers, 11 surface with intensities.

@@ -72,26 +72,33 @@ std::optional<StatedUnit> statedUnit(const SurfaceSource& source, std::string_vi
 /// read; else empty.
 std::string_view detectRoadFormat(std::string_view bytes);
 
+/// Returns the names of the formats that are read besides text: "X3P, SUR, PRO, ...".
+std::string readableFormats();
+
 SurfaceDraft readTextSurface(const SurfaceSource& source);
-SurfaceDraft readX3p(const SurfaceSource& source);
+SurfaceDraft readGsf(const SurfaceSource& source);
+SurfaceDraft readGwy(const SurfaceSource& source);
 SurfaceDraft readSdf(const SurfaceSource& source);
 SurfaceDraft readSmd(const SurfaceSource& source);
 SurfaceDraft readSur(const SurfaceSource& source);
 SurfaceDraft readSurfer(const SurfaceSource& source);
 SurfaceDraft readWyko(const SurfaceSource& source);
+SurfaceDraft readX3p(const SurfaceSource& source);
 SurfaceDraft readZygo(const SurfaceSource& source);
-SurfaceDraft readGsf(const SurfaceSource& source);
-/// masksAreGaps: masked points were not measured, as in the files that Gwyddion makes of other
-/// formats.
-SurfaceDraft readGwy(const SurfaceSource& source, bool masksAreGaps);
 
-// Return whether a file is of this kind by its beginning, for the kinds that do not simply begin
-// with a fixed word.
+// Return whether a file has this format, by its beginning.
+bool isGsf(const SurfaceSource& source);
+bool isGwy(const SurfaceSource& source);
 bool isSdf(const SurfaceSource& source);
 bool isSmd(const SurfaceSource& source);
+bool isSur(const SurfaceSource& source);
 bool isSurfer(const SurfaceSource& source);
 bool isWyko(const SurfaceSource& source);
+bool isX3p(const SurfaceSource& source);
 bool isZygo(const SurfaceSource& source);
+
+/// Reads the GWY file that Gwyddion makes of another format: masked points were not measured.
+SurfaceDraft readConvertedGwy(const SurfaceSource& source);
 
 /// Returns the content of a GWY file that Gwyddion makes of the file. Throws InputError where
 /// Gwyddion is not installed or does not know the file either.

@@ -462,6 +462,10 @@ class Reader {
 
 }  // namespace
 
+bool isX3p(const SurfaceSource& source) {
+  return source.bytes.starts_with("PK\3\4") || source.bytes.starts_with("PK\5\6");
+}
+
 SurfaceDraft readX3p(const SurfaceSource& source) {
   return Reader(source).read();
 }

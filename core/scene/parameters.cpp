@@ -104,7 +104,7 @@ const std::array kTable{
     Parameter{"surface.file", "file", "", "", "File of the line, relative to the scene: a CSV profile of position and height in metres, a measured surface of any kind, or a table of a spectrum.", kRebuild, {"surface.kind", "profile measured spectrum"},
               TextField{ASPERITY_MEMBER(surface, file)}},
     Parameter{"surface.format", "file format", "", "", "What the file is taken for; auto: the program finds out and says what it found.", kRebuild, {"surface.kind", "measured"},
-              ASPERITY_WORD(surface.reading, format, kSurfaceFormats)},
+              ASPERITY_WORD(surface.reading, format, surfaceFormats())},
     Parameter{"surface.position_unit", "position unit", "", "", "Unit of positions along the surface; auto: as the file states.", kRebuild, {"surface.kind", "measured"},
               ASPERITY_WORD(surface.reading, positionUnit, kSurfaceUnits)},
     Parameter{"surface.height_unit", "height unit", "", "", "Unit of heights; auto: as the file states.", kRebuild, {"surface.kind", "measured"},

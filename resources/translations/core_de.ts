@@ -3495,8 +3495,8 @@
         <translation>lässt sich nicht umwandeln: es gibt keinen Ordner für Zwischendateien</translation>
     </message>
     <message>
-        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and Surfer files are read without it</source>
-        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; Text (Profile, Matrizen, Punkte, auch der von Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo und Surfer werden ohne es gelesen</translation>
+        <source>is of a kind that only Gwyddion reads, which is not installed; text (profiles, matrices, points) and files of these kinds are read without it: %1</source>
+        <translation>ist von einer Art, die nur Gwyddion liest, und das ist nicht installiert; ohne es werden Text (Profile, Matrizen, Punkte) und Dateien dieser Arten gelesen: %1</translation>
     </message>
     <message>
         <source>cannot be converted: Gwyddion does not start</source>
@@ -3655,8 +3655,8 @@
         <translation>%1 Punkte haben keine Höhe.</translation>
     </message>
     <message>
-        <source>text (profiles, matrices, points, also that of Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo and Surfer files are read</source>
-        <translation>gelesen werden Text (Profile, Matrizen, Punkte, auch der von Wyko), X3P, SDF, SMD, PRF, SUR, PRO, GSF, GWY, Zygo und Surfer</translation>
+        <source>is %1; text (profiles, matrices, points) and files of these kinds are read: %2</source>
+        <translation>ist %1; gelesen werden Text (Profile, Matrizen, Punkte) und Dateien dieser Arten: %2</translation>
     </message>
     <message>
         <source>has %1 x %2 points; at most %3 are read</source>

@@ -10,6 +10,7 @@
 #include "core/base/input_error.h"
 #include "core/base/text.h"
 #include "core/fit/friction_data.h"
+#include "core/measured/measured_file.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
 #include "ui/panels/parameter_panel.h"
@@ -50,12 +51,13 @@ QString ImportCommands::folder() const {
 }
 
 void ImportCommands::askSurface(const Scene& scene) {
+  QStringList patterns;
+  for (const std::string_view ending : surfaceFileEndings())
+    patterns << "*." + QString::fromLatin1(ending.data(), qsizetype(ending.size()));
   const QString file = QFileDialog::getOpenFileName(
       &parts_.window, tr("Open surface"),
       QString::fromStdString((scene.folder / scene.surface.file).string()),
-      tr("Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur "
-         "*.pro *.gsf *.gwy);;All files (*)"),
-      nullptr, QFileDialog::HideNameFilterDetails);
+      tr("Measured surfaces (%1);;All files (*)").arg(patterns.join(' ')), nullptr, QFileDialog::HideNameFilterDetails);
   if (!file.isEmpty()) showSurface(scene, file);
 }
 
