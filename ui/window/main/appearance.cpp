@@ -157,7 +157,10 @@ QString windowStyleSheet(const Theme& theme) {
            mixed(panel, accent(theme), 0.12).name(), toQColor(theme.background).name());
 }
 
-Appearance::Appearance(QWidget& window) : QObject(&window), window_(window) {}
+Appearance::Appearance(QWidget& window)
+    : QObject(&window), window_(window), isDark_(systemIsDark()) {
+  applyTheme();
+}
 
 void Appearance::addTo(Commands& commands) {
   commands_ = &commands;
@@ -191,14 +194,24 @@ void Appearance::setColours(Colours colours) {
   colours_ = colours;
   if (!choices_.isEmpty()) choices_.at(static_cast<int>(colours))->setChecked(true);
   const bool dark = colours == Colours::System ? systemIsDark() : colours == Colours::Dark;
-  // Setting the style sheet takes a third of the time of the start.
-  if (dark != isDark_ || window_.styleSheet().isEmpty()) setDark(dark);
+  if (dark != isDark_)
+    setDark(dark);
+  else
+    announceTheme();
 }
 
 void Appearance::setDark(bool dark) {
   isDark_ = dark;
+  applyTheme();
+  announceTheme();
+}
+
+void Appearance::applyTheme() {
   QApplication::setPalette(themePalette(theme()));
   window_.setStyleSheet(windowStyleSheet(theme()));
+}
+
+void Appearance::announceTheme() {
   commands_->setColour(themePalette(theme()).color(QPalette::WindowText));
   commands_->refresh("light");
   emit themeChanged(theme());

@@ -25,13 +25,15 @@ class Appearance : public QObject {
   Q_OBJECT
 
  public:
+  /// Sets the palette of the application and the style sheet of the window. This is done before the
+  /// window has children: Qt evaluates both again for each of them.
   explicit Appearance(QWidget& window);
 
   void addTo(Commands& commands);
   /// Adds a submenu: same as system, light, dark.
   void addMenu(QMenu& menu);
 
-  /// Chooses the colours of the system, or always light or dark ones.
+  /// Chooses the colours of the system, or always light or dark ones; needs the commands.
   void setColours(Colours colours);
   Colours colours() const { return colours_; }
 
@@ -44,6 +46,9 @@ class Appearance : public QObject {
   void themeChanged(const asperity::Theme& theme);
 
  private:
+  void applyTheme();
+  void announceTheme();
+
   QWidget& window_;
   Commands* commands_ = nullptr;
   QList<QAction*> choices_;  // one for each value of Colours

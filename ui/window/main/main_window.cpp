@@ -131,6 +131,7 @@ MainWindow::MainWindow(const Scene& scene, RunnerOptions options, QWidget* paren
       canvas_(new ContactCanvas) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
+  appearance_ = new Appearance(*this);
   buildViews();
   buildCommands();
   buildMenus();
@@ -203,12 +204,13 @@ void MainWindow::buildViews() {
   statusBar()->setSizeGripEnabled(false);
   statusBar()->setContentsMargins(0, 0, 0, 0);
 
-  panel_ = new ParameterPanel(document_->scene());
   dock_ = new QDockWidget;
   dock_->setObjectName("parameterDock");
-  dock_->setWidget(panel_);
   dock_->setTitleBarWidget(dockTitle(*dock_));
   addDockWidget(Qt::RightDockWidgetArea, dock_);
+  // It gets its last parent at once: with another one Qt evaluates the style of its rows again.
+  panel_ = new ParameterPanel(document_->scene(), dock_);
+  dock_->setWidget(panel_);
   resizeDocks({dock_}, {panel_->sizeHint().width()}, Qt::Horizontal);
 }
 
@@ -241,7 +243,6 @@ void MainWindow::buildCommands() {
   documents_ = new DocumentCommands(*document_, *panel_, *messages_, *this);
   documents_->addTo(*commands_);
   figures_->addTo(*commands_);
-  appearance_ = new Appearance(*this);
   imports_ =
       new ImportCommands({*this, *document_, *documents_, *panel_, *appearance_, *messages_});
   imports_->addTo(*commands_);
