@@ -2034,8 +2034,8 @@
         <translation>Oberfläche öffnen</translation>
     </message>
     <message>
-        <source>Measured surfaces (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur *.pro *.gsf *.gwy);;All files (*)</source>
-        <translation>Gemessene Oberflächen (*.csv *.txt *.dat *.asc *.xyz *.prf *.x3p *.sdf *.smd *.grd *.sur *.pro *.gsf *.gwy);;Alle Dateien (*)</translation>
+        <source>Measured surfaces (%1);;All files (*)</source>
+        <translation>Gemessene Oberflächen (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open material</source>
@@ -2450,6 +2450,14 @@
     <message>
         <source>For teachers</source>
         <translation>Für Lehrende</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>They are being computed…</source>
+        <translation>Sie werden berechnet …</translation>
     </message>
     <message>
         <source>Open lesson</source>

@@ -512,6 +512,7 @@ TEST_F(LessonsTest, TheListSaysWhatEachTeachesAndBeginsIt) {
   EXPECT_FALSE(said().contains("A good question for the class"));  // answers are for teachers
   list.findChild<QCheckBox*>("lessonNotes")->click();
   EXPECT_TRUE(said().contains("A good question for the class"));
+  EXPECT_TRUE(waitFor([&] { return said().contains("right within"); }));  // computed, then listed
   QTest::keyClick(&names, Qt::Key_Return);
   ASSERT_TRUE(lessons().isRunning());
   EXPECT_EQ(lessons().lesson()->name, "load_and_friction");

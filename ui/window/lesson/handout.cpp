@@ -282,17 +282,9 @@ class HandoutMaker {
   void addAnswer(const LessonStep& step) {
     const LessonPrediction& prediction = *step.prediction;
     const LessonAnswer answer = lessonAnswer(step, curveOptions());
-    QString answerText;
-    if (answer.choice >= 0)
-      answerText = plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
-    else
-      answerText = QString::fromStdString(numberInWords(answer.number));
-    if (prediction.kind == PredictionKind::Point && !prediction.x)
-      answerText +=
-          " " + utf(Words::tr("at %1")).arg(QString::fromStdString(numberInWords(answer.x)));
-    answerText += toleranceOf(prediction);
     const bool hasVerdict = answer.choice >= 0 && prediction.answer && !prediction.right.empty();
-    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " + answerText.toHtmlEscaped() + "</p>",
+    add("<p><b>" + utf(Words::tr("Answer")) + ":</b> " +
+            answerInWords(prediction, answer).toHtmlEscaped() + "</p>",
         step.reveal.empty() && !hasVerdict ? Stays::No : Stays::Always);
     // A sentence with the number that decides: "It becomes 1.97 times as large."
     if (hasVerdict)
@@ -303,26 +295,6 @@ class HandoutMaker {
     if (!(step.scene == step.revealedScene)) addContact(step.revealedScene);
     if (step.show.hidesCurve && !step.show.hidesCurveAfter)
       addChart(step, step.revealedScene, false);
-  }
-
-  /// Returns how far a right answer may be from the computed one, in words; empty for a choice.
-  static QString toleranceOf(const LessonPrediction& prediction) {
-    const auto number = [](double value) {
-      return utf(numberInWords({roundedToDigits(value, 3), {}}));
-    };
-    const auto factor = [&](double tolerance) {
-      return utf(Words::tr("a factor of %1")).arg(number(1 + tolerance));
-    };
-    QString within;
-    if (prediction.kind == PredictionKind::Number)
-      within = QStringLiteral("±") + number(100 * prediction.tolerance) + "\u00A0%";
-    else if (prediction.kind == PredictionKind::Point && prediction.x)
-      within = factor(prediction.tolerance);
-    else if (prediction.kind == PredictionKind::Point)
-      within = utf(Words::tr("%1, its place within %2"))
-                   .arg(factor(prediction.tolerance), factor(prediction.xTolerance));
-    if (within.isEmpty()) return {};
-    return " (" + utf(Words::tr("right within %1")).arg(within) + ")";
   }
 
   /// Keeps a text with the picture below it, and that one with another.

@@ -148,9 +148,44 @@ void LessonList::showChosen() {
   QString html = "<h3>" + plainText(lesson.title).toHtmlEscaped() + "</h3><p>" +
                  tr("%1 minutes, %2 steps").arg(lesson.minutes).arg(lesson.steps.size()) + "</p>" +
                  richText(shown(lesson.goal));
-  if (notes_->isChecked() && !lesson.notes.empty())
-    html += "<h4>" + tr("For teachers") + "</h4>" + richText(shown(lesson.notes));
+  if (notes_->isChecked()) html += teacherText(row);
   about_->setText(html);
+  if (notes_->isChecked() && !answers_.contains(row)) computeAnswers(row);
+}
+
+/// Computes the right answers to the questions of a lesson, and shows them.
+void LessonList::computeAnswers(int row) {
+  answering_.request(
+      [row](const BackgroundWork::Run& run) {
+        CurveOptions options;
+        options.stop = run.stop();
+        std::vector<LessonAnswer> answers;
+        for (const LessonStep& step : shippedOnes()[static_cast<std::size_t>(row)].steps)
+          answers.push_back(step.prediction ? lessonAnswer(step, options) : LessonAnswer());
+        return answers;
+      },
+      [this, row](std::vector<LessonAnswer> answers) {
+        answers_[row] = std::move(answers);
+        if (row == list_->currentRow()) showChosen();
+      },
+      [this](const QString& reason) { status_->setText(reason); });
+}
+
+/// Returns the notes and the answers, as HTML.
+QString LessonList::teacherText(int row) const {
+  const Lesson& lesson = shippedOnes()[static_cast<std::size_t>(row)];
+  QString html = "<h4>" + tr("For teachers") + "</h4>";
+  if (!lesson.notes.empty()) html += richText(shown(lesson.notes));
+  html += "<h4>" + tr("Answers") + "</h4>";
+  const auto found = answers_.find(row);
+  if (found == answers_.end()) return html + "<p>" + tr("They are being computed…") + "</p>";
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+    if (const auto& prediction = lesson.steps[i].prediction)
+      html += QStringLiteral("<p>%1. %2<br><b>%3</b></p>")
+                  .arg(i + 1)
+                  .arg(plainText(prediction->question).toHtmlEscaped(),
+                       answerInWords(*prediction, found->second[i]).toHtmlEscaped());
+  return html;
 }
 
 void LessonList::begin() {

@@ -1,9 +1,14 @@
-// The page of all lessons: what each teaches and how long it takes; it begins one, opens a file,
-// and writes handouts. GUI thread. Failure: one line on the page shows the error.
+// The page of all lessons: what each teaches and how long it takes, for teachers also its
+// answers; it begins one, opens a file, and writes handouts. GUI thread. Failure: one line on the page shows the error.
 #pragma once
 
 #include <QDialog>
 #include <QString>
+#include <map>
+#include <vector>
+
+#include "core/lesson/lesson_answers.h"
+#include "ui/window/tasks/background_work.h"
 
 class QCheckBox;
 class QLabel;
@@ -31,6 +36,8 @@ class LessonList : public QDialog {
  private:
   void showTexts();
   void showChosen();
+  void computeAnswers(int row);
+  QString teacherText(int row) const;
   void askFile();
   void begin();
 
@@ -39,6 +46,8 @@ class LessonList : public QDialog {
   QLabel *about_, *status_;
   QPushButton *start_, *open_, *handout_, *edit_, *close_;
   HandoutSaver* saver_;
+  std::map<int, std::vector<LessonAnswer>> answers_;  // of the steps of the lessons, by row
+  BackgroundWork answering_;
 };
 
 }  // namespace asperity

@@ -7,6 +7,7 @@
 #include "ui/draw/ticks.h"
 #include "ui/language/language.h"
 #include "ui/language/translated.h"
+#include "ui/language/words.h"
 
 namespace asperity {
 
@@ -33,6 +34,26 @@ QString inlineHtml(const QString& text) {
   html.replace(strong, QStringLiteral("<b>\\1</b>"));
   html.replace(emphasis, QStringLiteral("<i>\\1</i>"));
   return html;
+}
+
+/// Returns how far a right answer may be from the computed one, in words; empty for a choice.
+QString toleranceInWords(const LessonPrediction& prediction) {
+  const auto number = [](double value) {
+    return QString::fromStdString(numberInWords({roundedToDigits(value, 3), {}}));
+  };
+  const auto factor = [&](double tolerance) {
+    return QString::fromStdString(Words::tr("a factor of %1")).arg(number(1 + tolerance));
+  };
+  QString within;
+  if (prediction.kind == PredictionKind::Number)
+    within = QStringLiteral("±") + number(100 * prediction.tolerance) + "\u00A0%";
+  else if (prediction.kind == PredictionKind::Point && prediction.x)
+    within = factor(prediction.tolerance);
+  else if (prediction.kind == PredictionKind::Point)
+    within = QString::fromStdString(Words::tr("%1, its place within %2"))
+                 .arg(factor(prediction.tolerance), factor(prediction.xTolerance));
+  if (within.isEmpty()) return {};
+  return " (" + QString::fromStdString(Words::tr("right within %1")).arg(within) + ")";
 }
 
 }  // namespace
@@ -82,6 +103,16 @@ std::string numberInWords(const LessonNumber& number) {
   // The digits of a ratio near 1 show its difference from 1: "1.002", not "1".
   const bool isNearOne = std::abs(number.value - 1) < 0.02;
   return shortNumber(number.value, isNearOne ? 4 : 3);
+}
+
+QString answerInWords(const LessonPrediction& prediction, const LessonAnswer& answer) {
+  if (answer.choice >= 0)
+    return plainText(prediction.choices[static_cast<std::size_t>(answer.choice)].text);
+  QString words = QString::fromStdString(numberInWords(answer.number));
+  if (prediction.kind == PredictionKind::Point && !prediction.x)
+    words += " " + QString::fromStdString(Words::tr("at %1"))
+                       .arg(QString::fromStdString(numberInWords(answer.x)));
+  return words + toleranceInWords(prediction);
 }
 
 QString richText(const LessonText& text, const LessonPrediction& prediction,
