@@ -5,7 +5,8 @@
 // far, `stop` ends the computation within a pass over a line.
 //
 // The paper's figures read slopes and plateaus with their uncertainties from many loads at once;
-// they need the averages of groups of lines and therefore use `Study` (core/friction/study.h).
+// they need the means of groups of lines and therefore use `GroupedMeans`
+// (core/friction/jackknife.h).
 // Threading, failure: as frictionCurve.
 #pragma once
 
