@@ -179,7 +179,7 @@ void checkPlaces(const LessonText& text, const std::set<std::string>& known,
 class StepReader {
  public:
   StepReader(const Json& json, std::string path, const Scene* before,
-             const std::filesystem::path& folder, const LessonSceneReader& readNamed)
+             const std::filesystem::path& folder, const SceneReader& readNamed)
       : json_(json),
         path_(std::move(path)),
         before_(before),
@@ -429,14 +429,14 @@ class StepReader {
   std::string path_;
   const Scene* before_;
   const std::filesystem::path& folder_;
-  const LessonSceneReader& readNamed_;
+  const SceneReader& readNamed_;
   LessonStep step_;
 };
 
 }  // namespace
 
 Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
-                   const LessonSceneReader& readNamed) {
+                   const SceneReader& readNamed) {
   if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
   if (textMember(root, "schema") != kLessonSchema)
     refuseMember("schema", message("is not {}", kLessonSchema));

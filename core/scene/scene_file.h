@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,12 @@ Scene readSceneFile(const std::filesystem::path& file,
 Scene readScene(std::string_view json, const std::string& name,
                 const std::filesystem::path& folder = {},
                 const std::vector<std::string>& assignments = {});
+
+/// Reads a scene that a study or a lesson names: a file relative to its folder, or a shipped scene
+/// where the caller knows these (ui/window/main/scene_library.h).
+using SceneReader =
+    std::function<Scene(const std::string& name, const std::filesystem::path& folder,
+                        const std::vector<std::string>& assignments)>;
 
 /// Returns the canonical text: every applicable key in the table's order, numbers in the shortest
 /// form that reads back to the same value. readScene(writeScene(s)) == s up to the folder.
