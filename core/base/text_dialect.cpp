@@ -43,9 +43,9 @@ Sample sampleOf(std::string_view text) {
   take(text);
   sample.ofBeginning = sample.lines.size();
   if (text.size() <= kStretch) return sample;
-  for (const std::size_t place : {text.size() / 4, text.size() / 2, text.size() / 4 * 3,
-                                  text.size() - std::min(text.size(), kStretch / 8)}) {
-    std::string_view rest = text.substr(place);
+  for (const std::size_t offset : {text.size() / 4, text.size() / 2, text.size() / 4 * 3,
+                                   text.size() - std::min(text.size(), kStretch / 8)}) {
+    std::string_view rest = text.substr(offset);
     takeLine(rest);  // is cut off
     take(rest);
   }

@@ -43,7 +43,7 @@ std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   std::vector<RelativeError> errors;
   std::size_t i = 0;
   for (const MeasuredCurve& measured : set.measured)
-    for (const double velocity : measured.places) {
+    for (const double velocity : measured.abscissas) {
       errors.push_back({velocity, fit.bandErrors[i] / totalMu(fit.computed[i])});
       ++i;
     }
@@ -81,9 +81,9 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
     for (std::size_t i = 0; i < table.computed.size(); ++i) {
       const MeasuredPoint& point = table.data.points[i];
       MeasuredCurve& part = parts[loadOf(point)];
-      if (part.places.empty()) loads.push_back(loadOf(point));
+      if (part.abscissas.empty()) loads.push_back(loadOf(point));
       part.data.points.push_back(point);
-      part.places.push_back(table.places[i]);
+      part.abscissas.push_back(table.abscissas[i]);
       part.computed.push_back(table.computed[i]);
     }
     if (parts.size() < 2 || parts.size() > kFew) {

@@ -103,13 +103,13 @@ SteadyStatus balanceStatus(const SteadyResult& result) {
 }
 
 TextError balanceError(const SteadyResult& result, double velocity, const Message& where) {
-  const Message place = sentences({message("at velocity {:.4g} m/s", velocity), where});
+  const Message state = sentences({message("at velocity {:.4g} m/s", velocity), where});
   if (result.residual <= kAcceptedResidual)
     return TextError(message(
         "contact is too short, or moduli are too far apart, for the digits that numbers have, {}",
-        place));
+        state));
   return TextError(
-      message("the force balance is not met {}: relative residual {:.2g}", place, result.residual));
+      message("the force balance is not met {}: relative residual {:.2g}", state, result.residual));
 }
 
 void requireBalance(const SteadyResult& result, double velocity, const Message& where) {

@@ -69,9 +69,9 @@ class Reader {
   /// Reads the lines in front of a block, such as "Temperature: 20 °C", "T = 293 K", "sweep at 20
   /// °C".
   std::optional<double> statedTemperature(const TextBlock& block) const {
-    const TextBlock* place = &block;
+    const TextBlock* current = &block;
     while (true) {
-      for (auto entry = place->header.rbegin(); entry != place->header.rend(); ++entry) {
+      for (auto entry = current->header.rbegin(); entry != current->header.rend(); ++entry) {
         const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
         if (isTemperature)
           if (const auto quantity = parseQuantity(entry->value)) {
@@ -83,8 +83,8 @@ class Reader {
         if (const auto found = findTemperature(entry->value)) return found;
         if (const auto found = findTemperature(entry->key)) return found;
       }
-      if (place == &table_.blocks.front()) return {};
-      --place;
+      if (current == &table_.blocks.front()) return {};
+      --current;
     }
   }
 

@@ -280,13 +280,13 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
 Json materialOrigin(const Material& material) {
   Json options = Json::object();
   for (const auto& [option, value] : material.options) {
-    Json& place = options[option];
+    Json& stated = options[option];
     // A repeated option has a list.
-    if (place.is_string()) place = Json::array({place});
-    if (place.is_array())
-      place.push_back(value);
+    if (stated.is_string()) stated = Json::array({stated});
+    if (stated.is_array())
+      stated.push_back(value);
     else
-      place = value;
+      stated = value;
   }
   return {{"schema", kMaterialSchema},
           {"verb", "material"},

@@ -29,13 +29,13 @@ class Marches {
       lines_.push_back(std::make_shared<const Line>(source.make(r)));
   }
 
-  /// Calls read(line) for each of them; every result has its own place.
+  /// Calls read(line) for each line, several at a time.
   template <class Read>
   ElementPoint point(double velocity, const Read& read) {
     std::vector<Reading> readings(lines_.size());
     jobs_.run(static_cast<std::int64_t>(lines_.size()), [&](std::int64_t r) {
-      const auto place = static_cast<std::size_t>(r);
-      if (!options_.stop.stop_requested()) readings[place] = read(lines_[place]);
+      const auto index = static_cast<std::size_t>(r);
+      if (!options_.stop.stop_requested()) readings[index] = read(lines_[index]);
     });
     throwIfStopped(options_.stop);
     ElementPoint point{velocity};

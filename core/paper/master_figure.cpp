@@ -72,10 +72,10 @@ Shift shiftOf(const GroupedMeans& means, int leftOut = GroupedMeans::kAll) {
 /// Returns the root mean square over x of the standard deviation of log10(mu) among the curves;
 /// `value` gives the friction of one of them at x.
 template <class Value>
-double spread(const std::vector<GroupedMeans>& allMeans, const std::vector<double>& places,
+double spread(const std::vector<GroupedMeans>& allMeans, const std::vector<double>& abscissas,
               const Value& value) {
   double squares = 0;
-  for (const double x : places) {
+  for (const double x : abscissas) {
     double sum = 0, sumOfSquares = 0;
     for (const GroupedMeans& means : allMeans) {
       const double logarithm = std::log10(value(means, x));
@@ -85,7 +85,7 @@ double spread(const std::vector<GroupedMeans>& allMeans, const std::vector<doubl
     const auto n = static_cast<double>(allMeans.size());
     squares += std::max(0.0, sumOfSquares / n - sum / n * (sum / n));
   }
-  return std::sqrt(squares / static_cast<double>(places.size()));
+  return std::sqrt(squares / static_cast<double>(abscissas.size()));
 }
 
 double spreadBefore(const std::vector<GroupedMeans>& allMeans, int out) {

@@ -326,8 +326,8 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
   if (file.native().find('\0') != std::string::npos) return false;
   std::error_code noFile, noFolder;
   const fs::path home = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, noFolder);
-  const fs::path place = fs::weakly_canonical(file, noFile).lexically_relative(home);
-  return !noFile && !noFolder && !place.empty() && *place.begin() != "..";
+  const fs::path relative = fs::weakly_canonical(file, noFile).lexically_relative(home);
+  return !noFile && !noFolder && !relative.empty() && *relative.begin() != "..";
 }
 
 double nodesOf(const Scene& scene, const fs::path& file) {

@@ -394,10 +394,10 @@ bool isLeftOut(const Parameter& row, const Scene& scene) {
 
 /// Returns the member of a dotted key.
 Json& memberAt(Json& root, std::string_view key) {
-  Json* place = &root;
+  Json* value = &root;
   for (std::size_t dot; (dot = key.find('.')) != std::string_view::npos; key.remove_prefix(dot + 1))
-    place = &(*place)[std::string(key.substr(0, dot))];
-  return (*place)[std::string(key)];
+    value = &(*value)[std::string(key.substr(0, dot))];
+  return (*value)[std::string(key)];
 }
 
 }  // namespace

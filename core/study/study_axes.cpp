@@ -139,9 +139,9 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
   axis.distribution = made;
 }
 
-Json valueJson(const StudyColumn& column, std::size_t place) {
-  if (!column.hasWords()) return column.numbers[place];
-  return column.words[place];
+Json valueJson(const StudyColumn& column, std::size_t index) {
+  if (!column.hasWords()) return column.numbers[index];
+  return column.words[index];
 }
 
 }  // namespace

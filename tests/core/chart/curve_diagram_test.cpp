@@ -251,7 +251,7 @@ TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
   FrictionData forceless{"without forces", {{0.1, 0.01}, {0.2, 0.02}}};
   addComparisons(set, {table, forceless});
   ASSERT_EQ(set.measured.size(), 1U);
-  EXPECT_EQ(set.measured[0].places, (std::vector<double>{0.01, 0.1}));
+  EXPECT_EQ(set.measured[0].abscissas, (std::vector<double>{0.01, 0.1}));
   ASSERT_EQ(set.notes.size(), 2U);
   EXPECT_THAT(set.notes[0].english(), testing::HasSubstr("a table: 2 of 3 points"));
   EXPECT_THAT(set.notes[1].english(),
