@@ -20,14 +20,14 @@ inline constexpr std::size_t kLargestScene = std::size_t{1} << 20;  // bytes of 
 Scene readSceneFile(const std::filesystem::path& file,
                     const std::vector<std::string>& assignments = {});
 
-/// Reads a scene from text; name: of the file, in errors; folder: against it surface.file is
-/// resolved.
+/// Reads a scene from text; name: of the file, in errors; folder: the files
+/// that the scene names are relative to it.
 Scene readScene(std::string_view json, const std::string& name,
                 const std::filesystem::path& folder = {},
                 const std::vector<std::string>& assignments = {});
 
-/// Reads a scene that a study or a lesson names: a file relative to its folder, or a shipped scene
-/// where the caller knows these (ui/window/main/scene_library.h).
+/// Reads a scene that a study or a lesson names: a file relative to the folder, or a shipped scene
+/// where the caller has these.
 using SceneReader =
     std::function<Scene(const std::string& name, const std::filesystem::path& folder,
                         const std::vector<std::string>& assignments)>;
