@@ -11,7 +11,6 @@
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
-#include "core/base/text_names.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -431,7 +430,7 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       if (found == std::end(kLogarithms) || column.isText) continue;
       std::string_view rest = std::string_view(column.name).substr(found->first.size());
       rest = trimmedBlanks(rest.substr(std::min(rest.find_first_not_of("_ "), rest.size())));
-      const ColumnName inner = columnName(withoutBrackets(rest));
+      const TextColumn inner = parseColumnName(withoutBrackets(rest));
       if (!isQuantity(inner.name)) continue;
       const std::string unit = inner.unit.empty() ? column.unit : inner.unit;
       column = {inner.name, unit, false};

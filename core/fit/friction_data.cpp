@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
-#include "core/base/text_names.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
@@ -111,7 +111,7 @@ std::optional<Quantity> findMeaning(const TextColumn& column) {
 
 /// The name and unit of a column.
 TextColumn columnNamed(const std::string& text) {
-  const ColumnName whole = columnName(text);
+  const TextColumn whole = parseColumnName(text);
   return {whole.name, whole.unit, false};
 }
 

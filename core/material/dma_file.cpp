@@ -11,7 +11,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_names.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_sweeps.h"
 
@@ -89,7 +89,7 @@ class Reader {
   }
 
   /// Reads an entry such as "Temperature [°C]: 20" or "T/K = 293".
-  static std::string unitInKey(const std::string& key) { return columnName(key).unit; }
+  static std::string unitInKey(const std::string& key) { return parseColumnName(key).unit; }
 
   /// Returns the unit of a column; the user's choice overrides the file.
   DmaColumnFact factOf(const TextBlock& block, std::size_t column,
