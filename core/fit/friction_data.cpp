@@ -109,12 +109,6 @@ std::optional<Quantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);
 }
 
-/// The name and unit of a column.
-TextColumn columnNamed(const std::string& text) {
-  const TextColumn whole = parseColumnName(text);
-  return {whole.name, whole.unit, false};
-}
-
 /// Words in the order in which they stand: "velocity (mm/s) mu" has three.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string_view> fields;
@@ -136,7 +130,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
   std::string text;
   for (std::size_t i = begin; i < std::min(words.size(), begin + kMostWords); ++i) {
     text += (text.empty() ? "" : " ") + words[i];
-    TextColumn column = columnNamed(text);
+    TextColumn column = parseColumnName(text);
     if (!findMeaning(column.name, column.unit)) continue;
     made.push_back(std::move(column));
     findNames(words, i + 1, count, made, ways);
@@ -151,7 +145,7 @@ bool namesQuantity(const std::string& line) {
     std::string text;
     for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
       text += (text.empty() ? "" : " ") + words[j];
-      const TextColumn column = columnNamed(text);
+      const TextColumn column = parseColumnName(text);
       const auto quantity = findMeaning(column.name, column.unit);
       if (quantity && quantity != Quantity::Label && column.name.size() > 1) return true;
     }
