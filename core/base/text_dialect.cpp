@@ -159,7 +159,8 @@ std::string_view lineBefore(const Sample& sample, std::size_t firstRow) {
   return {};
 }
 
-/// Returns whether each comma between whole numbers, or every second one, is a decimal mark.
+/// Returns the dialect of whole numbers with commas between them: each comma, every second one or
+/// none is a decimal mark.
 TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   const TextDialect comma{Separator::Comma, '.'};
   if (fit.columns % 2 != 0) return comma;

@@ -113,7 +113,7 @@ bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
   return std::isfinite(curve.ofFamily) && sizeOfFamily(set) > kFewCurves;
 }
 
-/// Adds the meaning of the colours of a large family.
+/// Returns the meaning of the colours of a large family; nothing for other sets.
 std::optional<DiagramRamp> rampOf(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
@@ -323,7 +323,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   return diagram;
 }
 
-/// Returns the axes without what is drawn on them.
+/// Sets title, unit, scale and range of both axes.
 void setAxes(Diagram& diagram, const CurveSet& set) {
   const bool isPhysical = set.axes == CurveAxes::Physical;
   const Parameter& row = sweptParameter(set.present.scene);

@@ -32,13 +32,12 @@ std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
   return points;
 }
 
-/// Returns the relative error of the computed friction that follows from the errors of the
-/// parameters.
+/// The relative error of the computed friction that follows from the errors of the parameters.
 struct RelativeError {
   double velocity = 0, value = 0;
 };
 
-/// Returns the points in the order of rising velocities.
+/// Returns the errors at all measured points, in the order of rising velocities.
 std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   std::vector<RelativeError> errors;
   std::size_t i = 0;
@@ -98,7 +97,8 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
   return parted;
 }
 
-/// A logarithmic axis of little more than a decade would have at most one number.
+/// Returns a linear scale where a logarithmic axis would have at most one number, because it spans
+/// little more than a decade.
 AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& profile) {
   constexpr double kWide = 30;
   if (!parameter.isLogarithmic || profile.values.empty()) return AxisScale::Linear;

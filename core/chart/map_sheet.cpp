@@ -275,8 +275,8 @@ DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
 /// Returns the position at which the name of a region has the most space: away from the borders of
 /// the region, the edges of the map and the lines of the cross; of several positions with enough
 /// space the one nearest to the middle.
-DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
-                         const Diagram& diagram, bool velocityIsX) {
+DiagramPoint positionOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
+                            const Diagram& diagram, bool velocityIsX) {
   constexpr std::array kParts{0.5, 0.4, 0.6, 0.3, 0.7};  // of the region's width
   constexpr double kEnough = 0.07;                       // of the side of the map
   const DiagramAxis& along = velocityIsX ? diagram.x : diagram.y;
@@ -328,7 +328,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     constexpr std::array<const char*, 4> names{"I", "II", "III", "IV"};
     for (std::size_t number = 0; number < 4; ++number) {
       if (regions.cuts[number].size() < 3) continue;
-      const DiagramPoint at = placeOfName(regions.cuts[number], given, diagram, isX);
+      const DiagramPoint at = positionOfName(regions.cuts[number], given, diagram, isX);
       diagram.labels.push_back({Message::name(names[number]), at.x, at.y});
     }
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "

@@ -109,14 +109,14 @@ std::optional<Quantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);
 }
 
-/// Words in the order in which they stand: "velocity (mm/s) mu" has three.
+/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string_view> fields;
   splitFields(text, TextDialect::Separator::Blanks, fields);
   return {fields.begin(), fields.end()};
 }
 
-/// All ways to make so many known columns of the words from `begin` on.
+/// Finds all ways to make so many known columns of the words from `begin` on.
 void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
                std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
   constexpr std::size_t kMostWords = 6, kMostWays = 2;
@@ -138,7 +138,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
   }
 }
 
-/// Whether some words of the line name a quantity.
+/// Returns whether some words of the line name a quantity.
 bool namesQuantity(const std::string& line) {
   const std::vector<std::string> words = wordsOf(line);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -265,8 +265,8 @@ class Reader {
     }
   }
 
-  /// Bounds of a quantity, and a load or temperature with words that are not understood while no
-  /// other column gives it: leaving these out would change the result.
+  /// Throws InputError for bounds of a quantity, and for a load or temperature with words that are
+  /// not understood while no other column gives it: leaving these out would change the result.
   void refuseUnclear(const TextColumn& column) const {
     if (findMeaning(column) || column.isText) return;
     std::string text = column.name;
@@ -314,7 +314,7 @@ class Reader {
     }
   }
 
-  /// Adds notes on how the columns were understood, and which ones were ignored.
+  /// Returns notes on how the columns were understood, and which ones were ignored.
   std::vector<Message> notes() const {
     std::vector<Message> notes{columns_.front().note};
     for (std::size_t i = 1; i < columns_.size(); ++i)

@@ -209,8 +209,8 @@ class States {
   }
 
  private:
-  /// The lines and groups of neighbouring states come first, because a state is likely to belong to
-  /// them.
+  /// Adds a state to its lines and its group. Those of the last states are tried first, because a
+  /// state is likely to belong to them.
   void add(std::size_t index) {
     const Scene& scene = states_[index];
     const std::int64_t points = curvePointsPerElement(scene);

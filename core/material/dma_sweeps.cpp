@@ -24,7 +24,7 @@ bool isModulus(DmaQuantity quantity) {
   return quantity == Storage || quantity == Loss || quantity == Magnitude;
 }
 
-/// The columns of one temperature in a table of several.
+/// Returns whether the quantity is a modulus or part of one, which each sweep has for itself.
 bool isMeasured(DmaQuantity quantity) {
   return isModulus(quantity) || quantity == LossTangent || quantity == Phase;
 }

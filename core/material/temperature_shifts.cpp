@@ -297,8 +297,7 @@ std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep&
               celsius(colder.temperature), celsius(warmer.temperature)));
 }
 
-/// Returns the shifts that follow from both moduli, and from each alone; the latter start from the
-/// first.
+/// The shifts that follow from both moduli, and from each alone; the latter start from the first.
 struct NeighbourShifts {
   Overlap both;
   Estimate storage{kNaN, kNaN}, loss{kNaN, kNaN};

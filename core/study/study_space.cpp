@@ -21,7 +21,7 @@ std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ (bits >> 31);
 }
 
-/// A random number that belongs to a seed, an axis and an index.
+/// Returns the random number that belongs to a seed, an axis and an index.
 std::uint64_t randomBits(std::int64_t seed, std::size_t axis, std::uint64_t index) {
   return mixed(mixed(mixed(static_cast<std::uint64_t>(seed)) + axis) + index);
 }
