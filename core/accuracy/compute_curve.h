@@ -1,11 +1,12 @@
 // The friction curve of a scene, computed in one way for every caller: the window's runner, the
-// commands curve, render and batch, and curves drawn beside another one. Options of a caller
-// (number of lines, scheme, target accuracy, velocities) are set in the scene, which is a plain
-// value. Progress and cancelling use CurveOptions only: `progress` is called with the points so
-// far, `stop` ends the computation within a pass over a line.
+// commands curve, render and batch, and curves drawn beside another one. A caller sets the
+// number of lines, scheme, target accuracy and velocities in the scene, which is a plain value.
+// CurveOptions are for progress and cancelling: `progress` is called with the points so far, and
+// `stop` ends the computation within a pass over a line.
 //
 // The paper's figures read slopes and plateaus with their uncertainties from many loads at once;
-// they need the averages of groups of lines and therefore use `Study` (core/friction/study.h).
+// they need the means of groups of lines and therefore use `GroupedMeans`
+// (core/friction/jackknife.h).
 // Threading, failure: as frictionCurve.
 #pragma once
 

@@ -62,9 +62,8 @@ void addLine(Explanation& explanation) {
       elastomerNotes(scene.elastomer, source, excitation.shareNotMeasured(scene.sliding.velocity)));
 }
 
-/// Returns a curve over velocity that costs as much as the scene's curve over another key: all
-/// points on the same lines where only their scaling differs, else one point that is computed
-/// `times` times.
+/// A curve over velocity that costs as much as the scene's curve over another key: all points on
+/// the same lines where only their scaling differs, else one point that is computed `times` times.
 struct EqualCost {
   Scene scene;
   double times = 1;

@@ -1,5 +1,6 @@
-// A plan and its expected cost, like a database's EXPLAIN, in machine-readable form;
-// app/explanation_text.h has it as text. Pure; any thread.
+// What a run of a scene does and costs, like EXPLAIN of a database: its stages, its line and load,
+// and its predicted time, memory and errors, as values and as JSON. app/commands/explain.cpp prints
+// them as text. Threading: one thread at a time (time is measured). Failure: as predictCurve.
 #pragma once
 
 #include <optional>
@@ -17,13 +18,13 @@ namespace asperity {
 /// The measured cost of a run, to compare with the prediction.
 struct Measurement {
   double seconds = 0;
-  double memory = 0;  // bytes by which the process grew; 0 where it did not
+  double memory = 0;  // bytes by which the peak memory of the process grew
   ErrorBudget error;
 };
 
 struct Explanation {
   Scene scene;
-  std::string verb;  // "curve" or "render"
+  std::string verb;  // the command that it explains: "curve" or "render"
   std::vector<PlanStage> stages;
   /// Velocity in m/s above which few summits carry the load (core/chart/curve_regions.h); NaN:
   /// none.
@@ -39,15 +40,17 @@ struct Explanation {
   std::optional<MapCost> map{};  // of a map over two parameters, where one is asked for
 };
 
-/// Returns the plan of `curve` for steady sliding, else of `render`, with the prediction of a
-/// curve; core/run/motion_accuracy.h adds that of a motion.
+/// Explains `curve` with a prediction where the scene slides steadily, else `render` without one.
+/// explainRun (core/run/motion_accuracy.h) adds the prediction of a motion. threads: 0 means as
+/// many as the machine has.
 Explanation explain(const Scene& scene, int threads = 0);
 
 /// Returns the theories that the scene chooses beside its curve; none where it leaves the choice to
 /// the program.
 std::vector<Theory> theoriesBeside(const Scene& scene);
 
-/// Runs the curve and fills `measured`. It does nothing for a motion that is not steady.
+/// Runs the curve and fills `measured`. It does nothing where `explanation` has no prediction of a
+/// curve; analyzeRun (core/run/motion_accuracy.h) runs motions as well.
 void analyze(Explanation& explanation, int threads = 0);
 
 std::string explanationJson(const Explanation& explanation);

@@ -21,10 +21,10 @@ struct VelocityState {
   double velocity = 0;
   Halves halves{std::vector<LevelSums>(kMostLevels), std::vector<LevelSums>(kMostLevels)};
   std::vector<double> friction;  // of the scene's only line, on levels 0, 1, ...
-  CurveAverages facts;           // all averages except for mu
+  CurveAverages facts;           // averages of all columns but mu
   LevelPlan plan;
-  /// Minimum numbers of lines, for a plan whose error came out too large; of each half, as in the
-  /// plan.
+  /// Minimum numbers of lines in the next plan, because the error of the last one was too large; of
+  /// each half, as in the plan.
   std::array<std::vector<std::int64_t>, 2> least;
   int known = 0;  // number of sampled levels
   bool isPlanned = false;
@@ -86,7 +86,7 @@ class LevelSampler {
   const Scene& scene_;
   const CurveOptions& options_;
   const Profile* profile_;
-  // one for each allowed level, made when needed
+  // [level], each made when it is needed
   std::vector<std::unique_ptr<LineSource>> sources_;
   std::array<std::int64_t, 4 * kMostLevels> done_{};  // lines of each stratum
   SamplingCost cost_;

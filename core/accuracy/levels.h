@@ -44,7 +44,7 @@ inline constexpr std::size_t otherHalf(std::size_t half) {
 struct LevelPlan {
   int first = 0, last = 0;                         // s and the finest level
   std::array<std::vector<std::int64_t>, 2> lines;  // of each half on level first, ... last
-  double operations = 0;                           // counted, of the plan
+  double operations = 0;                           // nodes passed over in the whole plan
   double plainOperations = 0;                      // for plain averaging on the finest level
   double resolutionError = 0;                      // absolute error of the finest level
 };

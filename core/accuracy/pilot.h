@@ -29,7 +29,7 @@ struct PilotScene {
   /// Makes the run's own line, with the size in `extent`.
   PilotScene(const Scene& its, const LineExtent& extent);
 
-  /// Elements per period.
+  /// Returns the number of elements per period.
   double elements() const { return static_cast<double>(scene.surface.elements); }
   /// Returns the operations to prepare one line and do `perPoint` more at each of its points;
   /// `points`: number of points per element.
@@ -55,7 +55,7 @@ struct PilotPlan {
   /// As many velocities as the run's kernel computes side by side, to measure time only; empty
   /// where the pilot cannot afford them.
   std::vector<double> timedVelocities{};
-  double operations = 0;     // counted, of the pilot
+  double operations = 0;     // of the pilot
   double runOperations = 0;  // of the run on one thread
 };
 

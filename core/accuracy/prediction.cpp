@@ -23,7 +23,7 @@ namespace {
 /// a transform has more steps.
 constexpr double kSlowdownOfDoubling = 0.08;
 constexpr std::int64_t kTargetVelocities = 9;
-/// Operations of one point: some lines on two levels at all those velocities.
+/// Operations per point of a target curve's pilot: some lines on two levels at kTargetVelocities.
 constexpr double kOperationsOfTarget = 5;
 constexpr std::int64_t kMostMeasuredNodes = std::int64_t{1} << 26;  // of the line used as reference
 

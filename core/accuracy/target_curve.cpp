@@ -199,9 +199,9 @@ class Targeting {
 
   static std::int64_t missing(const VelocityState& state, std::size_t half, int level) {
     if (level < state.plan.first || level > state.plan.last) return 0;
-    const auto place = static_cast<std::size_t>(level - state.plan.first);
+    const auto index = static_cast<std::size_t>(level - state.plan.first);
     return std::max<std::int64_t>(
-        0, state.plan.lines[half][place] - state.sampled(half, level).count());
+        0, state.plan.lines[half][index] - state.sampled(half, level).count());
   }
 
   static bool isComplete(const VelocityState& state) {

@@ -41,7 +41,7 @@ struct TargetCurve {
 /// used.
 TargetCurve targetCurve(const Scene& scene, const CurveOptions& options = {});
 
-/// Prediction of the whole run from the pilot of a target curve.
+/// The whole run of a target curve as predicted from its pilot.
 struct TargetPlan {
   double operations = 0;          // nodes passed over after the pilot
   double secondsOfPilot = 0;      // processor time
@@ -55,7 +55,7 @@ struct TargetPlan {
   double largestResidual = 0;
 };
 
-/// profile: replaces that in the scene's file.
+/// Runs the pilot and predicts the run. profile: replaces that in the scene's file.
 TargetPlan planTarget(const Scene& scene, const std::stop_token& stop = {},
                       const Profile* profile = nullptr);
 

@@ -81,6 +81,7 @@ struct WorkPrecisionOptions {
   std::function<void(double part)> progress;
 };
 
+/// Compares all methods on the scene's lines.
 WorkPrecision workPrecision(const Scene& scene, const WorkPrecisionOptions& options = {});
 
 }  // namespace asperity

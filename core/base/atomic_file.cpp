@@ -69,32 +69,32 @@ class NoInterruption {
 /// the same file removes what they leave.
 class UnfinishedNames {
  public:
-  /// Returns a place for a name that a file is about to get, or -1. removeAll() waits until
+  /// Returns a slot for a name that a file is about to get, or -1. removeAll() waits until
   /// settle().
   int claim(const std::string& name) {
     waitIfEnding();
-    if (name.size() >= sizeof Place::name) return -1;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (name.size() >= sizeof Slot::name) return -1;
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
       State free = State::Free;
-      if (!places_[i].state.compare_exchange_strong(free, State::Claimed)) continue;
-      if (isEnding_) places_[i].state = State::Free;
+      if (!slots_[i].state.compare_exchange_strong(free, State::Claimed)) continue;
+      if (isEnding_) slots_[i].state = State::Free;
       waitIfEnding();
-      std::memcpy(places_[i].name, name.c_str(), name.size() + 1);
+      std::memcpy(slots_[i].name, name.c_str(), name.size() + 1);
       return static_cast<int>(i);
     }
     return -1;
   }
-  void settle(int place, bool hasName) {
-    if (place >= 0)
-      places_[static_cast<std::size_t>(place)].state = hasName ? State::Listed : State::Free;
+  void settle(int slot, bool hasName) {
+    if (slot >= 0)
+      slots_[static_cast<std::size_t>(slot)].state = hasName ? State::Listed : State::Free;
   }
   void removeAll() {
     constexpr timespec kMoment{0, 1000000};
     isEnding_ = true;
-    for (Place& place : places_) {
-      for (int moments = 0; place.state == State::Claimed && moments < 1000; ++moments)
+    for (Slot& slot : slots_) {
+      for (int moments = 0; slot.state == State::Claimed && moments < 1000; ++moments)
         ::nanosleep(&kMoment, nullptr);
-      if (place.state == State::Listed) ::unlink(place.name);
+      if (slot.state == State::Listed) ::unlink(slot.name);
     }
   }
   void waitIfEnding() const {
@@ -103,11 +103,11 @@ class UnfinishedNames {
 
  private:
   enum class State { Free, Claimed, Listed };
-  struct Place {
+  struct Slot {
     std::atomic<State> state{State::Free};
     char name[PATH_MAX];
   };
-  std::array<Place, 32> places_;
+  std::array<Slot, 32> slots_;
   std::atomic<bool> isEnding_{false};
 };
 UnfinishedNames unfinishedNames;

@@ -50,7 +50,7 @@ class AtomicFile {
   std::string name_;
   int descriptor_ = -1;
   bool hasName_ = false;
-  int listed_ = -1;  // place in the list of hidden names of unfinished files
+  int listed_ = -1;  // slot in the list of hidden names of unfinished files
 };
 
 /// Removes the hidden names of all files that are being written, for a process that is about to

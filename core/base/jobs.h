@@ -1,4 +1,4 @@
-// The number of threads that is meant, and numbered jobs on oneTBB's threads and the caller's.
+// The number of threads to use, and numbered jobs on oneTBB's threads and the caller's.
 // Every job sees the caller's earlier writes, and the caller and later jobs see the writes of jobs:
 // an atomic of this class ensures it, because race detectors cannot see the synchronization inside
 // oneTBB's library.
@@ -14,7 +14,7 @@
 
 namespace asperity {
 
-/// Returns the number of threads that is meant: as many as the machine has for 0.
+/// Returns the number of threads to use: `wanted`, or as many as the machine has for 0.
 inline int threadCount(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

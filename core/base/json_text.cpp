@@ -62,11 +62,11 @@ class Reader : public nlohmann::json_sax<Json> {
 
   bool key(std::string& name) override {
     checkDepth();
-    Place& place = places_.back();
-    place.key = name;
-    if (place.value->contains(name))
+    Level& level = levels_.back();
+    level.key = name;
+    if (level.value->contains(name))
       throw InputError("", path(), "stands twice in the same object");
-    if (place.value->size() == kMostKeys)
+    if (level.value->size() == kMostKeys)
       throw InputError("", path(), message("an object has more than {} keys", kMostKeys));
     return true;
   }
@@ -81,28 +81,28 @@ class Reader : public nlohmann::json_sax<Json> {
 
  private:
   /// An object or a list that is not closed yet.
-  struct Place {
+  struct Level {
     Json* value;
     std::string key;  // present key of an object
   };
 
   void checkDepth() const {
-    if (static_cast<int>(places_.size()) > deepest_)
+    if (static_cast<int>(levels_.size()) > deepest_)
       throw InputError("", path(), "is nested too deeply");
   }
 
   Json& put(Json value) {
     checkDepth();
-    if (places_.empty()) return root_ = std::move(value);
-    const Place& place = places_.back();
-    if (place.value->is_object()) return (*place.value)[place.key] = std::move(value);
-    place.value->push_back(std::move(value));
-    return place.value->back();
+    if (levels_.empty()) return root_ = std::move(value);
+    const Level& level = levels_.back();
+    if (level.value->is_object()) return (*level.value)[level.key] = std::move(value);
+    level.value->push_back(std::move(value));
+    return level.value->back();
   }
 
   /// Returns whether the parser continues: not after the wanted member.
   bool goesOn() const {
-    return !wanted_ || places_.size() != 1 || !root_.is_object() || places_[0].key != *wanted_;
+    return !wanted_ || levels_.size() != 1 || !root_.is_object() || levels_[0].key != *wanted_;
   }
 
   bool take(Json value) {
@@ -110,25 +110,25 @@ class Reader : public nlohmann::json_sax<Json> {
     return goesOn();
   }
   bool open(Json value) {
-    places_.push_back({&put(std::move(value)), {}});
+    levels_.push_back({&put(std::move(value)), {}});
     return true;
   }
   bool close() {
-    places_.pop_back();
+    levels_.pop_back();
     return goesOn();
   }
 
   std::string path() const {
     std::string path;
-    for (const Place& place : places_)
-      if (place.value->is_object()) path += (path.empty() ? "" : ".") + shortened(place.key);
+    for (const Level& level : levels_)
+      if (level.value->is_object()) path += (path.empty() ? "" : ".") + shortened(level.key);
     return path;
   }
 
   int deepest_;
   const std::string* wanted_;
   Json root_;
-  std::vector<Place> places_;
+  std::vector<Level> levels_;
 };
 
 std::string_view withoutBlanks(std::string_view text) {

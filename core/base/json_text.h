@@ -1,5 +1,5 @@
-// JSON that a user wrote: scenes and batches. Refuses errors that a parser would accept silently.
-// Besides, numbers of JSON that the program writes. Pure; any thread.
+// Reads JSON that a user wrote, such as scenes and batches, and refuses errors that a parser would
+// accept silently. Also writes numbers of JSON. Pure; any thread.
 #pragma once
 
 #include <nlohmann/json.hpp>

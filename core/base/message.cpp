@@ -88,7 +88,7 @@ Message notOneOf(std::string_view given, std::span<const std::string_view> known
 
 namespace detail {
 
-Places::Places(std::string_view format) {
+Placeholders::Placeholders(std::string_view format) {
   for (std::size_t i = 0; i < format.size(); ++i) {
     const char letter = format[i];
     if ((letter == '{' || letter == '}') && i + 1 < format.size() && format[i + 1] == letter) {

@@ -70,8 +70,8 @@ Message notOneOf(std::string_view given, std::span<const std::string_view> known
 namespace detail {
 
 /// Splits "waves above {:.3g} m" into "waves above %1 m" and {"{:.3g}"}.
-struct Places {
-  explicit Places(std::string_view format);
+struct Placeholders {
+  explicit Placeholders(std::string_view format);
 
   std::string form;
   std::vector<std::string> formats;
@@ -98,10 +98,10 @@ Message messageValue(const std::string& format, const Value& value) {
 template <class... Values>
 Message message(fmt::format_string<const Values&...> format, const Values&... values) {
   const fmt::string_view view = format;
-  detail::Places places({view.data(), view.size()});
-  Message made(std::move(places.form));
+  detail::Placeholders placeholders({view.data(), view.size()});
+  Message made(std::move(placeholders.form));
   std::size_t i = 0;
-  (made.values.push_back(detail::messageValue(places.formats[i++], values)), ...);
+  (made.values.push_back(detail::messageValue(placeholders.formats[i++], values)), ...);
   return made;
 }
 

@@ -1,4 +1,4 @@
-// Processor time of the calling thread: the cost of work independent of other programs' load.
+// Processor time of the calling thread: the cost of work, whatever else the machine does.
 #pragma once
 
 #include <ctime>

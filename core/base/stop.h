@@ -1,4 +1,4 @@
-// How work ends that its caller stops by a std::stop_token.
+// The exception by which work ends after its caller has requested a stop by a std::stop_token.
 #pragma once
 
 #include <stop_token>

@@ -43,9 +43,9 @@ Sample sampleOf(std::string_view text) {
   take(text);
   sample.ofBeginning = sample.lines.size();
   if (text.size() <= kStretch) return sample;
-  for (const std::size_t place : {text.size() / 4, text.size() / 2, text.size() / 4 * 3,
-                                  text.size() - std::min(text.size(), kStretch / 8)}) {
-    std::string_view rest = text.substr(place);
+  for (const std::size_t offset : {text.size() / 4, text.size() / 2, text.size() / 4 * 3,
+                                   text.size() - std::min(text.size(), kStretch / 8)}) {
+    std::string_view rest = text.substr(offset);
     takeLine(rest);  // is cut off
     take(rest);
   }
@@ -159,7 +159,8 @@ std::string_view lineBefore(const Sample& sample, std::size_t firstRow) {
   return {};
 }
 
-/// Returns whether each comma between whole numbers, or every second one, is a decimal mark.
+/// Returns the dialect of whole numbers with commas between them: each comma, every second one or
+/// none is a decimal mark.
 TextDialect ofWholeNumbers(const Sample& sample, const Fit& fit) {
   const TextDialect comma{Separator::Comma, '.'};
   if (fit.columns % 2 != 0) return comma;

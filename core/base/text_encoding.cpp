@@ -10,8 +10,8 @@
 namespace asperity {
 namespace {
 
-unsigned char byteAt(std::string_view text, std::size_t place) {
-  return static_cast<unsigned char>(text[place]);
+unsigned char byteAt(std::string_view text, std::size_t index) {
+  return static_cast<unsigned char>(text[index]);
 }
 
 void appendUtf8(std::string& text, std::uint32_t code) {

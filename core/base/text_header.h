@@ -1,8 +1,9 @@
-// The lines of a text table that are not rows: `key: value`, and names and units above the columns.
+// The lines of a text table that are not rows: names and units above the columns, and `key: value`.
 // Pure; any thread.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,17 @@ std::size_t keyEnd(std::string_view line);
 
 /// Reads the key and the value of a line.
 TextEntry parseEntry(const TextLine& line, const TextDialect& dialect);
+
+/// Separates the name of a column and its unit: "x (mm)", "z/um", "Height [\u00B5m]", "freq_Hz", "x
+/// in mm", "x, mm", "x mm", "X_(microns)". In round brackets, behind a stroke, a blank or "_" only
+/// a known unit counts; the text in square brackets at the end is always a unit.
+TextColumn parseColumnName(std::string_view text);
+
+/// Splits a line of names for `columns` columns. The names may be separated differently from the
+/// numbers: the first separator that gives this number of names is used; none where there is no
+/// such separator. A unit behind a blank stays with its name.
+std::vector<std::string> splitNames(std::string_view line, const TextDialect& dialect,
+                                    std::size_t columns);
 
 /// Returns the columns of a block with their names and units from the lines above it. first: the
 /// fields of its first row.

@@ -11,7 +11,6 @@
 #include "core/base/text.h"
 #include "core/base/text_encoding.h"
 #include "core/base/text_header.h"
-#include "core/base/text_names.h"
 #include "core/base/text_number.h"
 
 namespace asperity {
@@ -267,9 +266,9 @@ class TableReader {
       const double value = last.values[i];
       if (!std::isnan(value) && value != 0 && value != 1) hasNumbers[i % columns] = true;
     }
-    for (const std::size_t place : flags_)
-      if (hasNumbers[place % columns])
-        last.values[place] = std::numeric_limits<double>::quiet_NaN();
+    for (const std::size_t index : flags_)
+      if (hasNumbers[index % columns])
+        last.values[index] = std::numeric_limits<double>::quiet_NaN();
     flags_.clear();
   }
 
@@ -380,7 +379,7 @@ class TableReader {
   std::vector<std::string_view> fields_;
   std::vector<Field> kinds_;
   std::vector<double> row_;
-  std::vector<std::size_t> flags_;  // places in the last block's values of words such as "valid"
+  std::vector<std::size_t> flags_;  // indices in the last block's values of words such as "valid"
   std::size_t blankLines_ = 0;      // since the last row
   std::vector<std::pair<std::size_t, std::size_t>> blanks_;  // rows of it behind so many of them
 };
@@ -431,7 +430,7 @@ void undoLogarithms(TextTable& table, const std::function<bool(const std::string
       if (found == std::end(kLogarithms) || column.isText) continue;
       std::string_view rest = std::string_view(column.name).substr(found->first.size());
       rest = trimmedBlanks(rest.substr(std::min(rest.find_first_not_of("_ "), rest.size())));
-      const ColumnName inner = columnName(withoutBrackets(rest));
+      const TextColumn inner = parseColumnName(withoutBrackets(rest));
       if (!isQuantity(inner.name)) continue;
       const std::string unit = inner.unit.empty() ? column.unit : inner.unit;
       column = {inner.name, unit, false};

@@ -157,7 +157,7 @@ void addComparisons(CurveSet& set, std::vector<FrictionData> data, const StateOp
     MeasuredCurve curve;
     std::vector<Scene> states;
     for (const MeasuredPoint& point : table.points) {
-      curve.places.push_back(measuredAbscissa(point, scene));
+      curve.abscissas.push_back(measuredAbscissa(point, scene));
       states.push_back(sceneAtPoint(point, scene));
     }
     SteadyStates found = slideStates(states, options);

@@ -27,7 +27,7 @@ class Grid {
   }
 
   /// Returns the point at which a side crosses the level.
-  ContourPoint placeOn(std::size_t side) const {
+  ContourPoint pointOn(std::size_t side) const {
     const bool isAlongY = side >= columns() * rows();
     const std::size_t node = isAlongY ? side - columns() * rows() : side;
     const std::size_t i = node % columns(), j = node / columns();
@@ -130,9 +130,9 @@ std::vector<ContourLine> contourLines(std::span<const double> x, std::span<const
   for (const std::vector<std::size_t>& sides : Joining(pieces).lines()) {
     ContourLine line;
     for (const std::size_t side : sides) {
-      const ContourPoint place = grid.placeOn(side);
+      const ContourPoint point = grid.pointOn(side);
       // A level that runs through a node is crossed on several sides in the same place.
-      if (line.empty() || !(place == line.back())) line.push_back(place);
+      if (line.empty() || !(point == line.back())) line.push_back(point);
     }
     if (line.size() > 1) lines.push_back(std::move(line));
   }

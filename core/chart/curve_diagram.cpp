@@ -113,7 +113,7 @@ bool isOnRamp(const NamedCurve& curve, const CurveSet& set) {
   return std::isfinite(curve.ofFamily) && sizeOfFamily(set) > kFewCurves;
 }
 
-/// Adds the meaning of the colours of a large family.
+/// Returns the meaning of the colours of a large family; nothing for other sets.
 std::optional<DiagramRamp> rampOf(const CurveSet& set) {
   if (set.pinned.empty() || !isOnRamp(set.pinned.front(), set)) return std::nullopt;
   const Parameter& row = *findParameter(set.familyKey);
@@ -134,15 +134,15 @@ DiagramSeries pinnedSeries(const NamedCurve& curve, const CurveSet& set) {
   series.name = curve.name;
   series.id = curve.id;
   if (isOnRamp(curve, set)) {
-    series.ramp = static_cast<double>(curve.place) / static_cast<double>(sizeOfFamily(set) - 1);
+    series.ramp = static_cast<double>(curve.index) / static_cast<double>(sizeOfFamily(set) - 1);
     // Error bars of many curves cover each other.
     for (DiagramPoint& point : series.points) point.low = point.high = kNotApplicable;
     return series;
   }
-  series.colour = pinColour(curve.place);
+  series.colour = pinColour(curve.index);
   // Twelve pairs of marks and strokes, of which the present curve has the first, distinguish curves
   // without colours.
-  const auto number = static_cast<std::size_t>(curve.place) + 1;
+  const auto number = static_cast<std::size_t>(curve.index) + 1;
   series.mark = marks[number % marks.size()];
   series.stroke = strokes[number / marks.size() % strokes.size()];
   return series;
@@ -276,10 +276,10 @@ void addMeasured(Diagram& diagram, const CurveSet& set) {
     const MeasuredCurve& measured = set.measured[k];
     DiagramSeries series = measuredSeries(set, k);
     series.id = kMeasuredCurves - static_cast<int>(k);
-    for (std::size_t i = 0; i < measured.places.size(); ++i) {
+    for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
       const MeasuredPoint& point = measured.data.points[i];
       const double friction = measuredFactor(measured, i, set, factors);
-      series.points.push_back({measured.places[i] * factors.velocity, point.mu * friction,
+      series.points.push_back({measured.abscissas[i] * factors.velocity, point.mu * friction,
                                (point.mu - point.muError) * friction,
                                (point.mu + point.muError) * friction, static_cast<int>(i)});
     }
@@ -311,7 +311,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
         least = std::min(least, point.mu / whole);
         most = std::max(most, point.mu / whole);
       }
-      series.points.push_back({measured.places[i] * factor, point.mu / whole,
+      series.points.push_back({measured.abscissas[i] * factor, point.mu / whole,
                                (point.mu - point.muError) / whole,
                                (point.mu + point.muError) / whole, static_cast<int>(i)});
     }
@@ -323,7 +323,7 @@ Diagram residualDiagram(const CurveSet& set, const DiagramAxis& x) {
   return diagram;
 }
 
-/// Returns the axes without what is drawn on them.
+/// Sets title, unit, scale and range of both axes.
 void setAxes(Diagram& diagram, const CurveSet& set) {
   const bool isPhysical = set.axes == CurveAxes::Physical;
   const Parameter& row = sweptParameter(set.present.scene);

@@ -46,8 +46,9 @@ struct Known {
   std::size_t size() const { return mu.size(); }
 };
 
-/// Regions are found on velocities that are evenly spaced in their logarithm: of a curve over
-/// linearly spaced ones on those that were computed besides them.
+/// Returns the points from which regions are found, whose velocities are evenly spaced in their
+/// logarithm. Beside linearly spaced velocities such points have been computed for this purpose
+/// (logVelocitiesBeside).
 Known knownPart(const Scene& scene, std::span<const CurvePoint> points) {
   const std::vector<double> chosen = logVelocitiesBeside(scene.sweep);
   Known known;

@@ -1,6 +1,6 @@
-// Regions I to IV of a computed friction curve. They are determined from the curve itself by the
-// rule of curve_features.h, and only where the curve shows them; and the range in which few summits
-// carry the load, which is region IV. Pure; any thread.
+// Regions I to IV of a computed friction curve, found from the curve itself by the rule of
+// core/friction/curve_features.h where the curve shows them; and the range of velocities in which
+// few summits carry the load, which is region IV. Pure; any thread.
 //
 // In fast sliding of Kelvin elements every contact is viscous and one-sided, p = 4 eta v |z'|, so
 // that F_N / (4 eta v) is the height which the contacts of one period climb together. Below about
@@ -40,7 +40,7 @@ struct VelocityRange {
   double from = 0, to = 0;  // m/s
 };
 
-/// Part of the rms height that counts as few summits.
+/// Few summits carry the load where F_N / (4 eta v) is below this part of the rms height.
 inline constexpr double kFewSummits = 0.1;
 
 /// The sentence for the shade in a diagram.

@@ -37,10 +37,10 @@ bool showsLaw(const Scene& scene) {
   return std::ranges::find(scene.comparison.theory, Theory::Eq11) != scene.comparison.theory.end();
 }
 
-int pinColour(int place) {
+int pinColour(int index) {
   // The first two colours belong to the present curve and its marker, so they come last.
   constexpr std::array<int, kPinColours> order{2, 3, 6, 5, 4, 7, 8, 1};
-  return order[static_cast<std::size_t>(place % kPinColours)];
+  return order[static_cast<std::size_t>(index % kPinColours)];
 }
 
 AxisScale CurveSet::scaleOfX() const {
@@ -110,11 +110,11 @@ std::string curveSetCsv(const CurveSet& set) {
   const std::string& title = set.present.scene.title;
   addCurve(title.empty() ? "this scene" : title, set.present);
   const AxesFactors factors = axesFactors(set.present.points, CurveAxes::Dimensionless);
-  // place: on the axis.
-  const auto pointAt = [&](double place, double mu) {
+  // x: in the unit of the horizontal axis.
+  const auto pointAt = [&](double x, double mu) {
     CurvePoint point;
-    const double velocity = set.isOfVelocity() ? place : set.present.scene.sliding.velocity;
-    if (!set.isOfVelocity()) point.swept = place;
+    const double velocity = set.isOfVelocity() ? x : set.present.scene.sliding.velocity;
+    if (!set.isOfVelocity()) point.swept = x;
     point.velocity = velocity;
     point.mu = mu;
     point.contactFraction = point.indentation = kNotApplicable;
@@ -122,16 +122,16 @@ std::string curveSetCsv(const CurveSet& set) {
     point.normalizedMu = mu * factors.friction;
     return point;
   };
-  const auto placeAt = [&](const auto& point) {
+  const auto abscissaOf = [&](const auto& point) {
     return set.isOfVelocity() ? point.velocity : point.swept;
   };
   if (showsLaw(set.present.scene))
     for (const CurvePoint& point : set.present.points)
-      addRow("Eq. (11)", pointAt(placeAt(point), point.muLaw));
+      addRow("Eq. (11)", pointAt(abscissaOf(point), point.muLaw));
   for (const TheoryCurve& theory : set.theories)
     for (const TheoryPoint& point : theory.points) {
       if (!point.isInRange || theory.theory == Theory::Eq11) continue;
-      CurvePoint row = pointAt(placeAt(point), point.mu);
+      CurvePoint row = pointAt(abscissaOf(point), point.mu);
       row.contactFraction = point.contactFraction;
       if (!set.isOfVelocity()) {
         row.normalizedMu = point.value(CurveQuantity::NormalizedMu);
@@ -140,8 +140,8 @@ std::string curveSetCsv(const CurveSet& set) {
       addRow(theoryEntry(theory.theory).name, row);
     }
   for (const MeasuredCurve& measured : set.measured)
-    for (std::size_t i = 0; i < measured.places.size(); ++i) {
-      CurvePoint point = pointAt(measured.places[i], measured.data.points[i].mu);
+    for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
+      CurvePoint point = pointAt(measured.abscissas[i], measured.data.points[i].mu);
       point.muStandardError = measured.data.points[i].muError;
       addRow(measured.data.name, point);
     }

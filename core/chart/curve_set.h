@@ -36,7 +36,7 @@ struct NamedCurve {
   Message name;  // "G = 20 MPa": the difference from the present curve, which has no name
   Scene scene;
   std::vector<CurvePoint> points;
-  int place = 0;  // among the pinned curves; it determines colour and mark
+  int index = 0;  // among the pinned curves, from 0; it determines colour and mark
   int id = 1;     // of its series in a diagram; above 0 for pinned curves
   double ofFamily = std::numeric_limits<double>::quiet_NaN();  // its value of the family's key
 };
@@ -52,10 +52,10 @@ struct TheoryCurve {
 struct MeasuredCurve {
   FrictionData data;
   std::vector<CurvePoint> computed;
-  /// Places on the axis. Velocities, m/s: where temperatures differ, all are shifted to that of the
-  /// scene, v a_T(T) / a_T(T_scene) (Grosch, Proc. R. Soc. A 274, 21 (1963)). Over another key: the
-  /// table's own values of it.
-  std::vector<double> places;
+  /// Positions of the points on the horizontal axis. Velocities (m/s) are shifted to the scene's
+  /// temperature, v a_T(T) / a_T(T_scene), where temperatures differ (Grosch, Proc. R. Soc. A 274,
+  /// 21 (1963)). Over another key they are the table's own values of it.
+  std::vector<double> abscissas;
 };
 
 struct CurveSet {
@@ -93,12 +93,13 @@ double ordinate(const CurvePoint& point, const CurveSet& set);
 /// Returns whether the chart shows forces, which its table then has, too.
 bool showsForces(const CurveSet& set);
 
-/// Returns the palette's colour of a pinned curve; colours of different places differ up to
-/// kPinColours.
-inline constexpr int kPinColours = 8;
+/// Returns whether Eq. (11) is drawn beside the curve of a scene.
 bool showsLaw(const Scene& scene);
 
-int pinColour(int place);
+/// Returns the index in the palette of the colour of a pinned curve. The first kPinColours curves
+/// have different colours.
+inline constexpr int kPinColours = 8;
+int pinColour(int index);
 
 /// Returns one row for each point of each curve: the series, all columns of a curve (curve_file.h),
 /// and with a comparison its difference in two more columns. Names of series: the scene's title,

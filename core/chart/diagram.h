@@ -32,9 +32,9 @@ inline double axisPlace(AxisScale scale, double value) {
   if (!hasPlace) return std::numeric_limits<double>::quiet_NaN();
   return scale == AxisScale::Linear ? value : std::log10(value);
 }
-/// Returns the value at a place of the axis.
-inline double axisValue(AxisScale scale, double place) {
-  return scale == AxisScale::Logarithmic ? std::pow(10, place) : place;
+/// Returns the value at a position on the axis.
+inline double axisValue(AxisScale scale, double position) {
+  return scale == AxisScale::Logarithmic ? std::pow(10, position) : position;
 }
 
 struct DiagramAxis {
@@ -92,7 +92,7 @@ struct DiagramMarker {
   double y = std::numeric_limits<double>::quiet_NaN();
   bool isFixed = false;               // moves by itself and cannot be dragged
   bool isFaded = false;               // belongs to an earlier state
-  std::vector<DiagramPoint> trace{};  // its earlier places; interrupted where a point has no place
+  std::vector<DiagramPoint> trace{};  // its earlier positions; one without a place interrupts it
   bool isCross = false;               // with a horizontal line at y, too
 };
 
@@ -120,7 +120,7 @@ struct DiagramContour {
 /// A quantity over the plane of the axes, as colours under everything else, with a colour bar.
 struct DiagramField {
   DiagramAxis colours{};         // title, unit, scale and range of the quantity
-  std::vector<double> x{}, y{};  // places of the grid's columns and rows, rising on their axes
+  std::vector<double> x{}, y{};  // positions of the grid's columns and rows, rising on their axes
   std::vector<double> values{};  // x fastest; NaN: not known, and left blank
   std::vector<DiagramContour> contours{};
 };

@@ -235,7 +235,7 @@ void setFrom(FigureStyle& style, const FigureOption& option, const Json& value,
   if (!refusal.empty()) throw InputError(file, optionKey(option), refusal);
 }
 
-/// Returns the parts of a text that `sentences` joined.
+/// Adds the parts of a text that `sentences` joined.
 void addParts(const Message& text, std::vector<Message>& parts) {
   if (text.text == "%1 %2" && text.values.size() == 2) {
     addParts(text.values[0], parts);

@@ -56,7 +56,7 @@ struct FigureStyle {
   PanelLetters letters = PanelLetters::None;
   std::optional<AxisScale> xScale{}, yScale{};
   std::vector<std::pair<std::string, std::string>> labels{};  // what, text
-  std::vector<std::pair<std::size_t, CurveStyle>> curves{};   // number from 1 on, look
+  std::vector<std::pair<std::size_t, CurveStyle>> curves{};   // number from 1 on, style
 };
 
 /// The pictures that an option applies to: any picture, charts, or friction curves only. Options of

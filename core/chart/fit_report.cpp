@@ -32,18 +32,17 @@ std::vector<MeasuredPoint> allPoints(std::span<const FrictionData> data) {
   return points;
 }
 
-/// Returns the relative error of the computed friction that follows from the errors of the
-/// parameters.
+/// The relative error of the computed friction that follows from the errors of the parameters.
 struct RelativeError {
   double velocity = 0, value = 0;
 };
 
-/// Returns the points in the order of rising velocities.
+/// Returns the errors at all measured points, in the order of rising velocities.
 std::vector<RelativeError> relativeErrors(const Fit& fit, const CurveSet& set) {
   std::vector<RelativeError> errors;
   std::size_t i = 0;
   for (const MeasuredCurve& measured : set.measured)
-    for (const double velocity : measured.places) {
+    for (const double velocity : measured.abscissas) {
       errors.push_back({velocity, fit.bandErrors[i] / totalMu(fit.computed[i])});
       ++i;
     }
@@ -81,9 +80,9 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
     for (std::size_t i = 0; i < table.computed.size(); ++i) {
       const MeasuredPoint& point = table.data.points[i];
       MeasuredCurve& part = parts[loadOf(point)];
-      if (part.places.empty()) loads.push_back(loadOf(point));
+      if (part.abscissas.empty()) loads.push_back(loadOf(point));
       part.data.points.push_back(point);
-      part.places.push_back(table.places[i]);
+      part.abscissas.push_back(table.abscissas[i]);
       part.computed.push_back(table.computed[i]);
     }
     if (parts.size() < 2 || parts.size() > kFew) {
@@ -98,7 +97,8 @@ std::vector<MeasuredCurve> partedByLoad(const std::vector<MeasuredCurve>& tables
   return parted;
 }
 
-/// A logarithmic axis of little more than a decade would have at most one number.
+/// Returns a linear scale where a logarithmic axis would have at most one number, because it spans
+/// little more than a decade.
 AxisScale scaleOf(const FittedParameter& parameter, const ObjectiveProfile& profile) {
   constexpr double kWide = 30;
   if (!parameter.isLogarithmic || profile.values.empty()) return AxisScale::Linear;

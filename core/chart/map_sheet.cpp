@@ -113,10 +113,10 @@ class RisingMap {
   std::vector<std::size_t> columns_, rows_;
 };
 
-std::vector<double> placesOf(const std::vector<double>& values, AxisScale scale) {
-  std::vector<double> places;
-  for (const double value : values) places.push_back(axisPlace(scale, value));
-  return places;
+std::vector<double> positionsOf(const std::vector<double>& values, AxisScale scale) {
+  std::vector<double> positions;
+  for (const double value : values) positions.push_back(axisPlace(scale, value));
+  return positions;
 }
 
 /// Returns scale and range of the colours.
@@ -143,8 +143,8 @@ DiagramAxis colourAxis(const std::vector<double>& values, std::string_view quant
 
 std::vector<DiagramPoint> pointsOf(const ContourLine& line, AxisScale x, AxisScale y) {
   std::vector<DiagramPoint> points;
-  for (const ContourPoint& place : line)
-    points.push_back({axisValue(x, place.x), axisValue(y, place.y)});
+  for (const ContourPoint& point : line)
+    points.push_back({axisValue(x, point.x), axisValue(y, point.y)});
   return points;
 }
 
@@ -195,8 +195,8 @@ DiagramField makeField(const RisingMap& map, const Diagram& diagram, std::string
   if (isLogarithmic)
     for (double& height : heights)
       height = std::isfinite(height) ? std::log10(height) : kNotApplicable;
-  const std::vector<double> x = placesOf(map.x, diagram.x.scale);
-  const std::vector<double> y = placesOf(map.y, diagram.y.scale);
+  const std::vector<double> x = positionsOf(map.x, diagram.x.scale);
+  const std::vector<double> y = positionsOf(map.y, diagram.y.scale);
   // Numbers over many decades are written as on the axes.
   constexpr double kManyDecades = 1e3;
   const bool arePowers = isLogarithmic && field.colours.to > kManyDecades * field.colours.from;
@@ -275,8 +275,8 @@ DiagramSeries borderSeries(std::vector<DiagramPoint> points) {
 /// Returns the position at which the name of a region has the most space: away from the borders of
 /// the region, the edges of the map and the lines of the cross; of several positions with enough
 /// space the one nearest to the middle.
-DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
-                         const Diagram& diagram, bool velocityIsX) {
+DiagramPoint positionOfName(const std::vector<RegionCut>& cuts, const ParameterMap& map,
+                            const Diagram& diagram, bool velocityIsX) {
   constexpr std::array kParts{0.5, 0.4, 0.6, 0.3, 0.7};  // of the region's width
   constexpr double kEnough = 0.07;                       // of the side of the map
   const DiagramAxis& along = velocityIsX ? diagram.x : diagram.y;
@@ -293,16 +293,16 @@ DiagramPoint placeOfName(const std::vector<RegionCut>& cuts, const ParameterMap&
     const double row = part(across, cut.other);
     const double from = part(along, cut.from), to = part(along, cut.to);
     for (const double share : kParts) {
-      const double place = from + share * (to - from);
-      double room = std::min({place - from, to - place, row, 1 - row});
-      if (std::isfinite(crossAlong)) room = std::min(room, std::abs(place - crossAlong));
+      const double position = from + share * (to - from);
+      double room = std::min({position - from, to - position, row, 1 - row});
+      if (std::isfinite(crossAlong)) room = std::min(room, std::abs(position - crossAlong));
       if (std::isfinite(crossAcross)) room = std::min(room, std::abs(row - crossAcross));
       const double worth = std::min(room, kEnough) - 1e-3 * std::abs(row - 0.5);
       if (worth <= most) continue;
       most = worth;
       const double first = axisPlace(along.scale, along.from),
                    last = axisPlace(along.scale, along.to);
-      const double velocity = axisValue(along.scale, first + place * (last - first));
+      const double velocity = axisValue(along.scale, first + position * (last - first));
       best = velocityIsX ? DiagramPoint{velocity, cut.other} : DiagramPoint{cut.other, velocity};
     }
   }
@@ -328,7 +328,7 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
     constexpr std::array<const char*, 4> names{"I", "II", "III", "IV"};
     for (std::size_t number = 0; number < 4; ++number) {
       if (regions.cuts[number].size() < 3) continue;
-      const DiagramPoint at = placeOfName(regions.cuts[number], given, diagram, isX);
+      const DiagramPoint at = positionOfName(regions.cuts[number], given, diagram, isX);
       diagram.labels.push_back({Message::name(names[number]), at.x, at.y});
     }
     return "Dashed: borders of the regions I to IV, each read from the friction curve at one value "
@@ -344,8 +344,8 @@ Message addRegionBorders(Diagram& diagram, const ParameterMap& given, const Risi
                             : kNotApplicable);
     }
   bool isAny = false;
-  for (const ContourLine& line : contourLines(placesOf(map.x, diagram.x.scale),
-                                              placesOf(map.y, diagram.y.scale), heights, 0)) {
+  for (const ContourLine& line : contourLines(positionsOf(map.x, diagram.x.scale),
+                                              positionsOf(map.y, diagram.y.scale), heights, 0)) {
     diagram.series.push_back(borderSeries(pointsOf(line, diagram.x.scale, diagram.y.scale)));
     isAny = true;
   }
@@ -400,8 +400,8 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   const RisingMap rising(map, quantity);
   const MapAxis& along = alongX ? map.x : map.y;
   const MapAxis& across = alongX ? map.y : map.x;
-  const std::vector<double>& places = alongX ? rising.x : rising.y;
-  const std::vector<double> others = placesOf(alongX ? rising.y : rising.x, scaleOf(across));
+  const std::vector<double>& abscissas = alongX ? rising.x : rising.y;
+  const std::vector<double> others = positionsOf(alongX ? rising.y : rising.x, scaleOf(across));
   // The cut is interpolated between the two rows or columns beside the state.
   const auto [least, most] = std::ranges::minmax(across.values);
   const double at =
@@ -418,7 +418,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
   series.colour = 0;
   series.mark = SeriesMark::Circle;
   const std::size_t columns = rising.x.size();
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < abscissas.size(); ++i) {
     const auto value = [&](std::size_t other) {
       return alongX ? rising.values[other * columns + i] : rising.values[i * columns + other];
     };
@@ -427,7 +427,7 @@ Diagram mapCut(const ParameterMap& map, std::string_view quantity, bool alongX) 
     if (std::isfinite(a) && std::isfinite(b))
       between =
           a > 0 && b > 0 && quantity != "exponent" ? a * std::pow(b / a, part) : a + (b - a) * part;
-    series.points.push_back({places[i], between});
+    series.points.push_back({abscissas[i], between});
   }
   diagram.series = {std::move(series)};
   DiagramMarker marker;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kPointsPerDecade = 24;  // of fitted curves
 
-/// Evenly spaced in the logarithm, both ends included.
+/// Returns frequencies that are evenly spaced in their logarithm, both ends included.
 std::vector<double> frequencies(double from, double to) {
   const int count = std::max(2, static_cast<int>(kPointsPerDecade * std::log10(to / from)) + 2);
   std::vector<double> values;
@@ -78,7 +78,7 @@ Diagram isothermDiagram(const Material& material, Message title, const char* uni
   return diagram;
 }
 
-/// Returns the points of the master curve in the colours of their temperatures.
+/// Adds the points of the master curve in the colours of their temperatures.
 void addMasterPoints(const Material& material, Diagram& diagram, Reading reading, SeriesMark mark) {
   std::vector<DiagramSeries> series(material.isotherms.size());
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -203,7 +203,8 @@ NamedSheet masterSheet(const Material& material) {
   return {"master_curve", std::move(sheet)};
 }
 
-/// A logarithmic axis of less than a decade has hardly any numbers.
+/// Returns a linear scale for less than a decade, over which a logarithmic axis has hardly any
+/// numbers.
 AxisScale scaleOfPoints(const Diagram& diagram) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   for (const DiagramSeries& series : diagram.series)

@@ -10,15 +10,15 @@ namespace {
 /// it returns false.
 template <class Take>
 bool forLargestBlocks(const PreparedProfile& line, const Take& take) {
-  for (std::size_t place = 0; place < line.blockCount(0);) {
+  for (std::size_t first = 0; first < line.blockCount(0);) {
     std::size_t level = line.blocks.size() - 1;
     const auto fits = [&] {
       const std::size_t size = std::size_t{1} << (2 * level);
-      return (place & (size - 1)) == 0 && (place >> (2 * level)) < line.blockCount(level);
+      return (first & (size - 1)) == 0 && (first >> (2 * level)) < line.blockCount(level);
     };
     while (!fits()) --level;
-    if (!take(level, place >> (2 * level))) return false;
-    place += std::size_t{1} << (2 * level);
+    if (!take(level, first >> (2 * level))) return false;
+    first += std::size_t{1} << (2 * level);
   }
   return true;
 }

@@ -13,6 +13,7 @@
 namespace asperity {
 namespace {
 
+/// Runs the pass of the line's scheme and returns its sums.
 PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLength,
                 NodeShape* shape = nullptr) {
   return line.scheme == Scheme::Nodal
@@ -20,7 +21,7 @@ PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLeng
              : resolvedPass(line, depth, relaxationLength, Output::Everything, shape);
 }
 
-/// Returns the sums. Complete contact has exactly the length of the line, which a sum of a million
+/// Returns the same. Complete contact has exactly the length of the line, which a sum of a million
 /// lengths misses by rounding.
 PassSums sumsAt(const PreparedProfile& line, double depth, double relaxationLength,
                 bool isComplete) {
@@ -85,7 +86,8 @@ SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& 
   return result;
 }
 
-/// For separate elements the two ways to the forces differ by nature: only the residual counts.
+/// The status follows from the residual alone, because for separate elements the two ways to the
+/// forces differ by nature.
 SteadyResult steadyResult(const PreparedProfile& line, const SlidingConditions& conditions,
                           const NodalBalance& nodal) {
   SteadyResult result = steadyResult(line, conditions, nodal.balance.depth, nodal.sums);
@@ -103,13 +105,13 @@ SteadyStatus balanceStatus(const SteadyResult& result) {
 }
 
 TextError balanceError(const SteadyResult& result, double velocity, const Message& where) {
-  const Message place = sentences({message("at velocity {:.4g} m/s", velocity), where});
+  const Message state = sentences({message("at velocity {:.4g} m/s", velocity), where});
   if (result.residual <= kAcceptedResidual)
     return TextError(message(
         "contact is too short, or moduli are too far apart, for the digits that numbers have, {}",
-        place));
+        state));
   return TextError(
-      message("the force balance is not met {}: relative residual {:.2g}", place, result.residual));
+      message("the force balance is not met {}: relative residual {:.2g}", state, result.residual));
 }
 
 void requireBalance(const SteadyResult& result, double velocity, const Message& where) {

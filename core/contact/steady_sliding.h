@@ -1,6 +1,8 @@
-// Steady sliding of one line at one velocity, with the readable plain pass: results in SI units.
-// Kelvin elements with stiffness 4G and damping 4 eta per length (Li et al. 2013, Eqs. 1 to 4).
-// Every way to a steady state, plain, swept or with arms, makes its SteadyResult here.
+// Steady sliding of one line at one velocity, in SI units: Kelvin elements with stiffness 4G and
+// damping 4 eta per length (Li et al. 2013, Eqs. 1 to 4). The scheme of the line chooses the pass
+// (sumsAt in steady_sliding.cpp): nodalPass for nodal lines, the readable resolvedPass for linear
+// and cubic ones. Every way to a steady state, plain, swept or with arms, makes its SteadyResult
+// here.
 // Threading: functions of their arguments; a PreparedProfile may be shared.
 // Failure: no exception except for that of requireBalance; `status` tells whether the balance was
 // met, `residual` how well.
@@ -18,8 +20,7 @@
 namespace asperity {
 
 /// NotBalanced: the force balance is not met, or the two ways to the normal force differ by more
-/// than kForcesAgree, which means that the numbers have too few digits (a contact of 1e-15 of the
-/// line).
+/// than kForcesAgree. Then the numbers have too few digits, as for a contact of 1e-15 of the line.
 enum class SteadyStatus { Balanced, NotBalanced };
 inline constexpr double kForcesAgree = 1e-4;
 
@@ -48,7 +49,7 @@ struct SteadyResult {
   int passes = 0;
   double residual = 0;          // |F_N - target| / target; with arms also of their periodicity
   double periodicityError = 0;  // elements with arms: relative change over a period
-  double depthAtRest = 0;  // m, with some digits, under that force; in sweeps over resolved lines
+  double depthAtRest = 0;  // m, approximate, under that force; only in sweeps over resolved lines
   double muInterface = 0;  // of local friction, in addition to mu, which belongs to the deformation
   double rmsSlopeLine = 0;  // of the whole line; in realizations, whose slopes may differ
 };
@@ -104,9 +105,9 @@ inline double localFriction(const Interface& interface, double normalForce, doub
   return interface.shearStress * contactLength / normalForce;
 }
 
-/// Local friction at a velocity (m/s, of either sign). Where the scene says so, its shear stress
-/// depends on the velocity: tau = tau_0 exp(-c log10^2(a_T v / v_0)) (Lorenz et al. 2015). At rest
-/// there is none then. temperatureShift: a_T.
+/// Returns local friction at a velocity (m/s, of either sign). Its shear stress depends on the
+/// velocity where the interface has a shearVelocity v_0: tau = tau_0 exp(-c log10^2(a_T v / v_0))
+/// (Lorenz et al. 2015); at rest it is then 0. temperatureShift: a_T.
 Interface interfaceAt(const Interface& interface, double temperatureShift, double velocity);
 Interface interfaceAt(const Scene& scene, double velocity);
 

@@ -1,8 +1,9 @@
-// Steady sliding of a scene: the only place that chooses the computation. Elastic and Kelvin
-// elements have their own, without arms; local friction is added where there is some. Threading:
-// const members may be called by several threads at once.
-// Failure: the constructor throws InputError where the scene's effects exclude each other or it has
-// no steady state; afterwards `status` of a result tells its quality.
+// Steady sliding of a scene on any of its lines. SteadySolver chooses the computation by the
+// elastomer: elements with Maxwell arms go to arms/arm_balance.h, elastic and Kelvin elements to
+// sweep.h (many velocities) or steady_sliding.h (one), which choose the kernel by the line's
+// scheme. It adds local friction where the scene has some. Threading: const members may be called
+// by several threads at once. Failure: the constructor throws InputError where the scene's effects
+// exclude each other or it has no steady state; afterwards `status` of a result tells its quality.
 #pragma once
 
 #include <memory>

@@ -279,6 +279,7 @@ class DepthQueue final : public PassQueue {
   std::array<std::size_t, kMostStreams> columns_{};
 };
 
+/// Runs the passes of a queue with the kernel of the line's scheme, linear or cubic.
 void runPasses(const PreparedProfile& line, PassQueue& queue) {
   if (line.scheme == Scheme::Linear)
     runLinearPasses(line, queue);

@@ -1,7 +1,8 @@
-// One line at many velocities, with the force balance met at each: the computation of every curve.
-// Velocities run side by side in the lanes of the machine's vectors, sharing the line's data; the
-// widest instruction set is chosen at run time.
-// Threading: a function of its arguments. It allocates no memory that depends on the line.
+// One line of elements without arms at many velocities, with the force balance met at each: the
+// work behind friction curves. Velocities run side by side in the lanes of the machine's
+// vectors and share the line's data. The scheme of the line chooses the kernel: runPasses in
+// sweep.cpp runs the passes of linear and cubic lines, sweepNodal solves the balances of nodal
+// ones. Threading: a function of its arguments. It allocates no memory that depends on the line.
 #pragma once
 
 #include <span>

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/friction/jackknife.h"
 #include "core/friction/steady_states.h"
-#include "core/friction/study.h"
 #include "core/scene/parameters.h"
 
 namespace asperity {

@@ -64,8 +64,8 @@ class Information {
   }
 
  private:
-  /// The information below which a direction counts as unknown: this share of the best known one,
-  /// and never 0.
+  /// Returns the information below which a direction counts as unknown: this share of the best
+  /// known one, and never 0.
   double least(double share) const {
     return std::max(share * directions_.eigenvalues().maxCoeff(),
                     std::numeric_limits<double>::min() * 1e10);
@@ -153,15 +153,15 @@ class Fitting {
     return minimize(objective_, start, all_, kIterations, Distance::Logarithm).coordinates;
   }
 
-  /// Whether a minimum leaves so much that another one may be the right one: chi squared far above
-  /// the degrees of freedom, or without errors points that scatter by more than a tenth.
+  /// Returns whether a minimum leaves so much that another one may be the right one: chi squared
+  /// far above the degrees of freedom, or without errors points that scatter by more than a tenth.
   bool isFarOff(const Minimum& found) const {
     constexpr double kFarAbove = 10, kScatter = 0.1;
     const double perFreedom = found.chiSquared / static_cast<double>(fit_.freedom);
     return perFreedom > (hasErrors_ ? kFarAbove : kScatter * kScatter);
   }
 
-  /// Searches again from other places. A parameter may have left the range in which friction
+  /// Searches again from other coordinates. A parameter may have left the range in which friction
   /// answers to it, from where no slope leads back: so each one in turn is set to values over
   /// its slider's whole range, the others as found, and the search goes on from the best of them,
   /// as long as that helps.

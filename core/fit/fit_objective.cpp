@@ -15,7 +15,7 @@
 #include "core/base/input_error.h"
 #include "core/base/statistics.h"
 #include "core/base/stop.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 
 namespace asperity {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/regular_file.h"
-#include "core/base/text_names.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_table.h"
 #include "core/material/dma_columns.h"
@@ -109,20 +109,14 @@ std::optional<Quantity> findMeaning(const TextColumn& column) {
   return findMeaning(column.name, column.unit);
 }
 
-/// The name and unit of a column.
-TextColumn columnNamed(const std::string& text) {
-  const ColumnName whole = columnName(text);
-  return {whole.name, whole.unit, false};
-}
-
-/// Words in the order in which they stand: "velocity (mm/s) mu" has three.
+/// Returns words in the order in which they stand: "velocity (mm/s) mu" has three.
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string_view> fields;
   splitFields(text, TextDialect::Separator::Blanks, fields);
   return {fields.begin(), fields.end()};
 }
 
-/// All ways to make so many known columns of the words from `begin` on.
+/// Finds all ways to make so many known columns of the words from `begin` on.
 void findNames(const std::vector<std::string>& words, std::size_t begin, std::size_t count,
                std::vector<TextColumn>& made, std::vector<std::vector<TextColumn>>& ways) {
   constexpr std::size_t kMostWords = 6, kMostWays = 2;
@@ -136,7 +130,7 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
   std::string text;
   for (std::size_t i = begin; i < std::min(words.size(), begin + kMostWords); ++i) {
     text += (text.empty() ? "" : " ") + words[i];
-    TextColumn column = columnNamed(text);
+    TextColumn column = parseColumnName(text);
     if (!findMeaning(column.name, column.unit)) continue;
     made.push_back(std::move(column));
     findNames(words, i + 1, count, made, ways);
@@ -144,14 +138,14 @@ void findNames(const std::vector<std::string>& words, std::size_t begin, std::si
   }
 }
 
-/// Whether some words of the line name a quantity.
+/// Returns whether some words of the line name a quantity.
 bool namesQuantity(const std::string& line) {
   const std::vector<std::string> words = wordsOf(line);
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string text;
     for (std::size_t j = i; j < std::min(words.size(), i + 3); ++j) {
       text += (text.empty() ? "" : " ") + words[j];
-      const TextColumn column = columnNamed(text);
+      const TextColumn column = parseColumnName(text);
       const auto quantity = findMeaning(column.name, column.unit);
       if (quantity && quantity != Quantity::Label && column.name.size() > 1) return true;
     }
@@ -271,8 +265,8 @@ class Reader {
     }
   }
 
-  /// Bounds of a quantity, and a load or temperature with words that are not understood while no
-  /// other column gives it: leaving these out would change the result.
+  /// Throws InputError for bounds of a quantity, and for a load or temperature with words that are
+  /// not understood while no other column gives it: leaving these out would change the result.
   void refuseUnclear(const TextColumn& column) const {
     if (findMeaning(column) || column.isText) return;
     std::string text = column.name;
@@ -320,7 +314,7 @@ class Reader {
     }
   }
 
-  /// Adds notes on how the columns were understood, and which ones were ignored.
+  /// Returns notes on how the columns were understood, and which ones were ignored.
   std::vector<Message> notes() const {
     std::vector<Message> notes{columns_.front().note};
     for (std::size_t i = 1; i < columns_.size(); ++i)

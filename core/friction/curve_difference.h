@@ -16,7 +16,7 @@
 
 namespace asperity {
 
-/// The setting of the comparison: another way to compute the scene's curve.
+/// Another way to compute the scene's curve, with which it is compared.
 struct CurveSetting {
   Scheme scheme = Scheme::Cubic;
   std::int64_t oversampling = 8;  // always 1 for `nodal`

@@ -24,19 +24,19 @@ LineFit fitLine(std::span<const double> x, std::span<const double> y);
 /// Fits a power law, ln y = intercept + slope ln x; all values positive.
 LineFit fitPower(std::span<const double> x, std::span<const double> y);
 
-/// The velocities at which the curve passes from one region to the next (m/s); NaN where it never
-/// does. Where the maximum lies so high between two points that none of them reaches its
-/// neighbourhood, the parabola through the highest points says where the plateau is.
+/// The velocities at which the curve passes from one region to the next (m/s), by BorderRule; NaN
+/// where it never does. Where the maximum lies so high between two points that none of them reaches
+/// its neighbourhood, the parabola through the highest points says where the plateau is.
 struct RegionBorders {
-  double endOfLinear = 0;  // I to II: this far below its line through region I
-  double toPlateau = 0;    // II to III: this part of the maximum reached
-  double offPlateau = 0;   // III to IV: below this part again
+  double endOfLinear = 0;  // I to II: the curve falls below ofLine of its line through region I
+  double toPlateau = 0;    // II to III: it reaches ofMaximum of its maximum
+  double offPlateau = 0;   // III to IV: it falls below that again
 };
 
-/// The rule that defines a border; the paper gives none.
+/// The rule that defines the borders; the paper gives none.
 struct BorderRule {
-  double ofLine = 0.8;
-  double ofMaximum = 0.95;
+  double ofLine = 0.8;      // part of the straight line through region I
+  double ofMaximum = 0.95;  // part of the maximum
 };
 
 struct CurveMaximum {

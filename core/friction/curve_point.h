@@ -35,11 +35,10 @@ struct CurvePoint {
   double dimensionlessVelocity = kNotApplicable;  // Eq. (13)
   double dimensionlessForce = kNotApplicable;     // Eq. (14)
   std::int64_t realizations = 0;
-  // 95 % confidence interval of mu, including resolution; for curves
-  double muLow = kNotApplicable;
-  double muHigh = kNotApplicable;  // with a target accuracy
-  // of local friction, in addition to mu, where the scene has some
-  double muInterface = kNotApplicable;
+  /// 95 % confidence interval of mu, including the error of the resolution; only for curves with a
+  /// target accuracy.
+  double muLow = kNotApplicable, muHigh = kNotApplicable;
+  double muInterface = kNotApplicable;  // local friction, in addition to mu, where there is some
   /// Mean tangential over mean normal force, where lines carry different forces: at a constant
   /// indentation. mu is the mean of the lines' own ratios.
   double muRatioOfMeans = kNotApplicable;

@@ -2,7 +2,7 @@
 // averaged. Realizations run on all threads; they are summed in their own order, so the result has
 // the same bits for any number of threads.
 // Failure: InputError for a scene that cannot run; std::runtime_error where a force balance is not
-// met. Cancelling ends the work inside a pass, or with the making of a line.
+// met. Cancelling takes effect inside a pass, or after the line that is being made.
 #pragma once
 
 #include <cstdint>
@@ -48,13 +48,15 @@ struct Curve {
 };
 
 /// Returns as many velocities (m/s) as a sweep over velocity has, evenly spaced in their logarithm,
-/// where its own are evenly spaced: those tell nothing of what friction does over the decades below
-/// the second one. Empty for other sweeps.
+/// where its own are evenly spaced: below the second of these friction may change over decades
+/// without a point. Empty for other sweeps.
 std::vector<double> logVelocitiesBeside(const Sweep& sweep);
 
 /// Returns the velocities (m/s) of a curve over velocity, ascending.
 std::vector<double> velocitiesOfCurve(const Sweep& sweep, const CurveOptions& options);
 
+/// Computes the curve over velocity with the number of lines that the scene states.
+/// core/accuracy/compute_curve.h computes curves with a target accuracy or over another key, too.
 Curve frictionCurve(const Scene& scene, const CurveOptions& options = {});
 
 /// Returns the plan of the scene (planStages) with one of its lines made. Only then is it known

@@ -75,7 +75,7 @@ ExcitedWaves excitedWaves(const LineSource& source) {
     ++sum.count;
   }
   std::vector<WaveBand> stretches;
-  for (const auto& [place, sum] : sums) {
+  for (const auto& [interval, sum] : sums) {
     const double wave = std::exp(sum.logWave / sum.strength);
     // A single mode of the long waves covers the distance to its neighbours.
     const double decades = static_cast<double>(sum.count) * lowest / wave / std::numbers::ln10;

@@ -74,9 +74,9 @@ double dimensionlessForce(const LawInput& in) {
 }
 
 double lawPrefactor(double hurst) {
-  const double place = std::clamp(hurst, 0.0, 1.0) * (kBeta.size() - 1);
-  const std::size_t below = std::min(static_cast<std::size_t>(place), kBeta.size() - 2);
-  const double part = place - static_cast<double>(below);
+  const double position = std::clamp(hurst, 0.0, 1.0) * (kBeta.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(position), kBeta.size() - 2);
+  const double part = position - static_cast<double>(below);
   return kBeta[below] + part * (kBeta[below + 1] - kBeta[below]);
 }
 

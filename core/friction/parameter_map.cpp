@@ -106,21 +106,23 @@ double parabolaSlope(const std::array<double, 3>& x, const std::array<double, 3>
 
 /// Returns d ln mu / d ln x along one row; NaN where a logarithm does not exist.
 std::vector<double> exponents(const std::vector<double>& x, std::vector<double> mu) {
-  std::vector<double> places;
-  for (const double value : x) places.push_back(value > 0 ? std::log(value) : kNotApplicable);
+  std::vector<double> logarithms;
+  for (const double value : x) logarithms.push_back(value > 0 ? std::log(value) : kNotApplicable);
   for (double& value : mu) value = std::isgreater(value, 0.0) ? std::log(value) : kNotApplicable;
   std::vector<double> slopes(x.size(), kNotApplicable);
-  const auto isKnown = [&](std::size_t i) { return !std::isnan(places[i]) && !std::isnan(mu[i]); };
+  const auto isKnown = [&](std::size_t i) {
+    return !std::isnan(logarithms[i]) && !std::isnan(mu[i]);
+  };
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!isKnown(i)) continue;
     if (x.size() == 2) {
-      if (isKnown(0) && isKnown(1)) slopes[i] = (mu[1] - mu[0]) / (places[1] - places[0]);
+      if (isKnown(0) && isKnown(1)) slopes[i] = (mu[1] - mu[0]) / (logarithms[1] - logarithms[0]);
       continue;
     }
     const std::size_t first = std::clamp<std::size_t>(i, 1, x.size() - 2) - 1;
     if (isKnown(first) && isKnown(first + 1) && isKnown(first + 2))
-      slopes[i] = parabolaSlope({places[first], places[first + 1], places[first + 2]},
-                                {mu[first], mu[first + 1], mu[first + 2]}, places[i]);
+      slopes[i] = parabolaSlope({logarithms[first], logarithms[first + 1], logarithms[first + 2]},
+                                {mu[first], mu[first + 1], mu[first + 2]}, logarithms[i]);
   }
   return slopes;
 }

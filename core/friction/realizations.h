@@ -3,8 +3,8 @@
 // realization after another in their own order, so sums of them have the same bits for any number
 // of threads. Each line is made once. The first realization comes alone; the balances of all others
 // start from its depths.
-// Failure: std::runtime_error where a force balance is not met, with its place. Cancelling ends the
-// work within one pass over a line.
+// Failure: std::runtime_error where a force balance is not met, which names the velocity and the
+// realization. Cancelling ends the work within one pass over a line.
 #pragma once
 
 #include <cstdint>

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "core/friction/jackknife.h"
 #include "core/friction/steady_states.h"
-#include "core/friction/study.h"
 
 namespace asperity {
 

@@ -62,11 +62,11 @@ double heightRatio(const Surface& surface, const Surface& reference) {
 /// A state in the units of its group.
 struct Member {
   std::size_t state = 0;
-  std::size_t place = 0;         // among the members of its lines
+  std::size_t index = 0;         // among the members of its lines
   double height = 1, force = 1;  // of the state, over those of the lines and the group
   Load load;                     // in these units; a pressure as the force that it means
   double velocity = 0;           // m/s, likewise
-  std::size_t result = 0;        // place among the group's results
+  std::size_t result = 0;        // index among the group's results
 };
 
 /// States of the same law on the same lines, except for units.
@@ -75,7 +75,7 @@ struct Group {
   ElementLaw law;
   std::vector<Member> members;
   std::vector<LoadCase> cases;
-  std::size_t firstResult = 0;  // place of its results among those of its lines
+  std::size_t firstResult = 0;  // index of its results among those of its lines
 };
 
 /// Groups on the same lines, except for the scale of their heights. The unit of height is that of
@@ -175,7 +175,7 @@ class Pieces {
   }
 
   std::vector<RealizationPart> parts_;
-  std::deque<LoadCase> cut_;  // pieces of long cases, in places that stay
+  std::deque<LoadCase> cut_;  // pieces of long cases, which never move in memory
   std::size_t states_ = 0;    // in the newest piece
 };
 
@@ -209,8 +209,8 @@ class States {
   }
 
  private:
-  /// The lines and groups of neighbouring states come first, because a state is likely to belong to
-  /// them.
+  /// Adds a state to its lines and its group. Those of the last states are tried first, because a
+  /// state is likely to belong to them.
   void add(std::size_t index) {
     const Scene& scene = states_[index];
     const std::int64_t points = curvePointsPerElement(scene);
@@ -250,7 +250,7 @@ class States {
     const Scene& scene = states_[index];
     Member member;
     member.state = index;
-    member.place = lines.members++;
+    member.index = lines.members++;
     member.height = heightRatio(scene.surface, lines.groups.front().scene.surface);
     member.force = ratio.modulus * member.height;
     member.velocity = scene.sliding.velocity * ratio.time;
@@ -300,7 +300,7 @@ class States {
         for (const Member& member : group.members) {
           const SteadyResult result =
               inUnitsOf(member, source.length(), all[group.firstResult + member.result]);
-          averages[member.place].add(result);
+          averages[member.index].add(result);
           if (options_.keepsLines)
             found.muOfLines[member.state].push_back(result.mu + result.muInterface);
         }
@@ -335,8 +335,8 @@ class States {
         if (!last || needsWaves) shared = lineProperties(source, scene.elastomer);
         last = &scene;
         CurvePoint& point = found.points[member.state];
-        point = averages[member.place].point(scene.sliding.velocity);
-        LawColumns(scene, shared.scaled(member.height)).addTo(point, averages[member.place]);
+        point = averages[member.index].point(scene.sliding.velocity);
+        LawColumns(scene, shared.scaled(member.height)).addTo(point, averages[member.index]);
       }
     return true;
   }

@@ -10,8 +10,9 @@
 // differ only in these slide on the same lines, several in one kernel call, and equal ones once.
 // Every result is that of the state's own friction curve at its velocity, to rounding.
 //
-// Threading: a function of its arguments, which uses several threads; same bytes for any number.
-// Failure: InputError for a state that cannot run; std::runtime_error where a balance is not met.
+// Threading: a function of its arguments, which uses several threads; the bytes are the same for
+// any number of them. Failure: InputError for a state that cannot run; std::runtime_error where a
+// balance is not met.
 #pragma once
 
 #include <cstdint>
@@ -48,6 +49,7 @@ struct SteadyStates {
   double marginalFraction = 0;  // nodal: part of the balances with a partly loaded element
 };
 
+/// Computes every state.
 SteadyStates slideStates(std::span<const Scene> states, const StateOptions& options = {});
 
 }  // namespace asperity

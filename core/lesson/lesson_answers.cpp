@@ -43,13 +43,13 @@ double stateValue(const Scene& scene, const std::string& column, const CurveOpti
   return finite(curveValue(curve.points.front(), column), column);
 }
 
-struct Place {
+struct Maximum {
   double x = 0, y = 0;
 };
 
-/// Returns the maximum of the curve: of the parabola through its highest points where the axis is
-/// logarithmic and all values are positive, else the highest point.
-Place findMaximum(const Scene& scene, const std::string& column, const CurveOptions& options) {
+/// Returns the maximum of a curve: that of the parabola through its highest points where the axis
+/// is logarithmic and all values are positive, else the highest point.
+Maximum findMaximum(const Scene& scene, const std::string& column, const CurveOptions& options) {
   const Curve curve = computeCurve(scene, options);
   if (!curve.isComplete) throw StopRequested{};
   std::vector<double> x, y;
@@ -107,7 +107,7 @@ void computePoint(const LessonStep& step, const CurveOptions& options, LessonAns
       state = sceneAt(step.scene, *prediction.x);
     answer.number.value = stateValue(state, column, options);
   } else {
-    const Place maximum = findMaximum(step.scene, column, options);
+    const Maximum maximum = findMaximum(step.scene, column, options);
     answer.x.value = maximum.x;
     answer.number.value = maximum.y;
   }

@@ -53,16 +53,16 @@ LessonNumber computeLessonValue(const Scene& scene, const LessonValue& value,
 /// Computes the right answer of a step that has a prediction, and the values of its texts.
 LessonAnswer lessonAnswer(const LessonStep& step, const CurveOptions& options = {});
 
-/// Returns the choice that is right, from 0, where a number decides that of this number. Throws
-/// InputError where no range covers it.
+/// Returns the right choice, counted from 0. Where a number decides, it is the choice whose range
+/// contains `number`. Throws InputError where no range does.
 int rightChoice(const LessonPrediction& prediction, const LessonNumber& number);
 
 /// Returns whether a computed answer could lie in no range of the choices.
 bool leavesOutNumbers(const LessonPrediction& prediction);
 
-/// Computes the answers of the choices that leave out numbers. Throws InputError with the place in
-/// the lesson ("steps[2].prediction.choices") where none of them covers the answer: a student could
-/// not go on there. file: named in the error.
+/// Computes the answers of the predictions whose choices leave out numbers. Throws InputError with
+/// the path in the lesson ("steps[2].prediction.choices") where no choice covers the answer,
+/// because a student could not go on there. file: named in the error.
 void checkChoices(const Lesson& lesson, const std::string& file, const CurveOptions& options = {});
 
 /// Returns the unit of a number without computing it.

@@ -30,7 +30,7 @@ A prediction is a choice, a number or a point on the chart. What is right is com
 )";
 
 Lesson readLesson(std::string_view text, const std::string& file,
-                  const std::filesystem::path& folder, const LessonSceneReader& readNamed) {
+                  const std::filesystem::path& folder, const SceneReader& readNamed) {
   try {
     if (text.size() > kLargestLesson)
       refuseMember(
@@ -45,7 +45,7 @@ Lesson readLesson(std::string_view text, const std::string& file,
   }
 }
 
-Lesson readLessonFile(const std::filesystem::path& file, const LessonSceneReader& readNamed) {
+Lesson readLessonFile(const std::filesystem::path& file, const SceneReader& readNamed) {
   return readLesson(readRegularFile(file, kLargestLesson), file.string(), file.parent_path(),
                     readNamed);
 }
@@ -73,7 +73,7 @@ bool isLessonFile(const std::filesystem::path& file) {
   }
 }
 
-Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed) {
+Lesson readNamedLesson(const std::string& name, const SceneReader& readNamed) {
   std::error_code ignored;
   // A folder may have the same name as a shipped lesson.
   if (std::filesystem::exists(name, ignored) && !std::filesystem::is_directory(name, ignored))

@@ -5,19 +5,14 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "core/lesson/lesson.h"
+#include "core/scene/scene_file.h"
 
 namespace asperity {
-
-/// Finds a scene that a lesson names: a file in the lesson's folder, or a shipped one.
-using LessonSceneReader =
-    std::function<Scene(const std::string& name, const std::filesystem::path& folder,
-                        const std::vector<std::string>& assignments)>;
 
 inline constexpr std::string_view kLessonSchema = "asperity-lesson/1";
 inline constexpr std::size_t kLargestLesson = std::size_t{4} << 20;  // bytes
@@ -26,13 +21,13 @@ inline constexpr std::size_t kMostLessonSteps = 200;
 /// Describes for users what a file may contain.
 extern const char* const kLessonFormat;
 
-/// Reads a lesson. readNamed: null means files relative to the folder of the lesson.
-Lesson readLessonFile(const std::filesystem::path& file, const LessonSceneReader& readNamed = {});
+/// Reads a lesson. readNamed reads the scenes that the lesson names; null: they are files
+/// relative to the folder of the lesson.
+Lesson readLessonFile(const std::filesystem::path& file, const SceneReader& readNamed = {});
 
 /// Reads the same from a text; `file` is named in errors.
 Lesson readLesson(std::string_view json, const std::string& file,
-                  const std::filesystem::path& folder = {},
-                  const LessonSceneReader& readNamed = {});
+                  const std::filesystem::path& folder = {}, const SceneReader& readNamed = {});
 
 /// Returns the canonical text, which reads back to the same lesson.
 std::string writeLesson(const Lesson& lesson);
@@ -52,6 +47,6 @@ std::span<const ShippedLesson> shippedLessons();  // in the order of a course
 
 /// Returns the lesson of a file or, where there is none, the shipped one of this name, with or
 /// without ".json". Throws InputError, which names the shipped ones where there is neither.
-Lesson readNamedLesson(const std::string& name, const LessonSceneReader& readNamed = {});
+Lesson readNamedLesson(const std::string& name, const SceneReader& readNamed = {});
 
 }  // namespace asperity

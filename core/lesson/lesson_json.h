@@ -33,7 +33,7 @@ inline constexpr NamedChoices<LessonValue::Kind, 3> kLessonValueKinds{
 
 /// Reads and checks a lesson. Throws InputError with the path ("steps[2].prediction.answer").
 Lesson parseLesson(const LessonJson& root, const std::filesystem::path& folder,
-                   const LessonSceneReader& readNamed);
+                   const SceneReader& readNamed);
 
 /// Returns the JSON that parseLesson reads back as the same lesson.
 LessonJson lessonJson(const Lesson& lesson);

@@ -162,8 +162,8 @@ bool isPlaceName(std::string_view name) {
 }
 
 /// Throws InputError where a text contains the name of a value that the step does not have.
-void checkPlaces(const LessonText& text, const std::set<std::string>& known,
-                 const std::string& path) {
+void checkPlaceholders(const LessonText& text, const std::set<std::string>& known,
+                       const std::string& path) {
   for (const std::string* one : {&text.english, &text.german})
     for (std::size_t open = one->find('{'); open != one->npos; open = one->find('{', open + 1)) {
       const std::size_t close = one->find('}', open);
@@ -179,7 +179,7 @@ void checkPlaces(const LessonText& text, const std::set<std::string>& known,
 class StepReader {
  public:
   StepReader(const Json& json, std::string path, const Scene* before,
-             const std::filesystem::path& folder, const LessonSceneReader& readNamed)
+             const std::filesystem::path& folder, const SceneReader& readNamed)
       : json_(json),
         path_(std::move(path)),
         before_(before),
@@ -419,24 +419,24 @@ class StepReader {
         known.insert("answer");
     }
     for (const NamedLessonValue& value : step_.values) known.insert(value.name);
-    checkPlaces(step_.reveal, known, path_ + ".reveal");
+    checkPlaceholders(step_.reveal, known, path_ + ".reveal");
     if (!step_.prediction) return;
-    checkPlaces(step_.prediction->right, known, path_ + ".prediction.right");
-    checkPlaces(step_.prediction->wrong, known, path_ + ".prediction.wrong");
+    checkPlaceholders(step_.prediction->right, known, path_ + ".prediction.right");
+    checkPlaceholders(step_.prediction->wrong, known, path_ + ".prediction.wrong");
   }
 
   const Json& json_;
   std::string path_;
   const Scene* before_;
   const std::filesystem::path& folder_;
-  const LessonSceneReader& readNamed_;
+  const SceneReader& readNamed_;
   LessonStep step_;
 };
 
 }  // namespace
 
 Lesson parseLesson(const Json& root, const std::filesystem::path& folder,
-                   const LessonSceneReader& readNamed) {
+                   const SceneReader& readNamed) {
   if (!root.is_object()) refuseMember("", "a lesson is one JSON object");
   if (textMember(root, "schema") != kLessonSchema)
     refuseMember("schema", message("is not {}", kLessonSchema));

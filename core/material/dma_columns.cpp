@@ -110,7 +110,7 @@ DmaQuantity dmaQuantity(std::string_view word) {
   return None;
 }
 
-/// The words of a name in lower case: "G'_err" has g and err, "tanDelta" tan and delta.
+/// Returns the words of a name in lower case: "G'_err" has g and err, "tanDelta" tan and delta.
 std::vector<std::string> wordsOf(std::string_view name) {
   std::string text(name);
   for (const auto& [from, to] : kGreek) replaceAll(text, from, to);
@@ -127,7 +127,7 @@ std::vector<std::string> wordsOf(std::string_view name) {
   return words;
 }
 
-/// Whether a name is that of a deviation or a bound of another column: "std G'", "u(G')",
+/// Returns whether a name is that of a deviation or a bound of another column: "std G'", "u(G')",
 /// "\u0394G'", "G' \u00B1", "G' 95% CI", "G' min".
 bool isOfDeviation(std::string_view name, const std::vector<std::string>& words) {
   if (words.empty()) return false;
@@ -150,7 +150,7 @@ bool isOfDeviation(std::string_view name, const std::vector<std::string>& words)
   });
 }
 
-/// Whether a word is made of those that name moduli and how they were measured.
+/// Returns whether a word is made of those that name moduli and how they were measured.
 bool isMadeOfKnownWords(std::string_view word) {
   constexpr std::string_view kParts[] = {"storage",     "loss",        "modulus",
                                          "moduli",      "module",      "modul",
@@ -185,8 +185,8 @@ bool isMadeOfKnownWords(std::string_view word) {
          });
 }
 
-/// The words of a modulus' name that are not understood. What stands in brackets or behind a stroke
-/// at its end is read as a unit.
+/// Returns the words of a modulus' name that are not understood. What stands in brackets or behind
+/// a stroke at its end is read as a unit.
 std::string unknownWords(std::string_view name) {
   std::size_t end = name.find_last_not_of(' ');
   end = end == name.npos ? 0 : end + 1;
@@ -210,12 +210,13 @@ std::string unknownWords(std::string_view name) {
   return unknown;
 }
 
-/// Returns the temperature with its unit that begins at this position.
+/// A temperature in a text, and the position behind its unit.
 struct FoundTemperature {
   double kelvin = 0;
   std::size_t end = 0;
 };
 
+/// Returns the temperature with its unit that begins at this position.
 std::optional<FoundTemperature> temperatureAt(std::string_view text, std::size_t begin) {
   std::size_t end = begin;
   std::string number;

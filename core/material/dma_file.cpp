@@ -11,7 +11,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text.h"
-#include "core/base/text_names.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/material/dma_sweeps.h"
 
@@ -56,7 +56,7 @@ class Reader {
                 list));
   }
 
-  static bool isSaid(const std::string& choice) { return !choice.empty(); }
+  static bool isStated(const std::string& choice) { return !choice.empty(); }
 
   bool readBlock(const TextBlock& block) {
     std::string leftOut;
@@ -69,36 +69,36 @@ class Reader {
   /// Reads the lines in front of a block, such as "Temperature: 20 °C", "T = 293 K", "sweep at 20
   /// °C".
   std::optional<double> statedTemperature(const TextBlock& block) const {
-    const TextBlock* place = &block;
+    const TextBlock* current = &block;
     while (true) {
-      for (auto entry = place->header.rbegin(); entry != place->header.rend(); ++entry) {
+      for (auto entry = current->header.rbegin(); entry != current->header.rend(); ++entry) {
         const bool isTemperature = dmaColumn(entry->key, "").quantity == Temperature;
         if (isTemperature)
           if (const auto quantity = parseQuantity(entry->value)) {
             const std::string unit =
-                isSaid(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
+                isStated(choices_.temperatureUnit) ? choices_.temperatureUnit : quantity->unit;
             const auto scale = temperatureUnit(unit.empty() ? unitInKey(entry->key) : unit);
             if (scale) return scale->toSi(quantity->number);
           }
         if (const auto found = findTemperature(entry->value)) return found;
         if (const auto found = findTemperature(entry->key)) return found;
       }
-      if (place == &table_.blocks.front()) return {};
-      --place;
+      if (current == &table_.blocks.front()) return {};
+      --current;
     }
   }
 
-  /// Reads an entry such as "Temperature [°C]: 20" or "T/K = 293".
-  static std::string unitInKey(const std::string& key) { return columnName(key).unit; }
+  /// Returns the unit in the key of an entry such as "Temperature [°C]: 20" or "T/K = 293".
+  static std::string unitInKey(const std::string& key) { return parseColumnName(key).unit; }
 
-  /// Returns the unit of a column; the user's choice overrides the file.
+  /// Returns name and unit of a column; the user's choice of a unit overrides that of the file.
   DmaColumnFact factOf(const TextBlock& block, std::size_t column,
                        const std::string& choice) const {
     DmaColumnFact fact;
     fact.name = columnLabel(block, column);
-    fact.unit = isSaid(choice) ? choice : block.columns[column].unit;
+    fact.unit = isStated(choice) ? choice : block.columns[column].unit;
     // The brackets of "G' [20 °C]" contain a temperature and no unit.
-    if (!isSaid(choice) && findTemperature(fact.unit)) fact.unit.clear();
+    if (!isStated(choice) && findTemperature(fact.unit)) fact.unit.clear();
     if (fact.unit.empty()) fact.unit = unknownUnitIn(block.columns[column].name);
     fact.isUnitAssumed = fact.unit.empty();
     return fact;
@@ -200,7 +200,7 @@ class Reader {
 
   /// Reads the rows of one block, or of one temperature in a table of several.
   void readSweep(const TextBlock& block, const SweepColumns& columns, bool isSideBySide) {
-    const bool isReduced = columns.has(ReducedFrequency) && !isSaid(choices_.frequencyColumn);
+    const bool isReduced = columns.has(ReducedFrequency) && !isStated(choices_.frequencyColumn);
     const std::size_t frequencyAt = columns[isReduced ? ReducedFrequency : Frequency];
     file_.facts.isReduced = isReduced;
     DmaColumnFact& frequency = file_.facts.frequency;
@@ -229,7 +229,7 @@ class Reader {
     readRows(block, columns, isSideBySide, frequencyAt, *frequencySize, oneTemperature, scale);
   }
 
-  /// Computes storage and loss modulus from the two columns that there are.
+  /// Two columns with their units, and how storage and loss modulus follow from them.
   struct ModulusPair {
     std::size_t first, second;
     double firstSize, secondSize;
@@ -341,7 +341,7 @@ class Reader {
     if (!(temperature > 0 && temperature <= 2000)) refuse("the temperature in K", temperature);
   }
 
-  /// Returns the temperature of a row; NaN where it states none.
+  /// Returns the strain of a row; NaN where it states none.
   static double strainOf(const TextBlock& block, std::size_t row, std::size_t column) {
     const double value = block.at(row, column);
     if (!std::isfinite(value) || value <= 0) return std::numeric_limits<double>::quiet_NaN();

@@ -24,7 +24,7 @@ bool isModulus(DmaQuantity quantity) {
   return quantity == Storage || quantity == Loss || quantity == Magnitude;
 }
 
-/// The columns of one temperature in a table of several.
+/// Returns whether the quantity is a modulus or part of one, which each sweep has for itself.
 bool isMeasured(DmaQuantity quantity) {
   return isModulus(quantity) || quantity == LossTangent || quantity == Phase;
 }
@@ -47,7 +47,7 @@ ModulusKind kindToRead(const std::vector<DmaColumn>& found, const DmaChoices& ch
 /// Applies the columns that the user names, which override those that were found.
 void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& columns) {
   const auto add = [&](DmaQuantity quantity, const std::string& choice, const char* option) {
-    if (!choice.empty()) columns.places[quantity] = columnNamed(block, choice, option);
+    if (!choice.empty()) columns.indices[quantity] = columnNamed(block, choice, option);
   };
   add(Frequency, choices.frequencyColumn, "--frequency-column");
   add(Temperature, choices.temperatureColumn, "--temperature-column");
@@ -57,7 +57,7 @@ void addChosen(const TextBlock& block, const DmaChoices& choices, SweepColumns& 
   add(Magnitude, choices.magnitudeColumn, "--magnitude-column");
   add(Phase, choices.phaseColumn, "--phase-column");
   add(Strain, choices.strainColumn, "--strain-column");
-  if (!choices.frequencyColumn.empty()) columns.places.erase(ReducedFrequency);
+  if (!choices.frequencyColumn.empty()) columns.indices.erase(ReducedFrequency);
 }
 
 /// Distributes the columns: each belongs to the first sweep of its temperature that has no column
@@ -68,14 +68,14 @@ std::vector<SweepColumns> assignToSweeps(const std::vector<DmaColumn>& found) {
     const DmaColumn& column = found[i];
     if (column.quantity == None) continue;
     const auto temperature = column.quantity == Temperature ? std::nullopt : column.temperature;
-    auto place = std::ranges::find_if(sweeps, [&](const SweepColumns& sweep) {
+    auto sweepOfColumn = std::ranges::find_if(sweeps, [&](const SweepColumns& sweep) {
       return sweep.temperature == temperature && !sweep.has(column.quantity);
     });
-    if (place == sweeps.end()) {
+    if (sweepOfColumn == sweeps.end()) {
       sweeps.push_back({{}, temperature});
-      place = sweeps.end() - 1;
+      sweepOfColumn = sweeps.end() - 1;
     }
-    place->places[column.quantity] = i;
+    sweepOfColumn->indices[column.quantity] = i;
   }
   return sweeps;
 }
@@ -131,7 +131,7 @@ std::string listColumns(const TextBlock& block, const std::vector<std::size_t>& 
                                             const std::vector<SweepColumns>& sweeps) {
   std::vector<std::size_t> columns;
   for (const SweepColumns& sweep : sweeps)
-    for (const auto& [quantity, column] : sweep.places)
+    for (const auto& [quantity, column] : sweep.indices)
       if (isModulus(quantity)) columns.push_back(column);
   std::ranges::sort(columns);
   throw InputError(fileName, "temperature",
@@ -148,8 +148,8 @@ void refuseLeftovers(const TextBlock& block, const std::string& fileName,
   std::vector<std::size_t> unused;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool isUsed = std::ranges::any_of(sweeps, [i](const SweepColumns& sweep) {
-      return std::ranges::any_of(sweep.places,
-                                 [i](const auto& place) { return place.second == i; });
+      return std::ranges::any_of(sweep.indices,
+                                 [i](const auto& entry) { return entry.second == i; });
     });
     if (isModulus(found[i].quantity) && !isUsed) unused.push_back(i);
   }
@@ -321,16 +321,17 @@ std::vector<SweepColumns> findSweeps(const TextBlock& block, const std::string& 
   if (isWide()) {
     for (SweepColumns& sweep : sweeps) {
       for (const DmaQuantity quantity : {Frequency, ReducedFrequency, Strain})
-        if (common.has(quantity)) sweep.places.try_emplace(quantity, common[quantity]);
+        if (common.has(quantity)) sweep.indices.try_emplace(quantity, common[quantity]);
       if (common.has(Temperature) && !sweep.temperature)
-        sweep.places.try_emplace(Temperature, common[Temperature]);
+        sweep.indices.try_emplace(Temperature, common[Temperature]);
     }
   } else {
     std::vector<double> temperatures;
     for (const SweepColumns& sweep : sweeps) {
       if (!sweep.temperature) continue;
       temperatures.push_back(*sweep.temperature);
-      for (const auto& [quantity, place] : sweep.places) common.places.try_emplace(quantity, place);
+      for (const auto& [quantity, index] : sweep.indices)
+        common.indices.try_emplace(quantity, index);
     }
     if (withoutRepeats(temperatures).size() == 1) common.temperature = temperatures.front();
     sweeps = {common};

@@ -17,14 +17,14 @@ namespace asperity {
 /// none.
 struct SweepColumns {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::map<DmaQuantity, std::size_t> places{};
+  std::map<DmaQuantity, std::size_t> indices{};
   std::optional<double> temperature{};  // K, where names or a row above the columns state it
 
   std::size_t operator[](DmaQuantity quantity) const {
-    const auto found = places.find(quantity);
-    return found == places.end() ? kNone : found->second;
+    const auto found = indices.find(quantity);
+    return found == indices.end() ? kNone : found->second;
   }
-  bool has(DmaQuantity quantity) const { return places.contains(quantity); }
+  bool has(DmaQuantity quantity) const { return indices.contains(quantity); }
   bool hasModuli() const;
   bool isComplete() const;  // has a frequency, too
 };

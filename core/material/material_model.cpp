@@ -25,8 +25,8 @@ constexpr std::size_t kMostRows = 20000;  // of measurements; the fit takes a fe
 constexpr std::size_t kLargestSeries = std::size_t{4} << 20;  // bytes of a file with a ready series
 constexpr const char* kShiftNames[]{"wlf", "arrhenius", "table"};
 
-/// Reads a ready Prony series; a file that is no table may still be one of a finite-element
-/// program.
+/// Reads a table; returns nothing, and the error, where the file is none, because it may still be a
+/// ready Prony series of a finite-element program.
 std::optional<TextTable> readTable(std::string_view bytes, const std::string& name,
                                    std::optional<InputError>& failure) {
   try {
@@ -280,13 +280,13 @@ Material makeMaterial(std::string_view bytes, const std::string& fileName,
 Json materialOrigin(const Material& material) {
   Json options = Json::object();
   for (const auto& [option, value] : material.options) {
-    Json& place = options[option];
+    Json& stated = options[option];
     // A repeated option has a list.
-    if (place.is_string()) place = Json::array({place});
-    if (place.is_array())
-      place.push_back(value);
+    if (stated.is_string()) stated = Json::array({stated});
+    if (stated.is_array())
+      stated.push_back(value);
     else
-      place = value;
+      stated = value;
   }
   return {{"schema", kMaterialSchema},
           {"verb", "material"},

@@ -18,8 +18,8 @@ namespace {
 
 // ---- A table -----------------------------------------------------------------------------------
 
-/// Returns whether a name without marks is one of the equilibrium modulus: "G_inf", "g∞",
-/// "Equilibrium modulus", "E0" and the like.
+/// Returns a name in lower case, without blanks and marks and with "inf" and "tau" for the signs of
+/// infinity and tau: "ginf" for "G_∞".
 std::string plainWord(std::string_view text) {
   std::string word = lowerCase(text);
   for (const std::string_view infinity : {"\u221E", "infinity", "infty"})
@@ -34,6 +34,7 @@ std::string plainWord(std::string_view text) {
   return word;
 }
 
+/// Returns whether a plain word names the equilibrium modulus.
 bool isEquilibrium(const std::string& word) {
   return isOneOf(word, {"ginf", "einf", "equilibriummodulus", "longtermmodulus", "rubberymodulus",
                         "ge", "ee", "gequilibrium", "inf"});

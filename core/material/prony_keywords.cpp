@@ -43,11 +43,11 @@ std::vector<Line> splitIntoLines(std::string_view text) {
   return lines;
 }
 
-double numberAt(const Line& line, std::size_t place, const std::string& name) {
+double numberAt(const Line& line, std::size_t index, const std::string& name) {
   double value = 0;
-  if (place >= line.words.size() || !readTextNumber(line.words[place], '.', value))
+  if (index >= line.words.size() || !readTextNumber(line.words[index], '.', value))
     throw InputError(name, fmt::format("line {}", line.number),
-                     message("needs a number in place {}", place + 1));
+                     message("needs a number in place {}", index + 1));
   return value;
 }
 
@@ -228,11 +228,11 @@ std::optional<RawSeries> ansysSeries(const std::vector<Line>& lines, const std::
         throw InputError(name, fmt::format("line {}", line.number),
                          "begins at a place that is outside 1 to 200");
       lineOfData = line.number;
-      auto place = static_cast<std::size_t>(start) - 1;
-      for (std::size_t i = 2; i < line.words.size(); ++i, ++place) {
+      auto index = static_cast<std::size_t>(start) - 1;
+      for (std::size_t i = 2; i < line.words.size(); ++i, ++index) {
         if (line.words[i].empty()) continue;
-        data.resize(std::max(data.size(), place + 1), RawSeries::kNotStated);
-        data[place] = numberAt(line, i, name);
+        data.resize(std::max(data.size(), index + 1), RawSeries::kNotStated);
+        data[index] = numberAt(line, i, name);
       }
     } else if (command == "mp" && word(1) == "ex") {
       youngs = numberAt(line, 3, name);

@@ -9,12 +9,12 @@
 namespace asperity {
 namespace {
 
-/// Returns the rms of the rows about offset + factor * basis(T), with the best factor that is not
-/// negative.
 struct LinearFit {
   double factor = 0, rms = 0, offset = 0;
 };
 
+/// Fits offset + factor * basis(T) to the rows, with a factor that is not negative, and returns it
+/// with the rms of the rows about it.
 template <class Basis>
 LinearFit bestFactor(std::span<const ShiftPoint> table, bool isOffsetFree, const Basis& basis) {
   double meanValue = 0, meanShift = 0;

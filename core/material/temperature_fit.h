@@ -37,8 +37,7 @@ std::optional<TemperatureFit> interpolatingFormula(std::span<const ShiftPoint> t
 TemperatureShift tableShift(std::span<const ShiftPoint> table, double referenceTemperature);
 
 /// Returns Wlf, or else Arrhenius, where it is good and has fewer constants than there are rows
-/// beside that of the reference; else
-/// the table.
+/// beside that of the reference; else the table.
 TemperatureShift chosenShift(std::span<const ShiftPoint> table, double referenceTemperature);
 
 }  // namespace asperity

@@ -20,7 +20,7 @@ constexpr double kLeastOverlap = 0.15;  // decades that two isotherms must have 
 constexpr double kLeastPart = 0.25;     // quarter of the shorter one
 constexpr double kMostMismatch = 0.2;   // decades of modulus, beyond which nothing fits
 constexpr double kEdgeMismatch = 0.02;  // the same where the overlap is the least allowed
-constexpr int kComparisons = 33;        // places at which two isotherms are compared
+constexpr int kComparisons = 33;        // frequencies at which two isotherms are compared
 constexpr int kHighestDegree = 4;
 // A vertical shift is the change of density times temperature. Where both moduli are power laws it
 // cannot be told from a horizontal one. Then the law of entropy elasticity, b_T ~ T, decides;
@@ -297,8 +297,7 @@ std::optional<ShiftEstimate> fittedShift(const LogSweep& colder, const LogSweep&
               celsius(colder.temperature), celsius(warmer.temperature)));
 }
 
-/// Returns the shifts that follow from both moduli, and from each alone; the latter start from the
-/// first.
+/// The shifts that follow from both moduli, and from each alone; the latter start from the first.
 struct NeighbourShifts {
   Overlap both;
   Estimate storage{kNaN, kNaN}, loss{kNaN, kNaN};

@@ -190,11 +190,11 @@ GaussianFilter::GaussianFilter(std::size_t points, double spacing, double cutOff
     const double x = static_cast<double>(j), part = x * spacing / (alpha * cutOff);
     const double s = std::exp(-std::numbers::pi * part * part);
     sum += j == 0 ? s : 2 * s;
-    for (const std::size_t place : {(size - j) % size, j}) {
-      const double signedX = place == j ? -x : x;
-      weight[place] = s;
-      moment[place] = s * signedX;
-      square[place] = s * x * x;
+    for (const std::size_t index : {(size - j) % size, j}) {
+      const double signedX = index == j ? -x : x;
+      weight[index] = s;
+      moment[index] = s * signedX;
+      square[index] = s * x * x;
     }
   }
   for (std::vector<double>* kernel : {&weight, &moment, &square})

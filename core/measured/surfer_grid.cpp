@@ -116,7 +116,7 @@ SurfaceDraft readSections(const SurfaceSource& source) {
     if (name == "DSRB") version = header.read<std::uint32_t>();
     if (name != "GRID") continue;
     const auto rows = header.read<std::int32_t>(), columns = header.read<std::int32_t>();
-    header.skip(2 * sizeof(double));  // place of the first point
+    header.skip(2 * sizeof(double));  // position of the first point
     const auto xStep = header.read<double>(), yStep = header.read<double>();
     header.skip(3 * sizeof(double));  // lowest and highest z, rotation
     blank = header.read<double>();

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/base/text_names.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
 #include "core/measured/text_surface.h"
@@ -319,7 +319,7 @@ std::optional<HeaderLength> headerLength(const TextTable& table, const TextBlock
   // Then keys with a unit of their own are searched.
   for (const TextBlock& one : table.blocks) {
     for (const TextEntry& entry : one.header) {
-      const ColumnName name = columnName(entry.key);
+      const TextColumn name = parseColumnName(entry.key);
       if (name.unit.empty() || std::ranges::find(keys, lowerCase(name.name)) == keys.end())
         continue;
       const auto quantity = parseQuantity(entry.value);

@@ -152,16 +152,16 @@ bool fillGaps(std::span<const double> positions, std::span<const double> heights
                                  2 * static_cast<std::int64_t>(positions.size()));
   if (!axis || axis->count < 2) return false;
   requireFineDigits(positions, *axis, source);
-  std::vector<double> placed(static_cast<std::size_t>(axis->count), kNone);
-  std::vector<bool> isTaken(placed.size());
+  std::vector<double> onGrid(static_cast<std::size_t>(axis->count), kNone);
+  std::vector<bool> isTaken(onGrid.size());
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto index = std::llround((positions[i] - axis->first) / axis->spacing);
     if (index < 0 || index >= axis->count || isTaken[static_cast<std::size_t>(index)]) return false;
-    placed[static_cast<std::size_t>(index)] = heights[i];
+    onGrid[static_cast<std::size_t>(index)] = heights[i];
     isTaken[static_cast<std::size_t>(index)] = true;
   }
   draft.grid.columnSpacing = axis->spacing;
-  draft.grid.height = std::move(placed);
+  draft.grid.height = std::move(onGrid);
   draft.facts.notes.push_back(message("{} places have no row in the file and are taken as gaps.",
                                       static_cast<std::size_t>(axis->count) - positions.size()));
   return true;
@@ -190,25 +190,25 @@ void interpolate(std::span<const double> positions, std::span<const double> heig
                  SurfaceDraft& draft) {
   const std::size_t count = positions.size();
   const double spacing = (positions.back() - positions.front()) / static_cast<double>(count - 1);
-  std::vector<double> placed(count);
+  std::vector<double> interpolated(count);
   std::size_t right = 1;
   for (std::size_t i = 0; i < count; ++i) {
-    const double place = positions.front() + spacing * static_cast<double>(i);
-    while (right + 1 < count && positions[right] < place) ++right;
+    const double position = positions.front() + spacing * static_cast<double>(i);
+    while (right + 1 < count && positions[right] < position) ++right;
     const double part = std::clamp(
-        (place - positions[right - 1]) / (positions[right] - positions[right - 1]), 0.0, 1.0);
+        (position - positions[right - 1]) / (positions[right] - positions[right - 1]), 0.0, 1.0);
     const double before = heights[right - 1], after = heights[right];
     if (part == 0)
-      placed[i] = before;
+      interpolated[i] = before;
     else if (part == 1)
-      placed[i] = after;
+      interpolated[i] = after;
     else if (std::isnan(before) || std::isnan(after))
-      placed[i] = kNone;
+      interpolated[i] = kNone;
     else
-      placed[i] = before + part * (after - before);
+      interpolated[i] = before + part * (after - before);
   }
   draft.grid.columnSpacing = spacing;
-  draft.grid.height = std::move(placed);
+  draft.grid.height = std::move(interpolated);
   draft.facts.resampled = true;
   draft.facts.notes.push_back(message(
       "Positions are not uniform (steps differ by up to {:.3g} %): heights are interpolated "

@@ -64,14 +64,14 @@ SurfaceDraft readBinary(const SurfaceSource& source) {
   constexpr std::size_t kHeader = 570;  // bytes, at least
   ByteReader reader(source, source.bytes);
   const std::string header(reader.take(kHeader));
-  const auto number = [&]<class Number>(std::size_t place, Number value) -> double {
-    std::string bytes = header.substr(place, sizeof(Number));
+  const auto number = [&]<class Number>(std::size_t offset, Number value) -> double {
+    std::string bytes = header.substr(offset, sizeof(Number));
     std::ranges::reverse(bytes);
     std::memcpy(&value, bytes.data(), sizeof(Number));
     return static_cast<double>(value);
   };
-  const auto whole = [&](std::size_t place) {
-    return static_cast<std::int64_t>(number(place, std::uint16_t{}));
+  const auto whole = [&](std::size_t offset) {
+    return static_cast<std::int64_t>(number(offset, std::uint16_t{}));
   };
   const auto size = static_cast<std::size_t>(number(6, std::uint32_t{}));
   reader.skip(std::max(size, kHeader) - kHeader);

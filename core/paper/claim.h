@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 
 namespace asperity {
 

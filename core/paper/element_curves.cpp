@@ -7,7 +7,7 @@
 #include "core/base/stop.h"
 #include "core/contact/march/time_march.h"
 #include "core/friction/curve_features.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 #include "core/paper/literal_march.h"
 #include "core/surface/line_source.h"
 
@@ -21,7 +21,7 @@ struct Reading {
 /// The lines of a scene, with one element at each node, and the marches over them.
 class Marches {
  public:
-  Marches(const Scene& scene, std::int64_t lines, const StudyOptions& options)
+  Marches(const Scene& scene, std::int64_t lines, const GroupedMeansOptions& options)
       : options_(options), jobs_(options.threads) {
     const LineSource source(scene, 1);
     rmsSlope_ = source.statistics().rmsSlope;
@@ -29,13 +29,13 @@ class Marches {
       lines_.push_back(std::make_shared<const Line>(source.make(r)));
   }
 
-  /// Calls read(line) for each of them; every result has its own place.
+  /// Calls read(line) for each line, several at a time.
   template <class Read>
   ElementPoint point(double velocity, const Read& read) {
     std::vector<Reading> readings(lines_.size());
     jobs_.run(static_cast<std::int64_t>(lines_.size()), [&](std::int64_t r) {
-      const auto place = static_cast<std::size_t>(r);
-      if (!options_.stop.stop_requested()) readings[place] = read(lines_[place]);
+      const auto index = static_cast<std::size_t>(r);
+      if (!options_.stop.stop_requested()) readings[index] = read(lines_[index]);
     });
     throwIfStopped(options_.stop);
     ElementPoint point{velocity};
@@ -52,7 +52,7 @@ class Marches {
   }
 
  private:
-  const StudyOptions& options_;
+  const GroupedMeansOptions& options_;
   Jobs jobs_;
   double rmsSlope_ = 0;
   std::vector<std::shared_ptr<const Line>> lines_;
@@ -145,7 +145,7 @@ Estimate exponentFrom(std::span<const ElementPoint> points, double velocity) {
 
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
                                        std::int64_t lines, const LiteralSteps& steps,
-                                       const StudyOptions& options) {
+                                       const GroupedMeansOptions& options) {
   Marches marches(scene, lines, options);
   std::vector<ElementPoint> points;
   for (const double velocity : velocities) {
@@ -159,7 +159,7 @@ std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const doubl
 
 std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const double> velocities,
                                         std::int64_t lines, const FineSteps& steps,
-                                        const StudyOptions& options) {
+                                        const GroupedMeansOptions& options) {
   Marches marches(scene, lines, options);
   const auto pointOf = [&](double velocity, std::int64_t perSpacing) {
     ElementPoint point = marches.point(velocity, [&](const std::shared_ptr<const Line>& line) {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -21,8 +21,8 @@ struct ElementPoint {
   double jumpFraction = 0;           // part of the steps in which no indentation gives the force
   std::int64_t stepsPerSpacing = 1;  // number used
 
-  /// Returns the mean over all lines except for one group; Study::kAll: over all.
-  double mean(int leftOut = Study::kAll) const;
+  /// Returns the mean over all lines except for one group; GroupedMeans::kAll: over all.
+  double mean(int leftOut = GroupedMeans::kAll) const;
   Estimate estimate() const;
 };
 
@@ -38,7 +38,7 @@ struct LiteralSteps {
 };
 std::vector<ElementPoint> literalCurve(const Scene& scene, std::span<const double> velocities,
                                        std::int64_t lines, const LiteralSteps& steps,
-                                       const StudyOptions& options);
+                                       const GroupedMeansOptions& options);
 
 /// The number of steps per spacing: from `first` on, doubled until twice as many change mu by less
 /// than `tolerance`, as the mean over the lines of the relative change. Contact at high velocity is
@@ -56,6 +56,6 @@ struct FineSteps {
 /// velocities ascending; the curve ends before the first one at which `most` steps are too few.
 std::vector<ElementPoint> fineStepCurve(const Scene& scene, std::span<const double> velocities,
                                         std::int64_t lines, const FineSteps& steps,
-                                        const StudyOptions& options);
+                                        const GroupedMeansOptions& options);
 
 }  // namespace asperity

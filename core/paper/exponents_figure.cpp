@@ -20,14 +20,14 @@ struct Coefficients {
   std::vector<double> without{};  // alpha without each group of realizations
 };
 
-Coefficients coefficientsOf(const Study& study) {
+Coefficients coefficientsOf(const GroupedMeans& means) {
   Coefficients one{
-      study.scene().surface.hurst,
-      jackknife(study.groups(), [&](int out) { return fitAlpha(study, out); }),
-      jackknife(study.groups(), [&](int out) { return fitBeta(study, out); }),
-      jackknife(study.groups(), [&](int out) { return fitAlpha(study, out, kBetaUpTo); })};
-  for (int out = 0; study.groups() > 1 && out < study.groups(); ++out)
-    one.without.push_back(fitAlpha(study, out));
+      means.scene().surface.hurst,
+      jackknife(means.groups(), [&](int out) { return fitAlpha(means, out); }),
+      jackknife(means.groups(), [&](int out) { return fitBeta(means, out); }),
+      jackknife(means.groups(), [&](int out) { return fitAlpha(means, out, kBetaUpTo); })};
+  for (int out = 0; means.groups() > 1 && out < means.groups(); ++out)
+    one.without.push_back(fitAlpha(means, out));
   return one;
 }
 
@@ -171,12 +171,12 @@ void addExponentsFigure(Figure& figure, const FigureOptions& options) {
     Scene scene = figure.scene;
     scene.surface.hurst = hurst;
     const double slope = LineSource(scene, 1).statistics().rmsSlope;
-    const Study study(scene, zone1Cases(scene, slope), work.next(1));
-    const Coefficients& one = all.emplace_back(coefficientsOf(study));
+    const GroupedMeans means(scene, zone1Cases(scene, slope), work.next(1));
+    const Coefficients& one = all.emplace_back(coefficientsOf(means));
     figure.csv += fmt::format(
         "{},{},{},{},{},{},{},{},{}\n", hurst, one.alpha.value, csvNumber(one.alpha.standardError),
         forceExponent(hurst), one.beta.value, csvNumber(one.beta.standardError),
-        one.wideAlpha.value, csvNumber(one.wideAlpha.standardError), study.realizations());
+        one.wideAlpha.value, csvNumber(one.wideAlpha.standardError), means.realizations());
   }
   figure.sheet.diagrams = {alphaDiagram(all), betaDiagram(all)};
   figure.sheet.note = sentences(

@@ -34,40 +34,40 @@ bool isInPaperRange(double hurst) {
 FigureWork::FigureWork(const FigureOptions& options, double totalCost)
     : options_(options), total_(totalCost) {}
 
-StudyOptions FigureWork::next(double cost) {
-  StudyOptions study{options_.threads, options_.stop, {}};
+GroupedMeansOptions FigureWork::next(double cost) {
+  GroupedMeansOptions options{options_.threads, options_.stop, {}};
   const double before = done_;
   done_ += cost;
   if (options_.progress)
-    study.progress = [this, before, cost](std::int64_t done, std::int64_t total) {
+    options.progress = [this, before, cost](std::int64_t done, std::int64_t total) {
       const double part = static_cast<double>(done) / static_cast<double>(total);
       options_.progress((before + cost * part) / total_);
     };
-  return study;
+  return options;
 }
 
-Study FigureWork::study(const Scene& scene, const std::vector<double>& normalForces,
-                        const std::vector<double>& velocities, double cost) {
+GroupedMeans FigureWork::computeMeans(const Scene& scene, const std::vector<double>& normalForces,
+                                      const std::vector<double>& velocities, double cost) {
   return {scene, normalForces, velocities, next(cost)};
 }
 
-DiagramSeries frictionSeries(const Study& study, std::size_t j, Message name) {
+DiagramSeries frictionSeries(const GroupedMeans& means, std::size_t j, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
-  for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
-    const double value = study.normalizedMu(j, i);
-    const double error = study.muStandardError(j, i) / study.line().rmsSlope;
-    series.points.push_back({study.velocities(j)[i], value, value - error, value + error});
+  for (std::size_t i = 0; i < means.velocities(j).size(); ++i) {
+    const double value = means.normalizedMu(j, i);
+    const double error = means.muStandardError(j, i) / means.line().rmsSlope;
+    series.points.push_back({means.velocities(j)[i], value, value - error, value + error});
   }
   return series;
 }
 
-DiagramSeries lawSeries(const Study& study, std::size_t j, Message name) {
+DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name) {
   DiagramSeries series;
   series.name = std::move(name);
   series.isTheory = true;
-  LawInput in = study.lawInput(j, 0);
-  const std::vector<double>& velocities = study.velocities(j);
+  LawInput in = means.lawInput(j, 0);
+  const std::vector<double>& velocities = means.velocities(j);
   for (const double velocity : logSpaced(velocities.front(), velocities.back(), 161)) {
     in.velocity = velocity;
     series.points.push_back({velocity, frictionLaw(in) / in.rmsSlope});
@@ -90,10 +90,10 @@ Diagram frictionDiagram() {
   return diagram;
 }
 
-std::string tableRows(const Study& study, std::size_t j, const std::string& lead) {
+std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead) {
   std::string text;
-  for (std::size_t i = 0; i < study.velocities(j).size(); ++i)
-    text += lead + curveRow(study.point(j, i));
+  for (std::size_t i = 0; i < means.velocities(j).size(); ++i)
+    text += lead + curveRow(means.point(j, i));
   return text;
 }
 
@@ -122,10 +122,10 @@ Message parameterLine(const Scene& scene, const FigureEntry& entry) {
   return listed(parts);
 }
 
-Claim fullContactClaim(std::span<const Study> studies) {
+Claim fullContactClaim(std::span<const GroupedMeans> allMeans) {
   FullContact all;
-  for (const Study& study : studies) {
-    const FullContact one = compareFullContact(study);
+  for (const GroupedMeans& means : allMeans) {
+    const FullContact one = compareFullContact(means);
     all.points += one.points;
     all.toResolved = std::max(all.toResolved, one.toResolved);
     all.toSpectral = std::max(all.toSpectral, one.toSpectral);

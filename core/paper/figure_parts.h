@@ -1,7 +1,7 @@
-// Common parts of the figures: the scenes and ranges of the paper, studies that report the progress
-// of the whole figure, series and table rows; and one function for each figure, which adds diagram,
-// table and claims to a Figure that has its scene (in its own file: velocity_figure.cpp, ...). Only
-// files of this folder use it.
+// Common parts of the figures: the ranges of the paper, means that report the progress of the whole
+// figure, series and table rows; and one function for each figure, which adds diagram, table and
+// claims to a Figure that has its scene (in its own file: velocity_figure.cpp, ...). Only files of
+// this folder use it.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 #include "core/base/number_text.h"
 #include "core/chart/diagram.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 #include "core/paper/figure.h"
 #include "core/paper/readings.h"
 
@@ -26,16 +26,16 @@ std::vector<double> elevenHurstExponents();
 /// Returns whether 0.2 < H < 0.8, the range of the paper's statements, without its ends.
 bool isInPaperRange(double hurst);
 
-/// Runs studies one after another and reports the finished part of all. Costs are in any common
+/// Computes means one after another and reports the finished part of all. Costs are in any common
 /// unit.
 class FigureWork {
  public:
   FigureWork(const FigureOptions& options, double totalCost);
 
-  Study study(const Scene& scene, const std::vector<double>& normalForces,
-              const std::vector<double>& velocities, double cost);
+  GroupedMeans computeMeans(const Scene& scene, const std::vector<double>& normalForces,
+                            const std::vector<double>& velocities, double cost);
   /// Returns options for other work whose progress counts as `cost`.
-  StudyOptions next(double cost);
+  GroupedMeansOptions next(double cost);
 
  private:
   const FigureOptions& options_;
@@ -44,32 +44,32 @@ class FigureWork {
 
 /// Returns mu / rms slope over velocity with one standard error; the other function returns Eq.
 /// (11) over the same velocities.
-DiagramSeries frictionSeries(const Study& study, std::size_t j, Message name);
-DiagramSeries lawSeries(const Study& study, std::size_t j, Message name);
+DiagramSeries frictionSeries(const GroupedMeans& means, std::size_t j, Message name);
+DiagramSeries lawSeries(const GroupedMeans& means, std::size_t j, Message name);
 
 DiagramAxis velocityAxis();
 DiagramAxis normalizedFrictionAxis();
 Diagram frictionDiagram();  // both axes, no series yet
 
-/// Returns the rows of one study's force j; each begins with `lead` ("0.7,").
-std::string tableRows(const Study& study, std::size_t j, const std::string& lead);
+/// Returns the rows of a table for force j; each begins with `lead` ("0.7,").
+std::string tableRows(const GroupedMeans& means, std::size_t j, const std::string& lead);
 
 /// Returns "H = 0.7, h = 500 nm, ...": the parameters that the figure does not vary.
 Message parameterLine(const Scene& scene, const FigureEntry& entry);
 
-/// Returns the claim on Eq. (8) in complete contact, over all the studies.
-Claim fullContactClaim(std::span<const Study> studies);
+/// Returns the claim on Eq. (8) in complete contact, from the means of all scenes.
+Claim fullContactClaim(std::span<const GroupedMeans> allMeans);
 
-/// The cost of each function of claims below, in the unit of FigureWork: it runs small studies.
+/// The costs of the next two functions, in the unit of FigureWork: they slide further scenes.
 inline constexpr double kRegionClaimsCost = 3, kZoneClaimsCost = 13;
 
 /// Returns the claims on what carries the load in regions III and IV, and on where region IV
-/// begins. study: that of Fig. 2.
-std::vector<Claim> regionClaims(const Study& study, FigureWork& work);
+/// begins. means: those of Fig. 2.
+std::vector<Claim> regionClaims(const GroupedMeans& means, FigureWork& work);
 
 /// Returns the claims on twenty forces: zones 1 and 2, their shift, their scaling, the line in
-/// contact. study: the paper's forces and velocities.
-std::vector<Claim> zoneClaims(const Study& study, FigureWork& work);
+/// contact. means: at the paper's forces and velocities.
+std::vector<Claim> zoneClaims(const GroupedMeans& means, FigureWork& work);
 
 void addContactFigure(Figure& figure, const FigureOptions& options);
 void addVelocityFigure(Figure& figure, const FigureOptions& options);

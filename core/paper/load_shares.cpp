@@ -5,12 +5,12 @@
 
 #include "core/base/jobs.h"
 #include "core/base/stop.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 
 namespace asperity {
 
 LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int64_t lines,
-                       const StudyOptions& options)
+                       const GroupedMeansOptions& options)
     : cases_(std::move(cases)) {
   const LineSource source(scene, pointsPerElement(scene));
   const std::size_t cells = cellOf(cases_.size(), 0);
@@ -25,7 +25,7 @@ LoadShares::LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int
       }
   });
   throwIfStopped(options.stop);
-  groups_ = static_cast<int>(std::min<std::int64_t>(Study::kGroups, lines));
+  groups_ = static_cast<int>(std::min<std::int64_t>(GroupedMeans::kGroups, lines));
   sums_.resize(static_cast<std::size_t>(groups_) * cells);
   for (std::size_t r = 0; r < each.size(); ++r)
     for (std::size_t cell = 0; cell < cells; ++cell)

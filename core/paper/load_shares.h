@@ -1,16 +1,15 @@
 // The parts of the load in steady sliding: on the leading or the trailing sides of the summits, in
 // the springs or the dashpots. They come from the shape of the elastomer at the nodes of every
-// line, which a Study does not keep. Immutable once computed; any thread. Equal bits for any number
-// of threads.
-// Failure: StopRequested where `stop` was requested.
+// line, which GroupedMeans do not keep. Immutable once computed; any thread. Equal bits for any
+// number of threads. Failure: StopRequested where `stop` was requested.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/friction/jackknife.h"
 #include "core/friction/realizations.h"
-#include "core/friction/study.h"
 #include "core/scene/scene.h"
 
 namespace asperity {
@@ -18,19 +17,19 @@ namespace asperity {
 class LoadShares {
  public:
   /// Computes cases at a constant force on the scene's first lines; the lines take turns in the
-  /// groups of the jackknife, as in a Study.
+  /// groups of the jackknife, as in GroupedMeans.
   LoadShares(const Scene& scene, std::vector<LoadCase> cases, std::int64_t lines,
-             const StudyOptions& options);
+             const GroupedMeansOptions& options);
 
   int groups() const { return groups_; }
   const LoadCase& loadCase(std::size_t j) const { return cases_[j]; }
 
   /// Return the parts of the normal force of all lines together, at case j and velocity i: on sides
   /// from which the line recedes; and in the springs, integral of 4 G (d - z) over contact.
-  double trailing(std::size_t j, std::size_t i, int leftOut = Study::kAll) const;
-  double elastic(std::size_t j, std::size_t i, int leftOut = Study::kAll) const;
+  double trailing(std::size_t j, std::size_t i, int leftOut = GroupedMeans::kAll) const;
+  double elastic(std::size_t j, std::size_t i, int leftOut = GroupedMeans::kAll) const;
   /// Returns the mean over the lines of mu / rms slope in contact.
-  double frictionOverSlope(std::size_t j, std::size_t i, int leftOut = Study::kAll) const;
+  double frictionOverSlope(std::size_t j, std::size_t i, int leftOut = GroupedMeans::kAll) const;
 
  private:
   struct Sums {

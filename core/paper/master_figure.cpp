@@ -61,53 +61,54 @@ struct Shift {
   double velocity, friction;
 };
 
-Shift shiftOf(const Study& study, int leftOut = Study::kAll) {
-  LawInput in = study.lawInput(0, 0);
-  in.rmsSlope = study.rmsSlopeContact(0, 0, leftOut);
+Shift shiftOf(const GroupedMeans& means, int leftOut = GroupedMeans::kAll) {
+  LawInput in = means.lawInput(0, 0);
+  in.rmsSlope = means.rmsSlopeContact(0, 0, leftOut);
   in.velocity = 1;
   return {meetingVelocity(dimensionlessForce(in), in.hurst) / dimensionlessVelocity(in),
           in.rmsSlope};
 }
 
-/// Returns the root mean square over x of the standard deviation of log10(mu) among the studies;
-/// `value` gives the friction of a study at x.
+/// Returns the root mean square over x of the standard deviation of log10(mu) among the curves;
+/// `value` gives the friction of one of them at x.
 template <class Value>
-double spread(const std::vector<Study>& studies, const std::vector<double>& places,
+double spread(const std::vector<GroupedMeans>& allMeans, const std::vector<double>& abscissas,
               const Value& value) {
   double squares = 0;
-  for (const double x : places) {
+  for (const double x : abscissas) {
     double sum = 0, sumOfSquares = 0;
-    for (const Study& study : studies) {
-      const double logarithm = std::log10(value(study, x));
+    for (const GroupedMeans& means : allMeans) {
+      const double logarithm = std::log10(value(means, x));
       sum += logarithm;
       sumOfSquares += logarithm * logarithm;
     }
-    const auto n = static_cast<double>(studies.size());
+    const auto n = static_cast<double>(allMeans.size());
     squares += std::max(0.0, sumOfSquares / n - sum / n * (sum / n));
   }
-  return std::sqrt(squares / static_cast<double>(places.size()));
+  return std::sqrt(squares / static_cast<double>(abscissas.size()));
 }
 
-double spreadBefore(const std::vector<Study>& studies, int out) {
-  const std::vector<double>& velocities = studies.front().velocities();
-  return spread(studies, logSpaced(velocities.front(), 10, 60), [&](const Study& study, double v) {
-    return normalizedMuAt(study, 0, v, out) * study.line().rmsSlope;
-  });
+double spreadBefore(const std::vector<GroupedMeans>& allMeans, int out) {
+  const std::vector<double>& velocities = allMeans.front().velocities();
+  return spread(allMeans, logSpaced(velocities.front(), 10, 60),
+                [&](const GroupedMeans& means, double v) {
+                  return normalizedMuAt(means, 0, v, out) * means.line().rmsSlope;
+                });
 }
 
 /// The range ends at the plateau: region IV is not part of Eq. (12).
 constexpr double kCollapseFrom = 0.01, kCollapseTo = 10;
 
-double spreadAfter(const std::vector<Study>& studies, int out) {
-  return spread(studies, logSpaced(kCollapseFrom, kCollapseTo, 60),
-                [&](const Study& study, double x) {
-                  const Shift shift = shiftOf(study, out);
-                  return normalizedMuAt(study, 0, x * shift.velocity, out) * study.line().rmsSlope /
+double spreadAfter(const std::vector<GroupedMeans>& allMeans, int out) {
+  return spread(allMeans, logSpaced(kCollapseFrom, kCollapseTo, 60),
+                [&](const GroupedMeans& means, double x) {
+                  const Shift shift = shiftOf(means, out);
+                  return normalizedMuAt(means, 0, x * shift.velocity, out) * means.line().rmsSlope /
                          shift.friction;
                 });
 }
 
-Claim collapseClaim(const std::vector<Study>& studies) {
+Claim collapseClaim(const std::vector<GroupedMeans>& allMeans) {
   Claim claim{"master_curve", "p. 4, Eqs. (16) and (17)",
               "Changing force, system size or relaxation time only shifts the curves in the double "
               "logarithmic presentation",
@@ -115,10 +116,10 @@ Claim collapseClaim(const std::vector<Study>& studies) {
   claim.expected = 0;
   claim.criterion = "below 0.05 decades (12 %)";
   decide(claim,
-         jackknife(studies.front().groups(), [&](int out) { return spreadAfter(studies, out); }),
+         jackknife(allMeans.front().groups(), [&](int out) { return spreadAfter(allMeans, out); }),
          below(0.05));
   claim.note =
-      message("Before the shift it is {:.2f} decades.", spreadBefore(studies, Study::kAll));
+      message("Before the shift it is {:.2f} decades.", spreadBefore(allMeans, GroupedMeans::kAll));
   return claim;
 }
 
@@ -135,8 +136,9 @@ Claim dimensionClaim(const Scene& base, FigureWork& work) {
   const std::vector<double> velocities{1e-3, 1e-1, 10};
   std::vector<double> scaled = velocities;
   for (double& velocity : scaled) velocity *= 3 / 0.3;
-  const Study one = work.study(scene, {base.load.normalForce}, velocities, 1);
-  const Study two = work.study(other, {base.load.normalForce * 3 * 0.7 * 2.1}, scaled, 1);
+  const GroupedMeans one = work.computeMeans(scene, {base.load.normalForce}, velocities, 1);
+  const GroupedMeans two =
+      work.computeMeans(other, {base.load.normalForce * 3 * 0.7 * 2.1}, scaled, 1);
   double worst = 0;
   for (std::size_t i = 0; i < velocities.size(); ++i)
     worst = std::max(worst, std::abs(two.normalizedMu(0, i) / one.normalizedMu(0, i) - 1));
@@ -180,13 +182,13 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
     const double factor = wlfShift(celsius[k] + kZeroCelsius);
     Scene warm = scene;
     warm.elastomer.relaxationTime *= factor;
-    const Study study = work.study(warm, {scene.load.normalForce}, velocities, 0.2);
+    const GroupedMeans means = work.computeMeans(warm, {scene.load.normalForce}, velocities, 0.2);
     std::vector<double> moved = velocities;
     for (double& velocity : moved) velocity *= factor;
-    const Study reference = work.study(scene, {scene.load.normalForce}, moved, 0.2);
+    const GroupedMeans reference = work.computeMeans(scene, {scene.load.normalForce}, moved, 0.2);
     for (std::size_t i = 0; i < velocities.size(); ++i)
-      worst = std::max(worst, std::abs(study.mu(0, i) / reference.mu(0, i) - 1));
-    DiagramSeries raw = frictionSeries(study, 0, message("{:g} \u00B0C", celsius[k]));
+      worst = std::max(worst, std::abs(means.mu(0, i) / reference.mu(0, i) - 1));
+    DiagramSeries raw = frictionSeries(means, 0, message("{:g} \u00B0C", celsius[k]));
     raw.colour = static_cast<int>(k);
     raw.stroke = SeriesStroke::Dotted;
     DiagramSeries marks = raw;
@@ -212,16 +214,16 @@ Temperatures temperaturesOf(const Scene& base, FigureWork& work) {
   return result;
 }
 
-DiagramSeries plainSeries(const Study& study, const Variant& variant, bool isShifted) {
-  DiagramSeries series = frictionSeries(study, 0, variant.name);
+DiagramSeries plainSeries(const GroupedMeans& means, const Variant& variant, bool isShifted) {
+  DiagramSeries series = frictionSeries(means, 0, variant.name);
   series.colour = variant.kind;
   series.stroke = variant.stroke;
   if (variant.kind == 0) series.mark = SeriesMark::Circle;
-  const Shift shift = isShifted ? shiftOf(study) : Shift{1, 1};
+  const Shift shift = isShifted ? shiftOf(means) : Shift{1, 1};
   for (DiagramPoint& point : series.points) {
     point.low = point.high = kNotApplicable;
     point.x /= shift.velocity;
-    point.y *= study.line().rmsSlope / shift.friction;
+    point.y *= means.line().rmsSlope / shift.friction;
   }
   return series;
 }
@@ -243,17 +245,17 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
     law.points.push_back({x, std::numbers::sqrt2 / std::hypot(1, 1 / x)});
   after.series.push_back(law);
 
-  std::vector<Study> studies;
+  std::vector<GroupedMeans> allMeans;
   figure.csv = joinedColumns({"variant", "velocity_shift", "friction_shift"}) + "," + curveHeader();
   for (const Variant& variant : variants) {
-    const Study& study = studies.emplace_back(work.study(
+    const GroupedMeans& means = allMeans.emplace_back(work.computeMeans(
         variant.scene, {variant.scene.load.normalForce}, sweepVelocities(variant.scene.sweep), 1));
-    before.series.push_back(plainSeries(study, variant, false));
-    after.series.push_back(plainSeries(study, variant, true));
+    before.series.push_back(plainSeries(means, variant, false));
+    after.series.push_back(plainSeries(means, variant, true));
     after.series.back().name = {};
-    const Shift shift = shiftOf(study);
+    const Shift shift = shiftOf(means);
     figure.csv += tableRows(
-        study, 0, fmt::format("{},{},{},", variant.name.english(), shift.velocity, shift.friction));
+        means, 0, fmt::format("{},{},{},", variant.name.english(), shift.velocity, shift.friction));
   }
   after.x.from = 1e-4;
   after.x.to = 1e3;
@@ -266,7 +268,7 @@ void addMasterFigure(Figure& figure, const FigureOptions& options) {
       "Shifted with the rms slope in contact at low velocity; f is where region I of Eq. (11) "
       "meets "
       "the plateau. Region IV is not part of Eq. (12) and does not collapse.";
-  figure.claims = {collapseClaim(studies), std::move(dimension), std::move(temperatures.claim)};
+  figure.claims = {collapseClaim(allMeans), std::move(dimension), std::move(temperatures.claim)};
 }
 
 }  // namespace asperity

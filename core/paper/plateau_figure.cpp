@@ -24,22 +24,22 @@ struct Top {
 struct Tops {
   double hurst = 0;
   int groups = 1;
-  Study study;
+  GroupedMeans means;
   std::vector<Top> tops;  // ordered by force
 };
 
-Top topOf(const Study& study, std::size_t j) {
+Top topOf(const GroupedMeans& means, std::size_t j) {
   Top top;
-  top.force = dimensionlessForce(study.lawInput(j, 0));
-  top.plateau = findPlateau(study, j);
+  top.force = dimensionlessForce(means.lawInput(j, 0));
+  top.plateau = findPlateau(means, j);
   top.normalizedMu =
-      jackknife(study.groups(), [&](int out) { return findPlateau(study, j, out).normalizedMu; });
-  const std::vector<double>& velocities = study.velocities(j);
+      jackknife(means.groups(), [&](int out) { return findPlateau(means, j, out).normalizedMu; });
+  const std::vector<double>& velocities = means.velocities(j);
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < velocities.size(); ++i)
-    if (study.mu(j, i) > study.mu(j, nearest)) nearest = i;
-  top.contactFraction = study.contactFraction(j, nearest);
-  top.slopeRatio = study.rmsSlopeContact(j, nearest) / study.line().rmsSlope;
+    if (means.mu(j, i) > means.mu(j, nearest)) nearest = i;
+  top.contactFraction = means.contactFraction(j, nearest);
+  top.slopeRatio = means.rmsSlopeContact(j, nearest) / means.line().rmsSlope;
   return top;
 }
 
@@ -50,7 +50,7 @@ Diagram diagramOf(const std::vector<Tops>& all) {
   DiagramSeries theory{"\u221A2, Eq. (9)"};
   theory.isTheory = true;
   theory.stroke = SeriesStroke::Dashed;
-  const Study& first = all.front().study;
+  const GroupedMeans& first = all.front().means;
   theory.points = {{first.normalForce(0), std::numbers::sqrt2},
                    {first.normalForce(first.forces() - 1), std::numbers::sqrt2}};
   diagram.series.push_back(theory);
@@ -59,7 +59,7 @@ Diagram diagramOf(const std::vector<Tops>& all) {
     series.colour = static_cast<int>(k);
     for (std::size_t j = 0; j < all[k].tops.size(); ++j) {
       const auto [value, error] = all[k].tops[j].normalizedMu;
-      series.points.push_back({all[k].study.normalForce(j), value, value - error, value + error});
+      series.points.push_back({all[k].means.normalForce(j), value, value - error, value + error});
     }
     diagram.series.push_back(std::move(series));
   }
@@ -110,8 +110,8 @@ Claim hurstClaim(const std::vector<Tops>& all) {
   claim.expected = 1;
   claim.criterion = "above 0.85";
   const auto ratio = [&](int out) {
-    return findPlateau(low->study, at, out).normalizedMu /
-           findPlateau(high->study, at, out).normalizedMu;
+    return findPlateau(low->means, at, out).normalizedMu /
+           findPlateau(high->means, at, out).normalizedMu;
   };
   decide(claim, jackknife(low->groups, ratio), above(0.85));
   claim.note = message("Smallest at H = {:g}, largest at H = {:g}.", low->hurst, high->hurst);
@@ -126,9 +126,9 @@ Claim fallClaim(const std::vector<Tops>& all) {
     double sum = 0;
     for (const Tops& one : all) {
       double top = 0;
-      for (std::size_t j = 0; j < one.study.forces(); ++j)
-        top = std::max(top, findPlateau(one.study, j, out).normalizedMu);
-      sum += findPlateau(one.study, 0, out).normalizedMu / top;
+      for (std::size_t j = 0; j < one.means.forces(); ++j)
+        top = std::max(top, findPlateau(one.means, j, out).normalizedMu);
+      sum += findPlateau(one.means, 0, out).normalizedMu / top;
     }
     return sum / static_cast<double>(all.size());
   };
@@ -151,9 +151,9 @@ Claim fallClaim(const std::vector<Tops>& all) {
 Claim strongerClaim(const std::vector<Tops>& all) {
   const auto fall = [](const Tops& one, int out) {
     double top = 0;
-    for (std::size_t j = 0; j < one.study.forces(); ++j)
-      top = std::max(top, findPlateau(one.study, j, out).normalizedMu);
-    return findPlateau(one.study, 0, out).normalizedMu / top;
+    for (std::size_t j = 0; j < one.means.forces(); ++j)
+      top = std::max(top, findPlateau(one.means, j, out).normalizedMu);
+    return findPlateau(one.means, 0, out).normalizedMu / top;
   };
   Claim claim{"fall_grows_with_H", "p. 4, after Eq. (15)",
               "The dependence of the slope in contact on force is less pronounced for H near 0 and "
@@ -182,17 +182,17 @@ void addPlateauFigure(Figure& figure, const FigureOptions& options) {
     Scene scene = figure.scene;
     scene.surface.hurst = hurst;
     const double slope = LineSource(scene, 1).statistics().rmsSlope;
-    Study study(scene, plateauCases(scene, slope, paperForces()), work.next(1));
+    GroupedMeans means(scene, plateauCases(scene, slope, paperForces()), work.next(1));
     std::vector<Top> tops;
-    for (std::size_t j = 0; j < study.forces(); ++j) {
-      const Top& top = tops.emplace_back(topOf(study, j));
-      figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, study.normalForce(j),
+    for (std::size_t j = 0; j < means.forces(); ++j) {
+      const Top& top = tops.emplace_back(topOf(means, j));
+      figure.csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", hurst, means.normalForce(j),
                                 top.force, top.normalizedMu.value,
                                 csvNumber(top.normalizedMu.standardError), top.plateau.velocity,
-                                top.contactFraction, top.slopeRatio, study.realizations());
+                                top.contactFraction, top.slopeRatio, means.realizations());
     }
-    const int groups = study.groups();
-    all.push_back({hurst, groups, std::move(study), std::move(tops)});
+    const int groups = means.groups();
+    all.push_back({hurst, groups, std::move(means), std::move(tops)});
   }
   figure.sheet.diagrams = {diagramOf(all)};
   figure.sheet.note =

@@ -10,49 +10,49 @@
 namespace asperity {
 namespace {
 
-std::vector<double> normalizedCurve(const Study& study, std::size_t j, int leftOut) {
+std::vector<double> normalizedCurve(const GroupedMeans& means, std::size_t j, int leftOut) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < study.velocities(j).size(); ++i)
-    values.push_back(study.normalizedMu(j, i, leftOut));
+  for (std::size_t i = 0; i < means.velocities(j).size(); ++i)
+    values.push_back(means.normalizedMu(j, i, leftOut));
   return values;
 }
 
 }  // namespace
 
-double velocityExponent(const Study& study, std::size_t j, std::size_t first, std::size_t last,
-                        int leftOut) {
+double velocityExponent(const GroupedMeans& means, std::size_t j, std::size_t first,
+                        std::size_t last, int leftOut) {
   std::vector<double> velocities, mu;
   for (std::size_t i = first; i <= last; ++i) {
-    velocities.push_back(study.velocities(j)[i]);
-    mu.push_back(study.mu(j, i, leftOut));
+    velocities.push_back(means.velocities(j)[i]);
+    mu.push_back(means.mu(j, i, leftOut));
   }
   return fitPower(velocities, mu).slope;
 }
 
-Plateau findPlateau(const Study& study, std::size_t j, int leftOut) {
+Plateau findPlateau(const GroupedMeans& means, std::size_t j, int leftOut) {
   const CurveMaximum maximum =
-      curveMaximum(study.velocities(j), normalizedCurve(study, j, leftOut));
+      curveMaximum(means.velocities(j), normalizedCurve(means, j, leftOut));
   return {maximum.velocity, maximum.value};
 }
 
-RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut,
+RegionBorders regionBorders(const GroupedMeans& means, std::size_t j, int leftOut,
                             const BorderRule& rule) {
-  return regionBorders(study.velocities(j), normalizedCurve(study, j, leftOut), rule);
+  return regionBorders(means.velocities(j), normalizedCurve(means, j, leftOut), rule);
 }
 
-double normalizedMuAt(const Study& study, std::size_t j, double velocity, int leftOut) {
-  const std::vector<double>& velocities = study.velocities(j);
+double normalizedMuAt(const GroupedMeans& means, std::size_t j, double velocity, int leftOut) {
+  const std::vector<double>& velocities = means.velocities(j);
   const auto above = std::upper_bound(velocities.begin() + 1, velocities.end() - 1, velocity);
   const auto i = static_cast<std::size_t>(above - velocities.begin());
   const double part =
       std::log(velocity / velocities[i - 1]) / std::log(velocities[i] / velocities[i - 1]);
-  const double before = study.normalizedMu(j, i - 1, leftOut);
-  return before * std::pow(study.normalizedMu(j, i, leftOut) / before, part);
+  const double before = means.normalizedMu(j, i - 1, leftOut);
+  return before * std::pow(means.normalizedMu(j, i, leftOut) / before, part);
 }
 
-double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i, int leftOut) {
-  const LawInput in = study.lawInput(j, i);
-  return study.mu(j, i, leftOut) * in.rmsHeight /
+double lowVelocityFactor(const GroupedMeans& means, std::size_t j, std::size_t i, int leftOut) {
+  const LawInput in = means.lawInput(j, i);
+  return means.mu(j, i, leftOut) * in.rmsHeight /
          (in.relaxationTime * in.velocity * in.rmsSlope * in.rmsSlope);
 }
 
@@ -72,16 +72,16 @@ bool isInZone1(double dimensionlessForce, double to) {
          dimensionlessForce <= to * (1 + kRounding);
 }
 
-FullContact compareFullContact(const Study& study) {
+FullContact compareFullContact(const GroupedMeans& means) {
   FullContact found;
-  for (std::size_t j = 0; j < study.forces(); ++j)
-    for (std::size_t i = 0; i < study.velocities(j).size(); ++i) {
-      if (study.contactFraction(j, i) < 1 - 1e-12) continue;
+  for (std::size_t j = 0; j < means.forces(); ++j)
+    for (std::size_t i = 0; i < means.velocities(j).size(); ++i) {
+      if (means.contactFraction(j, i) < 1 - 1e-12) continue;
       ++found.points;
-      LawInput in = study.lawInput(j, i);
-      const auto deviation = [&] { return std::abs(study.mu(j, i) / fullContactFriction(in) - 1); };
+      LawInput in = means.lawInput(j, i);
+      const auto deviation = [&] { return std::abs(means.mu(j, i) / fullContactFriction(in) - 1); };
       found.toSpectral = std::max(found.toSpectral, deviation());
-      in.rmsSlope = study.rmsSlopeContact(j, i);
+      in.rmsSlope = means.rmsSlopeContact(j, i);
       found.toResolved = std::max(found.toResolved, deviation());
     }
   return found;
@@ -92,25 +92,25 @@ double forceAt(const Scene& scene, double dimensionlessForce) {
          scene.surface.length;
 }
 
-double fitAlpha(const Study& study, int leftOut, double to) {
+double fitAlpha(const GroupedMeans& means, int leftOut, double to) {
   std::vector<double> forces, factors;
-  for (std::size_t j = 0; j < study.forces(); ++j) {
-    const double force = dimensionlessForce(study.lawInput(j, 0));
+  for (std::size_t j = 0; j < means.forces(); ++j) {
+    const double force = dimensionlessForce(means.lawInput(j, 0));
     if (!isInZone1(force, to)) continue;
     forces.push_back(force);
-    factors.push_back(lowVelocityFactor(study, j, 0, leftOut));
+    factors.push_back(lowVelocityFactor(means, j, 0, leftOut));
   }
   return -fitPower(forces, factors).slope;
 }
 
-double fitBeta(const Study& study, int leftOut) {
-  const double alpha = forceExponent(study.scene().surface.hurst);
+double fitBeta(const GroupedMeans& means, int leftOut) {
+  const double alpha = forceExponent(means.scene().surface.hurst);
   double sum = 0;
-  for (std::size_t j = 0; j < study.forces(); ++j) {
-    const double force = dimensionlessForce(study.lawInput(j, 0));
-    sum += std::log(lowVelocityFactor(study, j, 0, leftOut)) + alpha * std::log(force);
+  for (std::size_t j = 0; j < means.forces(); ++j) {
+    const double force = dimensionlessForce(means.lawInput(j, 0));
+    sum += std::log(lowVelocityFactor(means, j, 0, leftOut)) + alpha * std::log(force);
   }
-  return std::exp(sum / static_cast<double>(study.forces()));
+  return std::exp(sum / static_cast<double>(means.forces()));
 }
 
 std::vector<LoadCase> zone1Cases(const Scene& scene, double rmsSlope) {

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "core/friction/curve_features.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 
 namespace asperity {
 
 /// Returns the exponent n of mu ~ v^n, fitted to velocities `first` to `last` (indices, both
 /// included).
-double velocityExponent(const Study& study, std::size_t j, std::size_t first, std::size_t last,
-                        int leftOut = Study::kAll);
+double velocityExponent(const GroupedMeans& means, std::size_t j, std::size_t first,
+                        std::size_t last, int leftOut = GroupedMeans::kAll);
 
 struct Plateau {
   double velocity = 0;      // m/s
@@ -23,21 +23,21 @@ struct Plateau {
 
 /// Returns the curve's maximum, from the parabola in ln v through the highest value and its
 /// neighbours.
-Plateau findPlateau(const Study& study, std::size_t j, int leftOut = Study::kAll);
+Plateau findPlateau(const GroupedMeans& means, std::size_t j, int leftOut = GroupedMeans::kAll);
 
 /// Returns the borders; region I is the region of the lowest velocity.
-RegionBorders regionBorders(const Study& study, std::size_t j, int leftOut = Study::kAll,
-                            const BorderRule& rule = {});
+RegionBorders regionBorders(const GroupedMeans& means, std::size_t j,
+                            int leftOut = GroupedMeans::kAll, const BorderRule& rule = {});
 
 /// Returns mu / rms slope at a velocity between computed ones, by linear interpolation of
 /// logarithms.
-double normalizedMuAt(const Study& study, std::size_t j, double velocity,
-                      int leftOut = Study::kAll);
+double normalizedMuAt(const GroupedMeans& means, std::size_t j, double velocity,
+                      int leftOut = GroupedMeans::kAll);
 
 /// Returns mu / (tau v grad^2 / h) in the limit of low velocity, at velocity i: beta Fbar^-alpha of
 /// Eq. (5).
-double lowVelocityFactor(const Study& study, std::size_t j, std::size_t i,
-                         int leftOut = Study::kAll);
+double lowVelocityFactor(const GroupedMeans& means, std::size_t j, std::size_t i,
+                         int leftOut = GroupedMeans::kAll);
 
 /// mu compared with Eq. (8), where the whole line is in contact on every realization.
 struct FullContact {
@@ -45,7 +45,7 @@ struct FullContact {
   double toResolved = 0;  // largest |mu / Eq. (8) - 1| with the rms slope of the line's segments
   double toSpectral = 0;  // the same with the slope of the spectrum: the resolution of the line
 };
-FullContact compareFullContact(const Study& study);
+FullContact compareFullContact(const GroupedMeans& means);
 
 /// Returns F_N (N) for a dimensionless force: Fbar G h L, Eq. (14).
 double forceAt(const Scene& scene, double dimensionlessForce);
@@ -65,8 +65,8 @@ bool isInZone1(double dimensionlessForce, double to = kZone1To);
 /// Return Eq. (5)'s exponent and prefactor in zone 1, from forces at velocity index 0. alpha is the
 /// slope of ln mu over ln Fbar up to `to`. beta belongs to alpha = H/(1+H) and is the mean of the
 /// logarithm up to kBetaUpTo: it is used in Eq. (11), which must hold until contact is complete.
-double fitAlpha(const Study& study, int leftOut = Study::kAll, double to = kZone1To);
-double fitBeta(const Study& study, int leftOut = Study::kAll);
+double fitAlpha(const GroupedMeans& means, int leftOut = GroupedMeans::kAll, double to = kZone1To);
+double fitBeta(const GroupedMeans& means, int leftOut = GroupedMeans::kAll);
 inline constexpr double kBetaUpTo = 1;
 
 /// Returns thirteen forces that cover the window, and one velocity in the limit of slow sliding.

@@ -13,18 +13,18 @@
 namespace asperity {
 namespace {
 
-/// Returns the exponent of `read(study)` over the rms slope.
+/// Returns the exponent of what `read` returns for each spacing over the rms slope.
 template <class Read>
-double slopeExponent(const std::vector<Study>& studies, const Read& read) {
+double slopeExponent(const std::vector<GroupedMeans>& allMeans, const Read& read) {
   std::vector<double> slopes, values;
-  for (const Study& study : studies) {
-    slopes.push_back(study.line().rmsSlope);
-    values.push_back(read(study));
+  for (const GroupedMeans& means : allMeans) {
+    slopes.push_back(means.line().rmsSlope);
+    values.push_back(read(means));
   }
   return fitPower(slopes, values).slope;
 }
 
-Claim lowVelocityClaim(const std::vector<Study>& studies) {
+Claim lowVelocityClaim(const std::vector<GroupedMeans>& allMeans) {
   Claim claim{"region_1_slope_squared", "p. 2, before Eq. (5)",
               "Simulations with different rms gradients, varied by the spacing, show \u03BC very "
               "accurately proportional to the squared gradient",
@@ -32,13 +32,13 @@ Claim lowVelocityClaim(const std::vector<Study>& studies) {
   claim.expected = 2;
   claim.criterion = "within 0.1 of 2";
   const auto exponent = [&](int out) {
-    return slopeExponent(studies, [&](const Study& study) { return study.mu(0, 0, out); });
+    return slopeExponent(allMeans, [&](const GroupedMeans& means) { return means.mu(0, 0, out); });
   };
-  decide(claim, jackknife(studies.front().groups(), exponent), within(2, 0.1));
+  decide(claim, jackknife(allMeans.front().groups(), exponent), within(2, 0.1));
   return claim;
 }
 
-Claim maximumClaim(const std::vector<Study>& studies) {
+Claim maximumClaim(const std::vector<GroupedMeans>& allMeans) {
   Claim claim{"maximum_proportional_to_slope", "p. 2, before Fig. 2",
               "The maximum of the coefficient of friction in the medium range of velocities is "
               "proportional to the rms gradient",
@@ -46,20 +46,20 @@ Claim maximumClaim(const std::vector<Study>& studies) {
   claim.expected = 1;
   claim.criterion = "within 0.1 of 1";
   const auto exponent = [&](int out) {
-    return slopeExponent(studies, [&](const Study& study) {
-      return findPlateau(study, 0, out).normalizedMu * study.line().rmsSlope;
+    return slopeExponent(allMeans, [&](const GroupedMeans& means) {
+      return findPlateau(means, 0, out).normalizedMu * means.line().rmsSlope;
     });
   };
-  decide(claim, jackknife(studies.front().groups(), exponent), within(1, 0.1));
+  decide(claim, jackknife(allMeans.front().groups(), exponent), within(1, 0.1));
   return claim;
 }
 
-DiagramSeries seriesOf(const Study& study, double ramp, bool isNormalized) {
-  DiagramSeries series = frictionSeries(study, 0, "");
+DiagramSeries seriesOf(const GroupedMeans& means, double ramp, bool isNormalized) {
+  DiagramSeries series = frictionSeries(means, 0, "");
   series.ramp = ramp;
   for (DiagramPoint& point : series.points) {
     point.low = point.high = kNotApplicable;
-    if (!isNormalized) point.y *= study.line().rmsSlope;
+    if (!isNormalized) point.y *= means.line().rmsSlope;
   }
   return series;
 }
@@ -76,16 +76,16 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
   plain.y.title = "friction \u03BC";
   normalized.title = "over the rms slope";
   figure.csv = joinedColumns({"spacing", "rms_slope"}) + "," + curveHeader();
-  std::vector<Study> studies;
+  std::vector<GroupedMeans> allMeans;
   for (std::size_t k = 0; k < spacings.size(); ++k) {
     Scene scene = figure.scene;
     scene.surface.elements = std::llround(scene.surface.length / spacings[k]);
-    const Study& study = studies.emplace_back(
-        work.study(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1 / spacings[k]));
+    const GroupedMeans& means = allMeans.emplace_back(work.computeMeans(
+        scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), 1 / spacings[k]));
     const double ramp = static_cast<double>(k) / static_cast<double>(spacings.size() - 1);
-    plain.series.push_back(seriesOf(study, ramp, false));
-    normalized.series.push_back(seriesOf(study, ramp, true));
-    figure.csv += tableRows(study, 0, fmt::format("{},{},", spacings[k], study.line().rmsSlope));
+    plain.series.push_back(seriesOf(means, ramp, false));
+    normalized.series.push_back(seriesOf(means, ramp, true));
+    figure.csv += tableRows(means, 0, fmt::format("{},{},", spacings[k], means.line().rmsSlope));
   }
   plain.ramp = normalized.ramp =
       DiagramRamp{"spacing", PrintedNumber{printedQuantity(spacings.front(), "m")},
@@ -94,7 +94,7 @@ void addSpacingFigure(Figure& figure, const FigureOptions& options) {
   figure.sheet.note =
       "The spacing sets the shortest wave of the line and with it the rms slope: it acts as a "
       "parameter of the model.";
-  figure.claims = {lowVelocityClaim(studies), maximumClaim(studies)};
+  figure.claims = {lowVelocityClaim(allMeans), maximumClaim(allMeans)};
 }
 
 }  // namespace asperity

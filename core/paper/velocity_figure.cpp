@@ -16,7 +16,7 @@ namespace {
 constexpr double kFineFrom = 0.1;  // m/s; all three agree below it
 
 struct Curves {
-  Study resolved;
+  GroupedMeans resolved;
   std::vector<ElementPoint> literal, fine;
   bool isFineCut;  // it ends where the affordable steps are too few
 };
@@ -34,7 +34,7 @@ Curves computeCurves(const Scene& scene, const FigureOptions& options, FigureWor
   // A march costs as much as hundreds of steady passes, one in fine steps as much as ten thousand.
   const std::int64_t literalLines = partOfLines(options.realizations, 5, 40);
   const std::int64_t fineLines = partOfLines(options.realizations, 33, 6);
-  Study resolved = work.study(scene, {scene.load.normalForce}, velocities, 1);
+  GroupedMeans resolved = work.computeMeans(scene, {scene.load.normalForce}, velocities, 1);
   std::vector<ElementPoint> literal =
       literalCurve(scene, velocities, literalLines, {}, work.next(4));
   std::vector<ElementPoint> fine = fineStepCurve(scene, fast, fineLines, {}, work.next(10));
@@ -58,29 +58,29 @@ DiagramSeries elementSeries(const std::vector<ElementPoint>& points, const char*
 }
 
 Diagram diagramOf(const Curves& curves) {
-  const Study& study = curves.resolved;
+  const GroupedMeans& means = curves.resolved;
   Diagram diagram = frictionDiagram();
-  diagram.series.push_back(lawSeries(study, 0, "Eq. (11)"));
+  diagram.series.push_back(lawSeries(means, 0, "Eq. (11)"));
   diagram.series.push_back(
       elementSeries(curves.literal, "the paper's literal rule", SeriesMark::Square));
   if (!curves.fine.empty())
     diagram.series.push_back(
         elementSeries(curves.fine, "N elements, fine steps", SeriesMark::Triangle));
-  DiagramSeries band = frictionSeries(study, 0, "");
+  DiagramSeries band = frictionSeries(means, 0, "");
   band.isBand = true;
   band.stroke = SeriesStroke::None;
   band.colour = 2;
   diagram.series.push_back(band);
   DiagramSeries resolved =
-      frictionSeries(study, 0, message("resolved line ({} lines)", study.realizations()));
+      frictionSeries(means, 0, message("resolved line ({} lines)", means.realizations()));
   for (DiagramPoint& point : resolved.points) point.low = point.high = kNotApplicable;
   resolved.colour = 2;
   diagram.series.push_back(resolved);
 
-  const std::vector<double>& v = study.velocities();
-  for (const CurveRegion& region : regionsWithin(regionBorders(study, 0), v.front(), v.back()))
+  const std::vector<double>& v = means.velocities();
+  for (const CurveRegion& region : regionsWithin(regionBorders(means, 0), v.front(), v.back()))
     diagram.spans.push_back({region.from, region.to, region.name});
-  const double few = fewSummitsVelocity(study.scene(), study.line().rmsHeight);
+  const double few = fewSummitsVelocity(means.scene(), means.line().rmsHeight);
   addFewSummits(diagram, fewSummitsWithin(few, v.front(), v.back()));
   return diagram;
 }
@@ -118,10 +118,10 @@ std::size_t indexBelow(const std::vector<double>& velocities, double velocity) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - velocities.begin(), 1) - 1);
 }
 
-Claim linearClaim(const Study& study) {
+Claim linearClaim(const GroupedMeans& means) {
   // The range ends two decades inside region I.
   const std::size_t last = std::max<std::size_t>(
-      2, indexBelow(study.velocities(), regionBorders(study, 0).endOfLinear / 10));
+      2, indexBelow(means.velocities(), regionBorders(means, 0).endOfLinear / 10));
   Claim claim{"region_1_is_linear", "p. 2, Fig. 2",
               "At first the coefficient of friction increases linearly with velocity (region I)",
               "exponent n of \u03BC \u221D v\u207F"};
@@ -129,7 +129,7 @@ Claim linearClaim(const Study& study) {
   claim.criterion = "within 0.02 of 1, at velocities below a tenth of region I's end";
   decide(
       claim,
-      jackknife(study.groups(), [&](int out) { return velocityExponent(study, 0, 0, last, out); }),
+      jackknife(means.groups(), [&](int out) { return velocityExponent(means, 0, 0, last, out); }),
       within(1, 0.02));
   return claim;
 }
@@ -137,47 +137,47 @@ Claim linearClaim(const Study& study) {
 /// Another rule for the borders, to show their sensitivity to it.
 constexpr BorderRule kStrict{0.9, 0.9};
 
-double widthOf(const Study& study, int out, const BorderRule& rule = {}) {
-  const RegionBorders borders = regionBorders(study, 0, out, rule);
+double widthOf(const GroupedMeans& means, int out, const BorderRule& rule = {}) {
+  const RegionBorders borders = regionBorders(means, 0, out, rule);
   return std::log10(borders.toPlateau / borders.endOfLinear);
 }
 
-double factorOf(const Study& study, int out, const BorderRule& rule = {}) {
-  const RegionBorders borders = regionBorders(study, 0, out, rule);
-  return normalizedMuAt(study, 0, borders.toPlateau, out) /
-         normalizedMuAt(study, 0, borders.endOfLinear, out);
+double factorOf(const GroupedMeans& means, int out, const BorderRule& rule = {}) {
+  const RegionBorders borders = regionBorders(means, 0, out, rule);
+  return normalizedMuAt(means, 0, borders.toPlateau, out) /
+         normalizedMuAt(means, 0, borders.endOfLinear, out);
 }
 
-Claim widthClaim(const Study& study) {
+Claim widthClaim(const GroupedMeans& means) {
   Claim claim{"region_2_width", "p. 2, Fig. 2", "Region II covers one decade of velocities",
               "decades from 80 % of the line through region I to 95 % of the maximum"};
   claim.expected = 1;
   claim.criterion = "0.7 to 1.3 decades";
-  decide(claim, jackknife(study.groups(), [&](int out) { return widthOf(study, out); }),
+  decide(claim, jackknife(means.groups(), [&](int out) { return widthOf(means, out); }),
          within(1, 0.3));
   claim.note = message(
       "The paper does not say where it reads the borders. From 90 % of the line to 90 % of the "
       "maximum it is {:.2f} decades.",
-      widthOf(study, Study::kAll, kStrict));
+      widthOf(means, GroupedMeans::kAll, kStrict));
   return claim;
 }
 
-Claim factorClaim(const Study& study) {
+Claim factorClaim(const GroupedMeans& means) {
   Claim claim{"region_2_factor", "p. 2, Fig. 2",
               "The coefficient of friction increases in region II by a factor of two",
               "\u03BC at the end of region II over \u03BC at its start, borders as for its width"};
   claim.expected = 2;
   claim.criterion = "1.5 to 2.5";
-  decide(claim, jackknife(study.groups(), [&](int out) { return factorOf(study, out); }),
+  decide(claim, jackknife(means.groups(), [&](int out) { return factorOf(means, out); }),
          within(2, 0.5));
   claim.note = message(
       "From 90 % of the line to 90 % of the maximum it is {:.2f}. Region II cannot both begin on "
       "the line of slope 1 and grow by two only within a decade.",
-      factorOf(study, Study::kAll, kStrict));
+      factorOf(means, GroupedMeans::kAll, kStrict));
   return claim;
 }
 
-Claim plateauClaim(const Study& study) {
+Claim plateauClaim(const GroupedMeans& means) {
   Claim claim{"plateau_height", "p. 3, Eq. (9)",
               "On the plateau (region III) \u03BC is about \u221A2 times the rms slope",
               "largest \u03BC / rms slope of the line"};
@@ -185,9 +185,9 @@ Claim plateauClaim(const Study& study) {
   claim.criterion = "within 10 % of \u221A2";
   decide(
       claim,
-      jackknife(study.groups(), [&](int out) { return findPlateau(study, 0, out).normalizedMu; }),
+      jackknife(means.groups(), [&](int out) { return findPlateau(means, 0, out).normalizedMu; }),
       within(claim.expected, 0.1 * claim.expected));
-  const Plateau plateau = findPlateau(study, 0);
+  const Plateau plateau = findPlateau(means, 0);
   claim.note =
       message("At {:.2g} m/s. Mind the fall already at this small force.", plateau.velocity);
   return claim;
@@ -218,10 +218,10 @@ Message fineStepsNote(const Curves& curves) {
 }
 
 Claim constantLevelClaim(const Curves& curves) {
-  const Study& study = curves.resolved;
-  const std::size_t last = study.velocities().size() - 1;
-  const double from = study.velocities()[last] / 10;
-  const std::size_t first = indexBelow(study.velocities(), from);
+  const GroupedMeans& means = curves.resolved;
+  const std::size_t last = means.velocities().size() - 1;
+  const double from = means.velocities()[last] / 10;
+  const std::size_t first = indexBelow(means.velocities(), from);
   Claim claim{
       "region_4_constant_level", "p. 2, Fig. 2; abstract",
       "Friction finally drops to another constant level (region IV)",
@@ -231,7 +231,7 @@ Claim constantLevelClaim(const Curves& curves) {
   const Bounds level = within(0, kLevel);
   decide(claim, exponentFrom(curves.literal, from), level);
   const Estimate resolved = jackknife(
-      study.groups(), [&](int out) { return velocityExponent(study, 0, first, last, out); });
+      means.groups(), [&](int out) { return velocityExponent(means, 0, first, last, out); });
   const Verdict onLine = verdict(resolved, level);
   if (claim.holds == Verdict::Yes && onLine == Verdict::No) {
     claim.holds = Verdict::OnlyForScheme;
@@ -287,10 +287,10 @@ void addVelocityFigure(Figure& figure, const FigureOptions& options) {
   if (!figure.sheet.diagrams.front().shades.empty()) notes.emplace_back(kFewSummitsSentence);
   figure.sheet.note = sentences(notes);
   figure.csv = tableOf(curves);
-  const Study& study = curves.resolved;
-  figure.claims = {linearClaim(study),  widthClaim(study),          factorClaim(study),
-                   plateauClaim(study), constantLevelClaim(curves), convergenceClaim(curves)};
-  for (Claim& claim : regionClaims(study, work)) figure.claims.push_back(std::move(claim));
+  const GroupedMeans& means = curves.resolved;
+  figure.claims = {linearClaim(means),  widthClaim(means),          factorClaim(means),
+                   plateauClaim(means), constantLevelClaim(curves), convergenceClaim(curves)};
+  for (Claim& claim : regionClaims(means, work)) figure.claims.push_back(std::move(claim));
 }
 
 }  // namespace asperity

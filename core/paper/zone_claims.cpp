@@ -13,20 +13,20 @@ namespace asperity {
 namespace {
 
 /// Returns the forces of zone 1, as indices.
-std::vector<std::size_t> forcesInZone1(const Study& study) {
+std::vector<std::size_t> forcesInZone1(const GroupedMeans& means) {
   std::vector<std::size_t> forces;
-  for (std::size_t j = 0; j < study.forces(); ++j)
-    if (isInZone1(dimensionlessForce(study.lawInput(j, 0)))) forces.push_back(j);
+  for (std::size_t j = 0; j < means.forces(); ++j)
+    if (isInZone1(dimensionlessForce(means.lawInput(j, 0)))) forces.push_back(j);
   return forces;
 }
 
 /// Returns the exponent of `read` over the forces given by index.
 template <class Read>
-double forceExponentOf(const Study& study, const std::vector<std::size_t>& forces,
+double forceExponentOf(const GroupedMeans& means, const std::vector<std::size_t>& forces,
                        const Read& read) {
   std::vector<double> x, y;
   for (const std::size_t j : forces) {
-    x.push_back(study.normalForce(j));
+    x.push_back(means.normalForce(j));
     y.push_back(read(j));
   }
   return fitPower(x, y).slope;
@@ -34,36 +34,36 @@ double forceExponentOf(const Study& study, const std::vector<std::size_t>& force
 
 /// Returns an exponent over the forces of zone 1, in the same window as alpha in Fig. 5.
 template <class Read>
-Claim zone1Claim(Claim claim, const Study& study, double expected, const Read& read) {
-  const std::vector<std::size_t> forces = forcesInZone1(study);
+Claim zone1Claim(Claim claim, const GroupedMeans& means, double expected, const Read& read) {
+  const std::vector<std::size_t> forces = forcesInZone1(means);
   claim.expected = expected;
   claim.criterion = "within 0.03 of the expected";
   if (forces.size() < 3) return claim;
   const auto exponent = [&](int out) {
-    return forceExponentOf(study, forces, [&](std::size_t j) { return read(j, out); });
+    return forceExponentOf(means, forces, [&](std::size_t j) { return read(j, out); });
   };
-  decide(claim, jackknife(study.groups(), exponent), within(expected, 0.03));
+  decide(claim, jackknife(means.groups(), exponent), within(expected, 0.03));
   return claim;
 }
 
-Claim zone1FrictionClaim(const Study& study) {
+Claim zone1FrictionClaim(const GroupedMeans& means) {
   return zone1Claim(
       {"zone_1_power", "p. 3, Eqs. (5) and (7)",
        "In zone 1 the coefficient of friction is a power of the force, with exponent "
        "\u2212H/(1 + H)",
        "exponent of \u03BC over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
-      study, -forceExponent(study.scene().surface.hurst),
-      [&](std::size_t j, int out) { return study.mu(j, 0, out); });
+      means, -forceExponent(means.scene().surface.hurst),
+      [&](std::size_t j, int out) { return means.mu(j, 0, out); });
 }
 
-Claim contactLengthClaim(const Study& study) {
+Claim contactLengthClaim(const GroupedMeans& means) {
   Claim claim = zone1Claim(
       {"contact_length_power", "p. 3, before Eq. (7)",
        "At small forces the contact length is a power of the force, "
        "L_cont \u221D F\u2099^(1/(1+H))",
        "exponent of L_cont over F\u2099 at the lowest velocity, F\u2099 / G h L up to 0.1"},
-      study, 1 / (1 + study.scene().surface.hurst),
-      [&](std::size_t j, int out) { return study.contactFraction(j, 0, out); });
+      means, 1 / (1 + means.scene().surface.hurst),
+      [&](std::size_t j, int out) { return means.contactFraction(j, 0, out); });
   claim.note =
       "The slope in contact rises with the force, too, so that \u03BC and L_cont need not have the "
       "same exponent up to 1.";
@@ -72,19 +72,19 @@ Claim contactLengthClaim(const Study& study) {
 
 /// Returns the claim on Eq. (6), on each line and for averages of mu compared with the pooled
 /// contact.
-Claim contactLawClaim(const Study& study) {
+Claim contactLawClaim(const GroupedMeans& means) {
   Claim claim{"equation_6", "p. 3, Eq. (6)",
               "At low velocities \u03BC = 4 L_cont \u03B7 grad_cont\u00B2 v / F\u2099",
               "largest |\u03BC / Eq. (6) - 1| at the lowest velocity, all forces"};
   const auto deviation = [&](std::size_t j, int out) {
     const double predicted = contactFriction(
-        study.lawInput(j, 0), study.contactFraction(j, 0, out) * study.scene().surface.length,
-        study.rmsSlopeContact(j, 0, out));
-    return std::abs(study.mu(j, 0, out) / predicted - 1);
+        means.lawInput(j, 0), means.contactFraction(j, 0, out) * means.scene().surface.length,
+        means.rmsSlopeContact(j, 0, out));
+    return std::abs(means.mu(j, 0, out) / predicted - 1);
   };
   std::vector<Estimate> deviations;
-  for (std::size_t j = 0; j < study.forces(); ++j)
-    deviations.push_back(jackknife(study.groups(), [&](int out) { return deviation(j, out); }));
+  for (std::size_t j = 0; j < means.forces(); ++j)
+    deviations.push_back(jackknife(means.groups(), [&](int out) { return deviation(j, out); }));
   claim.expected = 0;
   claim.criterion = "below 0.02";
   decideByAll(claim, deviations, below(0.02));
@@ -92,30 +92,30 @@ Claim contactLawClaim(const Study& study) {
 }
 
 /// Returns the rms slope in contact at force j over that at force k, at the lowest velocity.
-Estimate slopeRatio(const Study& study, std::size_t j, std::size_t k) {
-  return jackknife(study.groups(), [&](int out) {
-    return study.rmsSlopeContact(j, 0, out) / study.rmsSlopeContact(k, 0, out);
+Estimate slopeRatio(const GroupedMeans& means, std::size_t j, std::size_t k) {
+  return jackknife(means.groups(), [&](int out) {
+    return means.rmsSlopeContact(j, 0, out) / means.rmsSlopeContact(k, 0, out);
   });
 }
 
-Claim slopeTrendClaim(const Study& study) {
-  const std::size_t last = study.forces() - 1;
+Claim slopeTrendClaim(const GroupedMeans& means) {
+  const std::size_t last = means.forces() - 1;
   Claim claim{"slope_in_contact_rises", "p. 4, Eq. (15)",
               "The rms slope in contact increases with the indentation, weakly",
               "rms slope in contact at the smallest force over that at the largest"};
   claim.criterion = "below 1";
-  decide(claim, slopeRatio(study, 0, last), below(1));
+  decide(claim, slopeRatio(means, 0, last), below(1));
   // Eq. (15) as printed has the wrong sign of the exponent; with q^(2(1-H)) it is the sum of modes
   // shorter than the contact.
-  const double hurst = study.scene().surface.hurst;
+  const double hurst = means.scene().surface.hurst;
   const double shortest =
-      2 * study.scene().surface.length / static_cast<double>(study.scene().surface.elements);
+      2 * means.scene().surface.length / static_cast<double>(means.scene().surface.elements);
   const auto squared = [&](double contact) {
     return 1 - std::pow(shortest / contact, 2 * (1 - hurst));
   };
-  const double length = study.scene().surface.length;
+  const double length = means.scene().surface.length;
   const double predicted =
-      hurst < 1 ? std::sqrt(squared(study.contactFraction(0, 0) * length) / squared(length))
+      hurst < 1 ? std::sqrt(squared(means.contactFraction(0, 0) * length) / squared(length))
                 : kNotApplicable;
   claim.expected = predicted;
   claim.note =
@@ -126,13 +126,13 @@ Claim slopeTrendClaim(const Study& study) {
 }
 
 /// Returns the claim on a line whose summits are rougher than its other parts.
-Claim roughSummitsClaim(const Study& study, FigureWork& work) {
+Claim roughSummitsClaim(const GroupedMeans& means, FigureWork& work) {
   constexpr double kCorrelation = 2;
-  Scene scene = study.scene();
+  Scene scene = means.scene();
   scene.surface.summitCorrelation = kCorrelation;
-  const std::size_t last = study.forces() - 1;
-  const Study rough = work.study(scene, {study.normalForce(0), study.normalForce(last)},
-                                 {study.velocities()[0]}, 1);
+  const std::size_t last = means.forces() - 1;
+  const GroupedMeans rough = work.computeMeans(
+      scene, {means.normalForce(0), means.normalForce(last)}, {means.velocities()[0]}, 1);
   Claim claim{"slope_in_contact_falls_for_rough_summits", "p. 4, after Eq. (15)",
               "For a surface that is rougher on the summits than on the slopes the rms slope would "
               "decrease with indentation",
@@ -141,7 +141,7 @@ Claim roughSummitsClaim(const Study& study, FigureWork& work) {
   claim.criterion = "above 1";
   decide(claim, slopeRatio(rough, 0, 1), above(1));
   claim.note = message("With surface.summit_correlation = {:g} it is {:.3f}.",
-                       study.scene().surface.summitCorrelation, slopeRatio(study, 0, last).value);
+                       means.scene().surface.summitCorrelation, slopeRatio(means, 0, last).value);
   return claim;
 }
 
@@ -157,19 +157,19 @@ double velocityOfTrailing(const LoadShares& shares, std::size_t j, double part, 
   return kNotApplicable;
 }
 
-Claim oneSidedClaim(const Study& study, FigureWork& work) {
+Claim oneSidedClaim(const GroupedMeans& means, FigureWork& work) {
   constexpr double kPart = 0.1;
   constexpr std::array kForces{0.01, 0.1, 1.0, 10.0, 100.0};  // F_N / G h L
   constexpr std::size_t kPartial = 3;                         // index of one in partial contact
-  const Scene& scene = study.scene();
-  const double unit = velocityAt(1, scene, study.line().rmsSlope);
+  const Scene& scene = means.scene();
+  const double unit = velocityAt(1, scene, means.line().rmsSlope);
   std::vector<LoadCase> cases;
   for (const double force : kForces) {
     const double meeting = meetingVelocity(force, scene.surface.hurst) * unit;
     cases.push_back(
         {{LoadKind::Force, forceAt(scene, force), 0}, logSpaced(0.1 * meeting, 20 * meeting, 9)});
   }
-  const LoadShares shares(scene, std::move(cases), std::min<std::int64_t>(study.realizations(), 40),
+  const LoadShares shares(scene, std::move(cases), std::min<std::int64_t>(means.realizations(), 40),
                           work.next(2));
   std::vector<Estimate> velocities;
   for (std::size_t j = 0; j < kForces.size(); ++j)
@@ -197,10 +197,10 @@ Claim oneSidedClaim(const Study& study, FigureWork& work) {
   return claim;
 }
 
-Claim plateauSpreadClaim(const Study& study) {
+Claim plateauSpreadClaim(const GroupedMeans& means) {
   std::vector<double> tops;
-  for (std::size_t j = 0; j < study.forces(); ++j)
-    tops.push_back(findPlateau(study, j).normalizedMu);
+  for (std::size_t j = 0; j < means.forces(); ++j)
+    tops.push_back(findPlateau(means, j).normalizedMu);
   Claim claim{"plateau_depends_weakly_on_force", "p. 1, abstract",
               "The coefficient of friction on the plateau depends only weakly on the normal force",
               "smallest over largest plateau, over five decades of force"};
@@ -210,32 +210,32 @@ Claim plateauSpreadClaim(const Study& study) {
   claim.expected = 1;
   claim.criterion = "above 0.8";
   const auto ratio = [&](int out) {
-    return findPlateau(study, lowest, out).normalizedMu /
-           findPlateau(study, highest, out).normalizedMu;
+    return findPlateau(means, lowest, out).normalizedMu /
+           findPlateau(means, highest, out).normalizedMu;
   };
-  decide(claim, jackknife(study.groups(), ratio), above(0.8));
+  decide(claim, jackknife(means.groups(), ratio), above(0.8));
   return claim;
 }
 
 /// Returns the remaining distance between the curves up to their plateaus (decades of mu) after
 /// each has been shifted along ln v so that its region I lies on that of the first.
-double distanceOfShifted(const Study& study, int out) {
-  const double reference = study.mu(0, 0, out);
-  const double end = findPlateau(study, 0, out).velocity;
+double distanceOfShifted(const GroupedMeans& means, int out) {
+  const double reference = means.mu(0, 0, out);
+  const double end = findPlateau(means, 0, out).velocity;
   double worst = 0;
-  for (std::size_t j = 1; j < study.forces(); ++j) {
-    const double shift = reference / study.mu(j, 0, out);
-    for (const double velocity : logSpaced(study.velocities()[0], end, 40)) {
+  for (std::size_t j = 1; j < means.forces(); ++j) {
+    const double shift = reference / means.mu(j, 0, out);
+    for (const double velocity : logSpaced(means.velocities()[0], end, 40)) {
       const double moved = velocity * shift;
-      if (moved > study.velocities().back()) break;
-      worst = std::max(worst, std::abs(std::log10(normalizedMuAt(study, j, moved, out) /
-                                                  normalizedMuAt(study, 0, velocity, out))));
+      if (moved > means.velocities().back()) break;
+      worst = std::max(worst, std::abs(std::log10(normalizedMuAt(means, j, moved, out) /
+                                                  normalizedMuAt(means, 0, velocity, out))));
     }
   }
   return worst;
 }
 
-Claim shiftClaim(const Study& study) {
+Claim shiftClaim(const GroupedMeans& means) {
   Claim claim{
       "curves_shift", "p. 2, Fig. 4",
       "The form of the dependence is approximately the same for different forces, only "
@@ -244,24 +244,24 @@ Claim shiftClaim(const Study& study) {
       "the plateau"};
   claim.expected = 0;
   claim.criterion = "below 0.1 (26 %)";
-  decide(claim, jackknife(study.groups(), [&](int out) { return distanceOfShifted(study, out); }),
+  decide(claim, jackknife(means.groups(), [&](int out) { return distanceOfShifted(means, out); }),
          below(0.1));
   return claim;
 }
 
-Claim ratioClaim(const Study& study, FigureWork& work) {
-  Scene scene = study.scene();
+Claim ratioClaim(const GroupedMeans& means, FigureWork& work) {
+  Scene scene = means.scene();
   scene.elastomer.shearModulus *= 3;
-  scene.ensemble.realizations = std::min<std::int64_t>(study.realizations(), 10);
+  scene.ensemble.realizations = std::min<std::int64_t>(means.realizations(), 10);
   const std::vector<double> velocities{1e-3, 1e-1, 10};
   std::vector<double> forces;
-  for (std::size_t j = 0; j < study.forces(); j += 6) forces.push_back(study.normalForce(j));
+  for (std::size_t j = 0; j < means.forces(); j += 6) forces.push_back(means.normalForce(j));
   std::vector<double> larger = forces;
   for (double& force : larger) force *= 3;
-  Scene asGiven = study.scene();
+  Scene asGiven = means.scene();
   asGiven.ensemble.realizations = scene.ensemble.realizations;
-  const Study one = work.study(asGiven, forces, velocities, 1);
-  const Study three = work.study(scene, larger, velocities, 1);
+  const GroupedMeans one = work.computeMeans(asGiven, forces, velocities, 1);
+  const GroupedMeans three = work.computeMeans(scene, larger, velocities, 1);
   double worst = 0;
   for (std::size_t j = 0; j < forces.size(); ++j)
     for (std::size_t i = 0; i < velocities.size(); ++i)
@@ -277,13 +277,13 @@ Claim ratioClaim(const Study& study, FigureWork& work) {
 }
 
 /// Returns the claim mu ~ grad^n at fixed h, from different spacings.
-Claim slopeSquaredClaim(const Study& study, FigureWork& work) {
-  std::vector<Study> studies;
+Claim slopeSquaredClaim(const GroupedMeans& means, FigureWork& work) {
+  std::vector<GroupedMeans> allMeans;
   for (const double factor : {0.5, 1.0, 2.0, 4.0}) {
-    Scene scene = study.scene();
+    Scene scene = means.scene();
     scene.surface.elements = std::max<std::int64_t>(
         3, std::llround(factor * static_cast<double>(scene.surface.elements)));
-    studies.push_back(work.study(scene, {forceAt(scene, 0.1)}, {study.velocities()[0]}, 2));
+    allMeans.push_back(work.computeMeans(scene, {forceAt(scene, 0.1)}, {means.velocities()[0]}, 2));
   }
   Claim claim{
       "slope_squared", "p. 2, before Eq. (5)",
@@ -294,49 +294,49 @@ Claim slopeSquaredClaim(const Study& study, FigureWork& work) {
   claim.criterion = "within 0.1 of 2";
   const auto exponent = [&](int out) {
     std::vector<double> slopes, mu;
-    for (const Study& one : studies) {
+    for (const GroupedMeans& one : allMeans) {
       slopes.push_back(one.line().rmsSlope);
       mu.push_back(one.mu(0, 0, out));
     }
     return fitPower(slopes, mu).slope;
   };
-  decide(claim, jackknife(study.groups(), exponent), within(2, 0.1));
+  decide(claim, jackknife(means.groups(), exponent), within(2, 0.1));
   return claim;
 }
 
 /// Returns F_N / G h L at which this part of the line is in contact at the lowest velocity, by
 /// interpolation in the logarithm of the force; NaN: at none of the forces.
-double forceOfContact(const Study& study, double part, int out) {
-  for (std::size_t j = 0; j + 1 < study.forces(); ++j) {
-    const double here = study.contactFraction(j, 0, out),
-                 next = study.contactFraction(j + 1, 0, out);
+double forceOfContact(const GroupedMeans& means, double part, int out) {
+  for (std::size_t j = 0; j + 1 < means.forces(); ++j) {
+    const double here = means.contactFraction(j, 0, out),
+                 next = means.contactFraction(j + 1, 0, out);
     if (here > part || next <= part) continue;
-    return dimensionlessForce(study.lawInput(j, 0)) *
-           std::pow(study.normalForce(j + 1) / study.normalForce(j), (part - here) / (next - here));
+    return dimensionlessForce(means.lawInput(j, 0)) *
+           std::pow(means.normalForce(j + 1) / means.normalForce(j), (part - here) / (next - here));
   }
   return kNotApplicable;
 }
 
-Claim completeContactClaim(const Study& study) {
+Claim completeContactClaim(const GroupedMeans& means) {
   Claim claim{
       "complete_contact_near_1", "p. 3, after Eq. (14)",
       "F\u2099 / G h L of about 1 gives the order of magnitude of the force of complete contact",
       "F\u2099 / G h L at which 90 % of the line are in contact, at the lowest velocity"};
   claim.expected = 1;
   claim.criterion = "between 0.1 and 10";
-  decide(claim, jackknife(study.groups(), [&](int out) { return forceOfContact(study, 0.9, out); }),
+  decide(claim, jackknife(means.groups(), [&](int out) { return forceOfContact(means, 0.9, out); }),
          {0.1, 10});
   return claim;
 }
 
 }  // namespace
 
-std::vector<Claim> zoneClaims(const Study& study, FigureWork& work) {
+std::vector<Claim> zoneClaims(const GroupedMeans& means, FigureWork& work) {
   return {
-      shiftClaim(study),          zone1FrictionClaim(study),      fullContactClaim({&study, 1}),
-      ratioClaim(study, work),    slopeSquaredClaim(study, work), contactLawClaim(study),
-      contactLengthClaim(study),  slopeTrendClaim(study),         roughSummitsClaim(study, work),
-      oneSidedClaim(study, work), plateauSpreadClaim(study),      completeContactClaim(study)};
+      shiftClaim(means),          zone1FrictionClaim(means),      fullContactClaim({&means, 1}),
+      ratioClaim(means, work),    slopeSquaredClaim(means, work), contactLawClaim(means),
+      contactLengthClaim(means),  slopeTrendClaim(means),         roughSummitsClaim(means, work),
+      oneSidedClaim(means, work), plateauSpreadClaim(means),      completeContactClaim(means)};
 }
 
 }  // namespace asperity

@@ -15,8 +15,8 @@ std::vector<double> steadyContactAge(std::span<const double> pressure, double sp
   double now = std::numeric_limits<double>::infinity();
   // Goes around twice, from the side towards which the line slides.
   for (std::size_t step = 0; step < 2 * count; ++step) {
-    const std::size_t place = step % count;
-    const std::size_t i = velocity > 0 ? count - 1 - place : place;
+    const std::size_t offset = step % count;
+    const std::size_t i = velocity > 0 ? count - 1 - offset : offset;
     now = pressure[i] > 0 ? 0 : now + each;
     age[i] = now;
   }

@@ -77,7 +77,8 @@ struct PowerBalance {
   double dissipated() const { return contact + free + interface; }
 };
 
-/// The elastomer's part of `power` in contact is what remains without local friction.
+/// Returns the balance of power of a frame. In contact the elastomer has the part of Frame::power
+/// that local friction does not take.
 PowerBalance powerOf(const Frame& frame) {
   PowerBalance balance;
   const double speed = std::abs(frame.velocity);

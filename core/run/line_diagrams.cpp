@@ -46,7 +46,7 @@ Spectrum gathered(const FourierLine& modes) {
     sum.count += 1;
   }
   Spectrum spectrum;
-  for (const auto& [place, sum] : stretches) {
+  for (const auto& [interval, sum] : stretches) {
     spectrum.waveNumber.push_back(std::exp(sum.logWave / sum.count));
     spectrum.density.push_back(std::exp(sum.logDensity / sum.count));
   }
@@ -325,10 +325,9 @@ Histogram makeHistogram(const std::vector<double>& values, double from, double t
   const double whole = weights.empty() ? static_cast<double>(values.size())
                                        : std::accumulate(weights.begin(), weights.end(), 0.0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double place = (values[i] - from) / histogram.width();
-    if (place >= 0 && place < static_cast<double>(bins))
-      histogram.share[static_cast<std::size_t>(place)] +=
-          (weights.empty() ? 1 : weights[i]) / whole;
+    const double bin = (values[i] - from) / histogram.width();
+    if (bin >= 0 && bin < static_cast<double>(bins))
+      histogram.share[static_cast<std::size_t>(bin)] += (weights.empty() ? 1 : weights[i]) / whole;
   }
   return histogram;
 }

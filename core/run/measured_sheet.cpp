@@ -90,9 +90,9 @@ std::vector<DiagramPoint> spectrumPoints(const SpectralDensity& spectrum) {
     wave = density = count = 0;
   };
   for (std::size_t i = 0; i < spectrum.waveNumber.size(); ++i) {
-    const double place = std::floor(kToDecade * std::log10(spectrum.waveNumber[i]));
-    if (place != stretch) finish();
-    stretch = place;
+    const double interval = std::floor(kToDecade * std::log10(spectrum.waveNumber[i]));
+    if (interval != stretch) finish();
+    stretch = interval;
     wave += std::log(spectrum.waveNumber[i]);
     density += spectrum.density[i];
     count += 1;

@@ -106,8 +106,8 @@ Scene refined(const Scene& scene) {
 }
 
 /// Returns the difference of friction at the beginning from that after the distance in which memory
-/// fades, or as much of it as `work` allows. On a rigid line friction in steady sliding does not
-/// vary.
+/// fades, or as much of it as `work` allows. Friction in steady sliding is constant, so that any
+/// difference comes from the beginning.
 double settlingOf(const Scene& scene, const std::shared_ptr<const RigidLine>& rigid,
                   std::int64_t leastSteps, double work, const std::stop_token& stop) {
   const double velocity = std::abs(scene.sliding.velocity);

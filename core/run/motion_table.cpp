@@ -267,11 +267,11 @@ MotionTable marchMotion(const Scene& scene, const MotionOptions& options) {
   StepCounter counter(options, options.lines * static_cast<std::int64_t>(steps));
   Jobs(options.threads).run(options.lines, [&](std::int64_t line) {
     if (options.stop.stop_requested()) return;
-    const auto place = static_cast<std::size_t>(line);
+    const auto index = static_cast<std::size_t>(line);
     Transient transient =
         line == 0 ? beginning : Transient(scene, std::make_shared<const RigidLine>(scene, line));
     transient.estimateErrors(scene);
-    marchLine(std::move(transient), table.every, options, counter, table.lines[place], means[place],
+    marchLine(std::move(transient), table.every, options, counter, table.lines[index], means[index],
               options.lines == 1 ? &envelope : nullptr);
   });
   throwIfStopped(options.stop);

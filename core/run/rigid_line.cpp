@@ -50,7 +50,7 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, doubl
   const auto moved =
       static_cast<std::ptrdiff_t>(std::llround(std::fmod(distance, line.length) / line.spacing));
   const std::ptrdiff_t shift = moved % static_cast<std::ptrdiff_t>(nodes);
-  const auto placed = [&](const std::vector<double>& values) {
+  const auto shifted = [&](const std::vector<double>& values) {
     std::vector<double> ordered = inLineOrder(rigid.prepared, values);
     const std::ptrdiff_t back = shift >= 0 ? shift : shift + static_cast<std::ptrdiff_t>(nodes);
     std::rotate(ordered.begin(), ordered.end() - back, ordered.end());
@@ -59,11 +59,11 @@ TimeMarch steadyMarch(const RigidLine& rigid, const SteadySolver& sliding, doubl
   std::vector<double> amplitudes(modes * nodes), one(shape.nodes.depth.size());
   for (std::size_t j = 0; j < modes; ++j) {
     for (std::size_t i = 0; i < one.size(); ++i) one[i] = shape.modes[i * modes + j];
-    const std::vector<double> ordered = placed(one);
+    const std::vector<double> ordered = shifted(one);
     for (std::size_t i = 0; i < nodes; ++i) amplitudes[i * modes + j] = ordered[i];
   }
   TimeMarch march(rigid.line, rigid.prepared.lowestHeight, sliding.law());
-  march.setState(placed(shape.nodes.depth), placed(shape.nodes.pressure), amplitudes,
+  march.setState(shifted(shape.nodes.depth), shifted(shape.nodes.pressure), amplitudes,
                  state.result.indentation);
   march.setDistance(line.spacing * static_cast<double>(shift) +
                     line.length * std::trunc(distance / line.length));

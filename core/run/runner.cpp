@@ -149,8 +149,8 @@ struct Runner::Body {
     }
   }
 
-  /// Where the program chooses the number of lines it may need more of them at any time: a curve is
-  /// complete only at the end.
+  /// Computes a curve and offers its states. Where the program chooses the number of lines it may
+  /// need more of them at any time, so that only the last state is complete.
   void run(const CurveWork& work, CurveOptions& curveOptions) {
     const bool isPlanned = !choosesAccuracy(*work.scene.scene);
     CurveUpdate last;

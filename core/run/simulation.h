@@ -28,8 +28,9 @@ class Simulation {
   enum class Shape { Present, Steady };
 
   /// Continues with a new scene from the present shape (which then relaxes), or in the scene's
-  /// steady state, with the line at its present place; other elements always begin in the steady
-  /// state at time 0. What does not slide (texts, the sweep, comparisons) changes no picture.
+  /// steady state, with the line at its present place. A motion, and a line of another length or
+  /// another number of elements, begin at time 0. Keys that do not matter for sliding (texts, the
+  /// sweep, comparisons) change no picture.
   void update(std::shared_ptr<const Scene> scene, std::uint64_t number,
               Shape shape = Shape::Present);
 

@@ -39,8 +39,8 @@ class Transient {
   bool canReach(double time) const;
 
   /// Returns the number of steps from here to the motion's end, counted one by one without
-  /// marching; where they are more than `most`, estimated from the length of steps at times in the
-  /// whole motion.
+  /// marching; where they are more than `most`, estimated from the length of steps at several times
+  /// of the motion.
   double countSteps(double most = 2e5) const;
 
   /// Marches the same motion also on a coarser line (every second node, or every third ...), at a

@@ -26,7 +26,8 @@ std::vector<std::string> itemsOf(std::string_view list) {
   return items;
 }
 
-/// Uses the whole dictionary, then the scene keys, which are columns of a batch that varies them.
+/// Calls `use` for every column of the dictionary, then for the scene keys, which are columns of a
+/// batch that varies them.
 template <class Use>
 void forEachColumn(const Use& use) {
   for (const Column& column : kColumns) use(column);

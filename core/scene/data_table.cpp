@@ -143,17 +143,17 @@ std::string ColumnChoice::select(const std::string& csv) const {
   while (at < csv.size() && csv[at] == '#') at = std::min(csv.find('\n', at), csv.size() - 1) + 1;
   std::string text = csv.substr(0, at) + fmt::format("{}\n", fmt::join(columns_, ","));
   const std::vector<std::string_view> names = cellsAt(csv, at);
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (const std::string& column : columns_) {
-    auto place = std::ranges::find(names, column);
-    if (place == names.end()) place = std::ranges::find(names, lastWord(column));
-    places.push_back(static_cast<std::size_t>(place - names.begin()));
+    auto name = std::ranges::find(names, column);
+    if (name == names.end()) name = std::ranges::find(names, lastWord(column));
+    indices.push_back(static_cast<std::size_t>(name - names.begin()));
   }
   while (at < csv.size()) {
     const std::vector<std::string_view> cells = cellsAt(csv, at);
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < indices.size(); ++i) {
       if (i > 0) text += ",";
-      if (places[i] < cells.size()) text += cells[places[i]];
+      if (indices[i] < cells.size()) text += cells[indices[i]];
     }
     text += "\n";
   }

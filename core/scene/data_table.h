@@ -43,14 +43,14 @@ class ColumnChoice {
   bool isAll() const { return columns_.empty(); }
 
   /// Returns the table with these columns alone, in their order. A key stands for the column of its
-  /// last word where the table has none of the whole key. A column that this table has not,
+  /// last word where the table has none of the whole key. A column that this table lacks,
   /// because its scene gives it no meaning, is empty. csv: a line of names, then rows; lines of
   /// comment before them stay.
   std::string select(const std::string& csv) const;
-  /// The same of one of several tables that a command writes: those columns that it has. A table
-  /// that has none of them stays whole.
+  /// Returns one of several tables that a command writes, with those of the columns that it has. A
+  /// table that has none of them stays whole.
   std::string selectAvailable(const std::string& csv) const;
-  /// The same for a list of objects; a column that an object has not is null.
+  /// Returns the same for a list of objects; a column that an object lacks is null.
   nlohmann::ordered_json select(const nlohmann::ordered_json& rows) const;
 
  private:

@@ -1,5 +1,5 @@
-// Which few parameters of a scene a person changes first, and which one a note is about. Pure; any
-// thread.
+// The few parameters of a scene that a person changes first, and the parameter that a note is
+// about. Pure; any thread.
 #pragma once
 
 #include <string_view>

@@ -1,6 +1,6 @@
 // Lists of a scene as JSON text: the arms of an elastomer,
-// [{"modulus":1e7,"relaxation_time":0.001},
-// ...], and a table of temperature shifts, [{"temperature":293.15,"log10_shift":0}, ...].
+// [{"modulus":1e7,"relaxation_time":0.001}, ...], a table of temperature shifts,
+// [{"temperature":293.15,"log10_shift":0}, ...], tables of measured friction, and theories.
 // Pure functions.
 #pragma once
 
@@ -33,19 +33,20 @@ std::span<const ListMember<ShiftPoint>> shiftMembers();
 /// Reads a list. Throws InputError that names the member, such as KEY[1].modulus.
 std::vector<Arm> parseArms(std::string_view json, const std::string& key);
 
-/// The same of a table of shifts, whose temperatures must rise from row to row.
+/// Reads a table of shifts, whose temperatures must rise from row to row.
 std::vector<ShiftPoint> parseShiftTable(std::string_view json, const std::string& key);
 
 /// Returns JSON text with numbers in the shortest form that reads back to the same value.
 std::string listText(const std::vector<Arm>& arms);
 std::string listText(const std::vector<ShiftPoint>& table);
 
-/// Tables of measured friction: [{"file": "mine.csv", "label": "compound A"}, ...].
+/// Read and write tables of measured friction: [{"file": "mine.csv", "label": "compound A"}, ...].
 inline constexpr std::size_t kMostDataFiles = 32;
 std::vector<DataFile> parseDataFiles(std::string_view json, const std::string& key);
 std::string listText(const std::vector<DataFile>& files);
 
-/// Theories by their words: ["eq_11", "persson_half_space"]; each once.
+/// Return the words of theories, and read and write a list of them: ["eq_11",
+/// "persson_half_space"]; each occurs once.
 std::span<const std::string_view> theoryWords();
 std::vector<Theory> parseTheories(std::string_view json, const std::string& key);
 std::string listText(const std::vector<Theory>& theories);

@@ -9,7 +9,7 @@ namespace asperity {
 /// Returns one line for each key: key, allowed values, unit, default, sentence.
 std::string parameterTableText();
 
-/// Returns text in which Markdown finds no marks of its own.
+/// Returns the text with a backslash before every character that is a mark of Markdown.
 std::string escapedMarkdown(std::string_view text);
 
 /// Returns the same as a definition list of pandoc's Markdown, in which surface.hurst has the

@@ -1,6 +1,6 @@
-// The table of parameters: every scene key is declared in one row of parameters.cpp, which the
-// scene file, --set, the sliders, --help and the README's table all use. The table is constant; any
-// thread may read it.
+// The table of parameters: every scene key is declared in one row of parameters.cpp, which scene
+// files, --set, the sliders, --help and the guide all use. The table is constant; any thread may
+// read it.
 #pragma once
 
 #include <cstdint>
@@ -72,8 +72,8 @@ struct ListField {
 /// line.
 enum class Change { Live, Rebuild };
 
-/// Row applies only where the choice of key `choiceKey` applies and is one of `words` (separated by
-/// spaces), or none of them. An empty choiceKey: it always applies.
+/// A row applies only where the choice of key `choiceKey` applies and is one of `words` (separated
+/// by spaces) or, with isExcept, none of them. An empty choiceKey: the row always applies.
 struct Applicability {
   std::string_view choiceKey;
   std::string_view words;
@@ -99,7 +99,7 @@ struct Parameter {
   std::variant<RealField, IntegerField, ChoiceField, TextField, ArmsField, ShiftTableField,
                ListField>
       field;
-  /// It applies where this holds as well. An empty choiceKey: nowhere else.
+  /// The row applies where this holds, too. An empty choiceKey: nowhere else.
   Applicability alsoApplies{};
   FileRule rule{};
 };
@@ -141,7 +141,7 @@ void setValue(const Parameter& parameter, Scene& scene, const ParameterValue& va
 /// in SI units.
 void setFromText(const Parameter& parameter, Scene& scene, std::string_view text);
 
-/// Returns what a text has to be for a number of the row.
+/// Returns which texts are numbers of the row.
 QuantityRule quantityRule(const Parameter& parameter);
 
 /// Limits of numbers; other rows have none.

@@ -74,7 +74,7 @@ std::vector<InputFile> namedFiles(const Scene& scene) {
   return files;
 }
 
-/// The ones among them that the scene makes use of.
+/// Returns those of them that the scene uses.
 std::vector<InputFile> filesOf(const Scene& scene) {
   std::vector<InputFile> files = namedFiles(scene);
   std::erase_if(files, [&](const InputFile& file) {
@@ -172,7 +172,7 @@ FoundScene resultFrom(Json origin, const std::string& name,
   return found;
 }
 
-/// Null where no object of ProvenanceOptions lives.
+/// Returns the options of the innermost ProvenanceOptions of this thread; null where none lives.
 Json& presentOptions() {
   thread_local Json options;
   return options;
@@ -326,8 +326,8 @@ bool liesBelow(const fs::path& file, const fs::path& folder) {
   if (file.native().find('\0') != std::string::npos) return false;
   std::error_code noFile, noFolder;
   const fs::path home = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, noFolder);
-  const fs::path place = fs::weakly_canonical(file, noFile).lexically_relative(home);
-  return !noFile && !noFolder && !place.empty() && *place.begin() != "..";
+  const fs::path relative = fs::weakly_canonical(file, noFile).lexically_relative(home);
+  return !noFile && !noFolder && !relative.empty() && *relative.begin() != "..";
 }
 
 double nodesOf(const Scene& scene, const fs::path& file) {

@@ -15,7 +15,7 @@
 
 namespace asperity {
 
-/// {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
+/// Returns {"schema": "asperity-VERB/1", "verb", "version", "seed" (null where nothing is random),
 /// "oversampling_used", "inputs" (a list of {"key", "name", "sha256"}, where the scene names
 /// files), "scene"}. The number used is that of a friction curve for the verbs that
 /// compute one, else that of a single line; null where a curve to a target accuracy chooses at each
@@ -24,7 +24,8 @@ nlohmann::ordered_json provenance(const std::string& verb, const Scene& scene);
 
 /// The options of a run that shape its outputs, as words of the command line without their dashes:
 /// while an object lives, every provenance that is made has them as "options", from which the same
-/// file can be made again. For what its thread makes; the innermost of several counts.
+/// file can be made again. They apply to what the same thread makes; of several objects the
+/// innermost counts.
 class ProvenanceOptions {
  public:
   explicit ProvenanceOptions(nlohmann::ordered_json options);
@@ -56,7 +57,7 @@ struct FoundScene {
   /// Whether the file is a result (picture, film, table, answer) that contains the scene, which may
   /// come from another user; otherwise the file is a scene file.
   bool isEmbedded = false;
-  // What a result says of its making, to make it again; empty and null where it does not say it.
+  // How a result was made, so that it can be made again; empty and null where it does not say so.
   std::string verb{};
   nlohmann::ordered_json options{};
   nlohmann::ordered_json origin{};  // all that the result says, up to its scene
@@ -71,8 +72,8 @@ struct InputFile {
 /// Returns the files that a result was made from and that are still needed to make it again.
 std::vector<InputFile> inputsOf(const FoundScene& found);
 
-/// Every file that a scene names, used or not, where it is: what must not be replaced by what is
-/// computed from it. The keys are those of the provenance's inputs.
+/// Returns the path of every file that a scene names, whether it is used or not: a result must not
+/// replace one of them.
 std::vector<std::filesystem::path> filesReadBy(const Scene& scene);
 
 /// Returns the scene in a regular file written by the program (picture, film, table, JSON answer),
@@ -83,8 +84,8 @@ std::vector<std::filesystem::path> filesReadBy(const Scene& scene);
 /// names has another content than the one that the result was made from.
 FoundScene findScene(const std::filesystem::path& file);
 
-/// The same of a result that is to be made again, which may also be of many scenes (`parts`) or of
-/// none, as a material is. from: the folder of the files that it was made from; empty: as above.
+/// Returns the same for a result that is to be made again. It may also have many scenes (`parts`),
+/// or none, as a material. from: the folder of the files that it was made from; empty: as above.
 FoundScene findResult(const std::filesystem::path& file, const std::filesystem::path& from = {});
 
 /// Returns the folders in which the inputs of a result are searched, in this order.

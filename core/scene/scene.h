@@ -51,8 +51,9 @@ struct Surface {
   double radius = 0.1;           // m, of a parabola z = x^2 / (2 radius)
   std::string file;              // of kinds that have one, relative to the scene's folder
   double rollOffWavelength = 0;  // m, waves longer than it are all equally strong; 0: none
-  double summitCorrelation = 0;  // kappa, short waves stronger on the summits (> 0); 0: everywhere
-  SurfaceReading reading;        // of a measured surface
+  double summitCorrelation =
+      0;                   // kappa, short waves stronger on the summits (> 0); 0: equal everywhere
+  SurfaceReading reading;  // of a measured surface
   ProcessingChoices processing;  // of a measured surface; its two cuts of a spectrum, too
   LineKind line = LineKind::AsMeasured;
   ContactSide contactSide = ContactSide::Summits;
@@ -164,7 +165,8 @@ struct Scene {
   Accuracy accuracy;
   Comparisons comparison;
 
-  /// Folder against which surface.file is resolved; where the scene was read, not part of it.
+  /// The folder of the scene's file, to which the files that it names are relative. It is not
+  /// written to the file.
   std::filesystem::path folder;
 
   bool operator==(const Scene&) const = default;

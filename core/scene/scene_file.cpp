@@ -394,10 +394,10 @@ bool isLeftOut(const Parameter& row, const Scene& scene) {
 
 /// Returns the member of a dotted key.
 Json& memberAt(Json& root, std::string_view key) {
-  Json* place = &root;
+  Json* value = &root;
   for (std::size_t dot; (dot = key.find('.')) != std::string_view::npos; key.remove_prefix(dot + 1))
-    place = &(*place)[std::string(key.substr(0, dot))];
-  return (*place)[std::string(key)];
+    value = &(*value)[std::string(key.substr(0, dot))];
+  return (*value)[std::string(key)];
 }
 
 }  // namespace
@@ -453,8 +453,9 @@ bool isResolution(const Parameter& row) {
   return row.key == "accuracy.scheme" || row.key == "accuracy.oversampling";
 }
 
-/// A target accuracy determines the resolution, so only one of them may be stated.
-bool isSaid(const Parameter& row, const Scene& scene) {
+/// Returns whether the row may be stated for the scene. A target accuracy determines the
+/// resolution, so only one of them may be stated.
+bool isStated(const Parameter& row, const Scene& scene) {
   if (!isApplicable(row, scene)) return false;
   if (row.key == "accuracy.target_relative_error") return choosesAccuracy(scene);
   return !isResolution(row) || !choosesAccuracy(scene);
@@ -477,7 +478,7 @@ bool differs(const Parameter& row, const Scene& base, const Scene& scene) {
 std::vector<std::string> differingAssignments(const Scene& base, const Scene& scene) {
   std::vector<std::string> assignments;
   for (const Parameter& row : parameters())
-    if (isSaid(row, scene) && differs(row, base, scene))
+    if (isStated(row, scene) && differs(row, base, scene))
       assignments.push_back(
           fmt::format("{}={}", row.key, assignedValue(parameterValue(row, scene))));
   return assignments;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,11 +20,17 @@ inline constexpr std::size_t kLargestScene = std::size_t{1} << 20;  // bytes of 
 Scene readSceneFile(const std::filesystem::path& file,
                     const std::vector<std::string>& assignments = {});
 
-/// Reads a scene from text; name: of the file, in errors; folder: against it surface.file is
-/// resolved.
+/// Reads a scene from text; name: of the file, in errors; folder: the files
+/// that the scene names are relative to it.
 Scene readScene(std::string_view json, const std::string& name,
                 const std::filesystem::path& folder = {},
                 const std::vector<std::string>& assignments = {});
+
+/// Reads a scene that a study or a lesson names: a file relative to the folder, or a shipped scene
+/// where the caller has these.
+using SceneReader =
+    std::function<Scene(const std::string& name, const std::filesystem::path& folder,
+                        const std::vector<std::string>& assignments)>;
 
 /// Returns the canonical text: every applicable key in the table's order, numbers in the shortest
 /// form that reads back to the same value. readScene(writeScene(s)) == s up to the folder.

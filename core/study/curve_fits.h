@@ -36,7 +36,7 @@ struct CurveFitEntry {
   bool isOfRegions;  // of a curve over velocity, of one relaxation time (curve_regions.h)
 };
 
-/// In the order of CurveFit.
+/// All of them, in the order of CurveFit.
 inline constexpr std::array<CurveFitEntry, 13> kCurveFits{{
     {"fit.maximum", false},
     {"fit.place_of_maximum", false},

@@ -31,10 +31,10 @@ struct RunningCovariance {
 /// Returns a percentile by linear interpolation between the order statistics, as R's type 7.
 double percentile(const std::vector<double>& ascending, double percent) {
   if (ascending.empty()) return kNotApplicable;
-  const double place = percent / 100 * static_cast<double>(ascending.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
+  const double rank = percent / 100 * static_cast<double>(ascending.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
   const std::size_t above = std::min(below + 1, ascending.size() - 1);
-  return std::lerp(ascending[below], ascending[above], place - static_cast<double>(below));
+  return std::lerp(ascending[below], ascending[above], rank - static_cast<double>(below));
 }
 
 std::array<double, kPercentiles.size()> computePercentiles(std::vector<double> values) {
@@ -102,8 +102,10 @@ class ColumnParts {
     return static_cast<std::size_t>(std::ranges::upper_bound(edges_, value) - edges_.begin());
   }
   bool isLogarithmic() const { return isLogarithmic_; }
-  double place(double value) const { return isLogarithmic_ ? std::log(value) : value; }
-  double value(double place) const { return isLogarithmic_ ? std::exp(place) : place; }
+  double coordinate(double value) const { return isLogarithmic_ ? std::log(value) : value; }
+  double value(double coordinate) const {
+    return isLogarithmic_ ? std::exp(coordinate) : coordinate;
+  }
 
  private:
   std::vector<double> edges_;
@@ -264,10 +266,10 @@ class Analysis {
     sums.y.add(y);
     if (isSampled) sums.sample.push_back(y);
     for (std::size_t c = 0; c < parts_.size(); ++c) {
-      const double place = parts_[c].place(point_[c]);
+      const double coordinate = parts_[c].coordinate(point_[c]);
       const std::size_t part = parts_[c].partOf(point_[c]);
-      sums.correlations[c].add(place, y);
-      sums.x[c][part].add(place);
+      sums.correlations[c].add(coordinate, y);
+      sums.x[c][part].add(coordinate);
       sums.effects[c][part].add(y);
       if (isSampled) sums.scatter[c].emplace_back(point_[c], y);
     }

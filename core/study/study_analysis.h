@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 #include "core/study/study_store.h"
 
 namespace asperity {

@@ -65,7 +65,7 @@ void addValue(StudyColumn& column, const Json& value, const std::string& where) 
   column.words.push_back(std::move(word));
 }
 
-/// A range, continuous in a sample and its points in a grid.
+/// Reads a range, which is continuous in a sample; a grid has its points.
 void readRange(StudyAxis& axis, const Json& spec, const std::string& where, bool isGrid) {
   checkMembers(spec, where, {"from", "to", "points", "scale"});
   const Parameter& row = *axis.columns.front().row;
@@ -139,9 +139,9 @@ void readDistribution(StudyAxis& axis, const Json& spec, const std::string& wher
   axis.distribution = made;
 }
 
-Json valueJson(const StudyColumn& column, std::size_t place) {
-  if (!column.hasWords()) return column.numbers[place];
-  return column.words[place];
+Json valueJson(const StudyColumn& column, std::size_t index) {
+  if (!column.hasWords()) return column.numbers[index];
+  return column.words[index];
 }
 
 }  // namespace

@@ -335,9 +335,9 @@ Scene ParameterStudy::sceneAt(std::span<const double> point) const {
     return readScene(baseText, "", base.folder, assignments);
   }
   Scene scene = base;
-  std::size_t place = 0;
+  std::size_t index = 0;
   for (const StudyAxis& axis : space.axes())
-    for (const StudyColumn& column : axis.columns) setValue(*column.row, scene, point[place++]);
+    for (const StudyColumn& column : axis.columns) setValue(*column.row, scene, point[index++]);
   checkEffects(scene);
   return scene;
 }

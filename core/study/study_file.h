@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/scene/scene_file.h"
 #include "core/study/curve_fits.h"
 #include "core/study/study_space.h"
 
@@ -67,15 +67,11 @@ struct ParameterStudy {
   std::string baseText;  // of the base scene, for such points
 };
 
-/// Reads a scene that a study names.
-using SceneReader =
-    std::function<Scene(const std::string& name, const std::filesystem::path& folder,
-                        const std::vector<std::string>& assignments)>;
-
 /// Describes for users what the file may contain.
 extern const char* const kStudyFormat;
 
-/// Reads a study. readNamed: null means files relative to the folder of the study.
+/// Reads a study. readNamed reads the scene that the study names; null: it is a file
+/// relative to the folder of the study.
 ParameterStudy readStudy(const std::filesystem::path& file, const SceneReader& readNamed = {});
 
 /// Reads the same from a text; `name` is named in errors.

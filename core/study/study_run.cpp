@@ -101,13 +101,13 @@ class ChunkWork {
   /// Stores the numbers of a simulation, which is counted among the possible ones.
   void take(std::int64_t number, std::span<const CurvePoint> points) {
     const auto index = static_cast<std::size_t>(number);
-    auto place = static_cast<std::size_t>(simulations_[index]);
+    auto cell = static_cast<std::size_t>(simulations_[index]);
     CurveFitValues fits{};
     if (wantsFits_)
       fits = curveFits(curveScenes_[index], curveValues_, points.first(curveValues_.size()));
     const auto put = [&](double value) {
-      chunk_.values[place] = value;
-      place += static_cast<std::size_t>(chunk_.count);
+      chunk_.values[cell] = value;
+      cell += static_cast<std::size_t>(chunk_.count);
     };
     for (std::size_t k = 0; k < study_.outputs.size(); ++k)
       if (study_.outputs[k].fit)

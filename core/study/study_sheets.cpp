@@ -24,7 +24,7 @@ void addNames(Diagram& diagram, const std::vector<std::string>& names,
   diagram.x = {"parameter", "", AxisScale::Linear, 0.5, static_cast<double>(names.size()) + 0.5};
 }
 
-/// The label of a key, and its symbol.
+/// Returns the label of a key, and its symbol.
 std::string keyLabel(const StudyColumn& column) {
   return std::string(column.row->label);
 }

@@ -21,7 +21,7 @@ std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ (bits >> 31);
 }
 
-/// A random number that belongs to a seed, an axis and an index.
+/// Returns the random number that belongs to a seed, an axis and an index.
 std::uint64_t randomBits(std::int64_t seed, std::size_t axis, std::uint64_t index) {
   return mixed(mixed(mixed(static_cast<std::uint64_t>(seed)) + axis) + index);
 }
@@ -115,10 +115,10 @@ std::int64_t StudyAxis::count() const {
 double StudyAxis::valueAt(double u, std::size_t column) const {
   const StudyColumn& one = columns[column];
   if (const std::int64_t values = count(); values > 0) {
-    const auto place =
+    const auto index =
         std::min(static_cast<std::int64_t>(u * static_cast<double>(values)), values - 1);
-    return one.hasWords() ? static_cast<double>(place)
-                          : one.numbers[static_cast<std::size_t>(place)];
+    return one.hasWords() ? static_cast<double>(index)
+                          : one.numbers[static_cast<std::size_t>(index)];
   }
   const bool isWhole = isWholeNumber(*one.row);
   if (distribution) {
@@ -170,8 +170,8 @@ double StudySpace::coordinate(std::int64_t index, std::size_t axis) const {
       // Each of `samples` equal parts of the axis has one point, at a random position in it.
       const auto number = static_cast<std::uint64_t>(index);
       const auto count = static_cast<std::uint64_t>(samples_);
-      const double place = static_cast<double>(shuffled(number, count, seed_, 2 * axis));
-      const double u = (place + unitNumber(randomBits(seed_, 2 * axis + 1, number))) /
+      const double part = static_cast<double>(shuffled(number, count, seed_, 2 * axis));
+      const double u = (part + unitNumber(randomBits(seed_, 2 * axis + 1, number))) /
                        static_cast<double>(samples_);
       return std::min(u, 1 - 0x1p-53);
     }
@@ -179,7 +179,7 @@ double StudySpace::coordinate(std::int64_t index, std::size_t axis) const {
 }
 
 void StudySpace::pointInto(std::int64_t index, std::span<double> values) const {
-  std::size_t place = columns_;
+  std::size_t first = columns_;
   for (std::size_t a = axes_.size(); a-- > 0;) {
     const StudyAxis& axis = axes_[a];
     double u = 0;
@@ -190,13 +190,13 @@ void StudySpace::pointInto(std::int64_t index, std::span<double> values) const {
     } else {
       u = coordinate(index, a);
     }
-    place -= axis.columns.size();
+    first -= axis.columns.size();
     for (std::size_t c = 0; c < axis.columns.size(); ++c) {
       const StudyColumn& column = axis.columns[c];
       if (sampling_ != Sampling::Grid)
-        values[place + c] = axis.valueAt(u, c);
+        values[first + c] = axis.valueAt(u, c);
       else
-        values[place + c] = column.hasWords() ? static_cast<double>(number)
+        values[first + c] = column.hasWords() ? static_cast<double>(number)
                                               : column.numbers[static_cast<std::size_t>(number)];
     }
   }

@@ -103,15 +103,15 @@ class StudyStore::Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  void bind(int place, std::int64_t value) { check(sqlite3_bind_int64(statement_, place, value)); }
-  void bind(int place, double value) { check(sqlite3_bind_double(statement_, place, value)); }
+  void bind(int index, std::int64_t value) { check(sqlite3_bind_int64(statement_, index, value)); }
+  void bind(int index, double value) { check(sqlite3_bind_double(statement_, index, value)); }
   /// The bytes must remain valid until the statement has run.
-  void bindText(int place, std::string_view text) {
-    check(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_STATIC,
+  void bindText(int index, std::string_view text) {
+    check(sqlite3_bind_text64(statement_, index, text.data(), text.size(), SQLITE_STATIC,
                               SQLITE_UTF8));
   }
-  void bindBytes(int place, std::string_view bytes) {
-    check(sqlite3_bind_blob64(statement_, place, bytes.data(), bytes.size(), SQLITE_STATIC));
+  void bindBytes(int index, std::string_view bytes) {
+    check(sqlite3_bind_blob64(statement_, index, bytes.data(), bytes.size(), SQLITE_STATIC));
   }
 
   /// Returns whether there is a row.

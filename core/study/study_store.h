@@ -51,8 +51,8 @@ struct StudyChunk {
   std::vector<StudyFailure> failures;
   double seconds = 0;  // spent on it; not part of the result
 
-  double at(std::size_t place, std::int64_t simulation) const {
-    return values[place * static_cast<std::size_t>(count) + static_cast<std::size_t>(simulation)];
+  double at(std::size_t row, std::int64_t simulation) const {
+    return values[row * static_cast<std::size_t>(count) + static_cast<std::size_t>(simulation)];
   }
 };
 

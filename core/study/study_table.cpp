@@ -127,7 +127,7 @@ class TableWriter {
     append(isJson_ ? "}" : "\n");
   }
 
-  /// Begins the next cell.
+  /// Begins the next cell: with a comma in CSV, with its name in JSON.
   void name(std::string_view quoted) {
     if (!isJson_) {
       buffer_.push_back(',');

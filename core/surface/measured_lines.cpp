@@ -175,14 +175,14 @@ void MeasuredLines::chooseRows(const Scene& scene) {
         fail("surface.gaps", message("row {} has {} measured points; interpolate leaves such rows "
                                      "out and fills the gaps of the others",
                                      row + 1, topography.columns - gaps));
-      const auto place =
+      const auto index =
           std::ranges::find_if(heights, [](double z) { return std::isnan(z); }) - heights.begin();
       if (gaps == 1)
         fail("surface.gaps",
-             message("row {} has no height at point {}; interpolate fills it", row + 1, place + 1));
+             message("row {} has no height at point {}; interpolate fills it", row + 1, index + 1));
       fail("surface.gaps", message("row {} has {} points without a height, the first is point {}; "
                                    "interpolate fills them",
-                                   row + 1, gaps, place + 1));
+                                   row + 1, gaps, index + 1));
     }
     if (hasTooFew)
       ++leftOut_;

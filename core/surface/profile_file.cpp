@@ -185,8 +185,8 @@ class Reader {
 
 constexpr std::size_t kSmallFile = std::size_t{1} << 15;  // bytes, that are read whole
 constexpr std::size_t kOfBeginning = std::size_t{1} << 14, kOfEnd = std::size_t{1} << 12;
-constexpr std::size_t kOfPlace = std::size_t{1} << 9;
-constexpr std::size_t kPlaces = 64;  // evenly spread over the file
+constexpr std::size_t kOfSample = std::size_t{1} << 9;
+constexpr std::size_t kSamples = 64;  // evenly spread over the file
 
 /// Returns the text without an incomplete last line.
 std::string_view wholeLines(std::string_view text) {
@@ -231,10 +231,10 @@ std::optional<ProfileExtent> extentOfParts(const RegularFile& file, const std::s
   const double spacing = beginning.profile().length / static_cast<double>(first);
 
   double bytes = 0;
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(kPlaces);
-    const auto place = static_cast<std::uint64_t>(part * static_cast<double>(file.size()));
-    const std::string text = file.read(place, kOfPlace);
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(kSamples);
+    const auto offset = static_cast<std::uint64_t>(part * static_cast<double>(file.size()));
+    const std::string text = file.read(offset, kOfSample);
     const std::string_view line = nextLine(text);
     bytes += static_cast<double>(line.size());
     reader.take(line);
@@ -290,13 +290,13 @@ Profile readProfileStart(const std::filesystem::path& file, std::int64_t rows) {
   const auto wanted = static_cast<std::size_t>(rows);
   Reader reader(file.string());
   std::string text;
-  for (std::uint64_t place = 0; place < regular.size() && reader.heights().size() < wanted;) {
-    const std::string part = regular.read(place, kOfBeginning);
+  for (std::uint64_t offset = 0; offset < regular.size() && reader.heights().size() < wanted;) {
+    const std::string part = regular.read(offset, kOfBeginning);
     if (part.empty()) break;  // it has become shorter
     text += part;
-    const bool isFirst = place == 0;
-    place += part.size();
-    const std::string_view lines = place < regular.size() ? wholeLines(text) : text;
+    const bool isFirst = offset == 0;
+    offset += part.size();
+    const std::string_view lines = offset < regular.size() ? wholeLines(text) : text;
     if (isFirst)
       reader.begin(lines);
     else

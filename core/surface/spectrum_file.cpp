@@ -69,7 +69,7 @@ Counts countsOf(std::string_view unit) {
   return Counts::Nothing;
 }
 
-/// What is left of a name such as c1_one_sided, and how many sides it states; 0: none.
+/// Removes the sides from a name such as c1_one_sided and returns how many it states; 0: none.
 int takeSides(std::string& name) {
   constexpr std::array<std::pair<std::string_view, int>, 8> kSides{{{"one_sided", 1},
                                                                     {"onesided", 1},
@@ -107,7 +107,7 @@ class SpectrumReader {
     fail(message("line {}: {}", block_.lines[row], what));
   }
 
-  /// What stands in brackets at the end of a name is its unit, be it one or none.
+  /// Takes the text in brackets at the end of each name as its unit, also where it is no known one.
   void takeUnits() {
     for (TextColumn& column : block_.columns) {
       const std::size_t open = column.name.find_last_of("([");
@@ -162,7 +162,7 @@ class SpectrumReader {
     densitySize_ = factorOf(columns[densityColumn_], kind_ == SpectrumKind::C2 ? 4 : 3, name_);
   }
 
-  /// Returns the column with the name of the wanted spectrum, else one with any name of a spectrum,
+  /// Finds the column with the name of the wanted spectrum, else one with any name of a spectrum,
   /// else the neighbour of the abscissa.
   void findDensity() {
     constexpr std::array lines{"c1", "c_1d", "psd_1d"};

@@ -493,8 +493,8 @@ void FrictionChartModel::fitRanges(bool newCurve) {
       compared_->comparison.data == curve_->scene->comparison.data) {
     const AxesFactors factors = asperity::axesFactors(curve_->points, axes_);
     for (const MeasuredCurve& measured : comparisons_.measured)
-      for (std::size_t i = 0; i < measured.places.size(); ++i) {
-        along.add(measured.places[i] * factors.velocity);
+      for (std::size_t i = 0; i < measured.abscissas.size(); ++i) {
+        along.add(measured.abscissas[i] * factors.velocity);
         up.add(measured.data.points[i].mu * measuredFactor(measured, i, set, factors));
       }
   }

@@ -8,11 +8,11 @@
 
 namespace asperity {
 
-/// Lengths in pixels. The normal force points down. Friction points against the motion, and its
-/// arrow is `enlarged` times as long relative to its force: friction coefficients are as small as
-/// the slopes, so that at the same scale it would be a dot. The factor depends on the line's
-/// slopes, not on the time, so the arrow changes with friction.
-/// sideways / down = mu * enlarged,
+/// Lengths in pixels: sideways / down = mu * enlarged. The normal force points down. Friction
+/// points against the motion, and its arrow is `enlarged` times as long relative to its force:
+/// friction coefficients are as small as the slopes, so that at the same scale it would be a dot.
+/// The factor follows from the slopes of the line and not from the friction, so that the arrow
+/// changes with friction; it is divided by ten where the arrow would not fit into the picture.
 struct ForceArrows {
   float down = 0;      // 0: no force, or no space for arrows
   float sideways = 0;  // 0: no friction, or too little for an arrow

@@ -111,8 +111,8 @@ class ArmSolver::Search {
     return false;
   }
 
-  /// The result before the first pass. A search that never finds finite numbers ends with it: it is
-  /// not met and has a strain for every arm.
+  /// Resets the result to that before the first pass. A search that never finds finite numbers ends
+  /// with it: it is not met and has a strain for every arm.
   void forget() {
     bestWorst_ = kInfinite;
     best_ = {};
@@ -223,7 +223,7 @@ class ArmSolver::Search {
     if (next < low_ - slack) step[0] = 0.9 * (low_ - from);
   }
 
-  /// Returns Newton's step, shortened where it would diverge.
+  /// Shortens Newton's step until the worst residual is below the one before it.
   void shorten(const Vector& from, Vector& step, double worstBefore, Vector& residual) {
     for (int i = 0; i < 12 && !(worst_ < worstBefore); ++i) {
       step *= 0.35;

@@ -3,7 +3,7 @@
 // exp(-L / v tau). Newton's method therefore moves depth and strains together, with the derivatives
 // that follow from a pass; Broyden's update maintains the Jacobian while it is good enough. An arm
 // of any relaxation time then takes a few passes. The pass that is expected to end the search
-// gathers all sums.
+// computes all sums.
 //
 // Complete contact is tried first where it is possible, because its solution is known and one pass
 // proves it. Without a guess (arm_guess.h), slow arms begin with the yield that belongs to the mean
@@ -28,8 +28,9 @@ namespace asperity {
 struct ArmBalance {
   Balance force;                 // depth, all passes, residual of F_N (0 at a given depth)
   bool isComplete = false;       // complete contact, whose solution is known
-  double periodicityError = 0;   // largest change of an arm's strain over a period, as if it had as
-                                 // many periods as it takes; relative to strains, heights or depth
+  double periodicityError = 0;   // largest error of an arm's strain: its change over a period over
+                                 // the share of an error that decays in one; relative to strains,
+                                 // heights or depth
   std::vector<double> strain;    // m, at the lowest point
   std::optional<PassSums> sums;  // all, where the pass that met it has gathered them
   bool isMet() const { return force.isMet() && periodicityError <= kAcceptedResidual; }

@@ -33,7 +33,7 @@ struct ContactPiece {
 
 /// A batch holds whole segments that follow each other, one in each lane, over which
 /// w' = (D_0 + D_1 u + D_2 u^2) / spacing. The sums over the arms stand at the start of each
-/// segment and, in the last place, at the end of the last one.
+/// segment and, in the last entry, at the end of the last one.
 struct SegmentBatch {
   static constexpr std::size_t kCount = One::kLanes;
 

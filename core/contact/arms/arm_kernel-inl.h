@@ -317,10 +317,10 @@ class ArmKernel {
   std::size_t freeSegments(std::size_t i) {
     const std::size_t last = line_.segments() - 1;
     while (i > 0 && i < last) {
-      const std::size_t from = i, place = i - 1;
+      const std::size_t from = i, index = i - 1;
       for (std::size_t level = level_;; --level) {
-        const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
-        if ((place & (size - 1)) == 0 && block < line_.blockCount(level)) {
+        const std::size_t size = std::size_t{1} << (2 * level), block = index >> (2 * level);
+        if ((index & (size - 1)) == 0 && block < line_.blockCount(level)) {
           const double back = recovered_ + element_.recoveryOverBlock(level);
           const double lowest =
               level == 0 ? line_.bounds(i).lowest : line_.blocks[level].lowest[block];

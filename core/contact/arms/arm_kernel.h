@@ -14,7 +14,7 @@
 namespace asperity {
 
 /// Runs one pass at an indentation (m), from these strains (m, one for each arm) at the lowest
-/// point. Output::Force: only sums.depth, lengths and yieldChange are gathered.
+/// point. Output::Force: only sums.depth, lengths and yieldChange are computed.
 void runArmPass(const PreparedProfile& line, const ArmVectors& vectors, double depth,
                 std::span<const double> strain, Output output, ArmWorkspace& work);
 
@@ -32,7 +32,7 @@ struct ArmJacobian {
   double ofYieldChange(std::size_t i, std::size_t unknown) const { return change.row(i)[unknown]; }
 
   AlignedRows volume, change;      // [arm] over unknowns
-  AlignedRows strain, mode, lost;  // [arm or mode] over unknowns, at a place of the pass
+  AlignedRows strain, mode, lost;  // [arm or mode] over unknowns, at one position of the pass
 };
 
 /// Finds the derivatives of the last pass that was run in `work`.

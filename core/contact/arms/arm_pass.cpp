@@ -251,10 +251,10 @@ std::size_t ArmPass::freeSegments(std::size_t i, bool mayJump) {
     inspectSegment<Everything>(i);
     return i + 1;
   }
-  const std::size_t place = i - 1;
+  const std::size_t index = i - 1;
   for (std::size_t level = mayJump ? level_ : 0;; --level) {
-    const std::size_t size = std::size_t{1} << (2 * level), block = place >> (2 * level);
-    const bool fits = (place & (size - 1)) == 0 && block < line_.blockCount(level);
+    const std::size_t size = std::size_t{1} << (2 * level), block = index >> (2 * level);
+    const bool fits = (index & (size - 1)) == 0 && block < line_.blockCount(level);
     if (fits) {
       const double *decay = coefficients_.decay[level].data(),
                    *lost = coefficients_.lost[level].data();

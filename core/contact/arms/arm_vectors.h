@@ -25,7 +25,7 @@ class AlignedRows {
   AlignedRows() = default;
   AlignedRows(std::size_t rows, std::size_t width) { shape(rows, width); }
 
-  /// All numbers become 0.
+  /// Sets the size of the rows; all numbers become 0.
   void shape(std::size_t rows, std::size_t width) {
     stride_ = (width + kWidestVector - 1) / kWidestVector;
     cells_.assign(rows * stride_, WideCell{});

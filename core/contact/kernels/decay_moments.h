@@ -99,8 +99,8 @@ inline LossForm lossOfSlow(double z) {
                                           0.2223810344533745, 0.1012285362903763};
   LossForm form;
   for (std::size_t point = 0; point < 8; ++point) {
-    const double place = point < 4 ? kNode[point] : -kNode[point - 4];
-    const double u = 0.5 * (1 + place), weight = 0.5 * z * kWeight[point % 4];
+    const double node = point < 4 ? kNode[point] : -kNode[point - 4];
+    const double u = 0.5 * (1 + node), weight = 0.5 * z * kWeight[point % 4];
     const DrivenDecay decay = drivenDecay(z * u);
     const std::array<double, 3> e{u * decay.driven[0], u * u * decay.driven[1],
                                   u * u * u * decay.driven[2]};

@@ -55,7 +55,7 @@ class PassQueue {
   /// Takes the result of the stream's pass and gives its next one; returns false where none is
   /// left.
   virtual bool next(std::size_t stream, const PassSums& sums, PassRequest& request) = 0;
-  /// Is called often, also inside passes; true ends them all at once.
+  /// Returns whether all passes have to end at once; it is called often, also inside passes.
   virtual bool isStopped() const = 0;
 };
 

@@ -61,9 +61,9 @@ class Gatherer {
   void addPressure(const Cubic& height, double extent, double depth, double along) {
     const double length = std::abs(along);
     constexpr double kNode = 0.7745966692414834, kOuter = 5.0 / 18, kMiddle = 8.0 / 18;
-    for (const auto& [place, weight] :
+    for (const auto& [node, weight] :
          {std::pair{-kNode, kOuter}, std::pair{0.0, kMiddle}, std::pair{kNode, kOuter}}) {
-      const double t = 0.5 * extent * (1 + place);
+      const double t = 0.5 * extent * (1 + node);
       const double slope = -height.derivative(t) / along;  // w'
       const double pressure = depth - height(t) + relaxationLength_ * slope;
       sums.pressure += weight * extent * length * pressure;

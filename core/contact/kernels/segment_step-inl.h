@@ -24,7 +24,7 @@ struct alignas(64) Lanes {
   Values height0, height1, slope0, slope1;  // z and dz/d|s| at t = 0 and t = 1
   Values start, along;
   Values from, limit;                               // t reached; t of the segment's end, or less
-  Values arcHeight, arcPosition;                    // place where the elastomer left the line
+  Values arcHeight, arcPosition;                    // where the elastomer left the line
   Values surface;                                   // height of free lanes at the segment's end
   Values sumDepth, freeStiffness, freeLoss;         // m^2, m, m^2
   Values contactLength, slopeSquared, sumPressure;  // m, m, m^2
@@ -110,7 +110,7 @@ class SegmentStep {
     pressure_.c3 = inside_.c3;
   }
 
-  /// Finds the piece from the lane's place to where p turns next, or to the segment's end.
+  /// Finds the piece from the lane's position to where p turns next, or to the segment's end.
   HWY_INLINE void findPiece() {
     // Lanes enter every segment from 0 to 1; one measured back runs from 1 to 0.
     const Wide from = Wide::load(lanes_.from), limit = Wide::load(lanes_.limit);
@@ -207,7 +207,7 @@ class SegmentStep {
     (Wide::load(lanes_.freeStretches) + onlyIn(lanes, Wide::all(1))).store(lanes_.freeStretches);
   }
 
-  /// Adds the sums between two places of this segment, by the polynomial about the lower one.
+  /// Adds the sums between two positions in this segment, by the polynomial about the lower one.
   HWY_INLINE void addContact() {
     const WideMask lanes = touching_ | enters_;
     const Wide begin = select(enters_, edge_, from_), end = select(exits_, edge_, to_);

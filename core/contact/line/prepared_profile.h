@@ -40,15 +40,14 @@ struct PreparedProfile {
   /// cubic only.
   struct Cut {
     std::size_t segment;
-    // m: over this distance before it nothing is lower, except for the previous segment
-    double clear;
+    double clear;  // m, distance before it in which only the previous segment may be lower
   };
   std::vector<Cut> cuts;
   double meanHeight = 0;               // m, mean of z in the scheme's line
   double rmsHeight = 0, rmsSlope = 0;  // of the line itself
 
   std::size_t firstNode = 0;  // node of the Line at or just before s = 0, in order of travel
-  // the lowest point is not a node: the first and last segments are parts
+  // whether the lowest point is no node, so that the first and the last segment are parts of one
   bool startsInsideSegment = false;
   double startFraction = 0;  // position in that segment, 0 at a node
 

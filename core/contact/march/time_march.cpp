@@ -101,8 +101,8 @@ void TimeMarch::setDistance(double distance) {
   placeLine();
 }
 
-/// Moves the line. Its place is stored as a node and a fraction, so that sums of steps do not drift
-/// off the nodes.
+/// Moves the line. Its position is stored as a node and a fraction, so that sums of steps do not
+/// drift off the nodes.
 void TimeMarch::moveLine(double distance) {
   distance_ += distance;
   const double moved = std::fmod(distance, line_->length) / line_->spacing - ahead_;

@@ -78,7 +78,7 @@ class TimeMarch {
   /// Sets the state under the load at rest with everything relaxed: F_N = 4 G dx sum y.
   void settleAtRest(const MarchLoad& load);
 
-  /// Sets the line's place (m slid so far), and pressures (N/m) to show before the first step.
+  /// Sets the line's position (m slid so far), and pressures (N/m) to show before the first step.
   void setDistance(double distance);
   void setPressure(std::span<const double> pressure);
 
@@ -101,7 +101,7 @@ class TimeMarch {
   /// Returns dz/dx of the line over each element, from its cubics; at a corner the mean of both
   /// sides.
   std::vector<double> lineSlope() const;
-  /// Returns the integral of p dz/dx with the slopes of the line at its present place, N: -F_x,
+  /// Returns the integral of p dz/dx with the slopes of the line at its present position, N: -F_x,
   /// also at rest.
   double slopeForce() const;
 

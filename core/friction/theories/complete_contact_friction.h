@@ -16,7 +16,7 @@ struct CompleteContactFriction {
   double rmsPressure = 0;  // N/m, of the pressure's variation about its mean F_N / L
 };
 
-/// lineForce: F_N / L in N/m, above 0.
+/// Returns the friction at a velocity (m/s). lineForce: F_N / L in N/m, above 0.
 CompleteContactFriction completeContactFriction(const ElementLaw& law, const WaveSpectrum& spectrum,
                                                 double lineForce, double velocity);
 

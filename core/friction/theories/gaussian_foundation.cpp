@@ -11,8 +11,8 @@ double normalDensity(double x) {
   return std::exp(-x * x / 2) / std::sqrt(2 * std::numbers::pi);
 }
 
-/// Phi(-x) / phi(x) for x > 0, Mills's ratio, by its continued fraction (Abramowitz and Stegun
-/// 26.2.14), which is exact to rounding for x >= 4 with this many terms.
+/// Returns Mills's ratio Phi(-x) / phi(x) for x > 0 by its continued fraction (Abramowitz and
+/// Stegun 26.2.14), which is exact to rounding for x >= 4 with this many terms.
 double millsRatio(double x) {
   double fraction = x;
   for (int k = 60; k >= 1; --k) fraction = x + k / fraction;

@@ -6,7 +6,7 @@
 namespace asperity {
 namespace {
 
-/// 1 - 1/sqrt(1 + a^2), also for small a.
+/// Returns 1 - 1/sqrt(1 + a^2), also for small a.
 double lostPart(double a) {
   const double root = std::hypot(1, a);
   return a / root * (a / (1 + root));

@@ -28,7 +28,8 @@ constexpr std::array<TheoryEntry, 4> kEntries{
       "Persson (2001) for the isotropic surface that this line is equivalent to, at its nominal "
       "pressure: another model, whose elements feel each other."}}};
 
-/// Pressure is above 0 everywhere on a Gaussian line but for one place in seven hundred.
+/// Contact counts as complete where the mean pressure is at least this many times its rms
+/// variation: on a Gaussian line the pressure is then below 0 at one point in seven hundred.
 constexpr double kDeviationsOfCompleteContact = 3;
 
 struct TheoryInput {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/base/input_error.h"
-#include "core/base/text_names.h"
+#include "core/base/text_header.h"
 #include "core/base/text_number.h"
 #include "core/base/text_units.h"
 #include "tests/core/error_from.h"
@@ -172,7 +172,7 @@ TEST(TextTable, TakesWordsForMissingValues) {
 TEST(TextTable, FindsUnitsInNames) {
   const auto expect = [](const std::string& text, const std::string& name,
                          const std::string& unit) {
-    const ColumnName found = columnName(text);
+    const TextColumn found = parseColumnName(text);
     EXPECT_EQ(found.name, name) << text;
     EXPECT_EQ(found.unit, unit) << text;
   };

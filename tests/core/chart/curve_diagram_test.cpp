@@ -19,8 +19,8 @@ Scene smallScene() {
   return sceneOfSize(500, 17, 3);
 }
 
-NamedCurve curveOf(const Scene& scene, std::string name = {}, int place = 0) {
-  return {std::move(name), scene, frictionCurve(scene).points, place};
+NamedCurve curveOf(const Scene& scene, std::string name = {}, int index = 0) {
+  return {std::move(name), scene, frictionCurve(scene).points, index};
 }
 
 /// The points of a curve over another key than velocity.
@@ -51,8 +51,8 @@ TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
   stiff.elastomer.shearModulus *= 10;
   CurveSet set;
   set.present = curveOf(scene);
-  for (int place = 0; place < 2 * kPinColours; ++place)
-    set.pinned.push_back(curveOf(stiff, "G = 100 MPa", place));
+  for (int index = 0; index < 2 * kPinColours; ++index)
+    set.pinned.push_back(curveOf(stiff, "G = 100 MPa", index));
   const auto series = curveSheet(set).diagrams.front().series;
   ASSERT_EQ(series.size(), set.pinned.size() + 2);
   for (std::size_t i = 0; i < series.size(); ++i)
@@ -65,7 +65,7 @@ TEST(CurveDiagram, PinnedCurvesHaveMarksAndColoursOfTheirOwn) {
 /// The first colour is the present curve's alone.
 TEST(CurveDiagram, EightCurvesHaveEightColours) {
   std::set<int> colours{0};
-  for (int place = 0; place < 7; ++place) colours.insert(pinColour(place));
+  for (int index = 0; index < 7; ++index) colours.insert(pinColour(index));
   EXPECT_EQ(colours.size(), 8U);
 }
 
@@ -251,7 +251,7 @@ TEST(CurveDiagram, MeasuredRowsOfOtherVelocitiesAreNotShownOverForce) {
   FrictionData forceless{"without forces", {{0.1, 0.01}, {0.2, 0.02}}};
   addComparisons(set, {table, forceless});
   ASSERT_EQ(set.measured.size(), 1U);
-  EXPECT_EQ(set.measured[0].places, (std::vector<double>{0.01, 0.1}));
+  EXPECT_EQ(set.measured[0].abscissas, (std::vector<double>{0.01, 0.1}));
   ASSERT_EQ(set.notes.size(), 2U);
   EXPECT_THAT(set.notes[0].english(), testing::HasSubstr("a table: 2 of 3 points"));
   EXPECT_THAT(set.notes[1].english(),

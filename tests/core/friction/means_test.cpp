@@ -11,7 +11,7 @@
 #include "core/contact/steady_sliding.h"
 #include "core/friction/curve_file.h"
 #include "core/friction/ensemble.h"
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 #include "core/surface/line_source.h"
 #include "tests/core/small_scene.h"
 
@@ -125,8 +125,8 @@ TEST(SummitCorrelation, FrictionIsNormalizedByEachLinesOwnSlope) {
     ASSERT_EQ(point.contactFraction, 1);
     EXPECT_NEAR(point.normalizedMu / exact, 1, 3e-4) << kappa;
     EXPECT_NEAR(point.dimensionlessVelocity, 1e-6 * slope / (std::sqrt(2.0) * 5e-7), 1e-9);
-    const Study study(scene, {300}, {1e-3}, {});
-    EXPECT_NEAR(study.normalizedMu(0, 0) / point.normalizedMu, 1, 1e-12);
+    const GroupedMeans means(scene, {300}, {1e-3}, {});
+    EXPECT_NEAR(means.normalizedMu(0, 0) / point.normalizedMu, 1, 1e-12);
 
     CurveSet set;
     set.present = {{}, scene, frictionCurve(scene).points, 0};

@@ -77,11 +77,11 @@ TEST(Claims, AreRarelyReversedByAnotherSeed) {
   std::map<Verdict, int> verdicts;
   for (int seed = 1; seed <= kSeeds; ++seed) {
     scene.surface.seed = seed;
-    const Study study(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), {});
-    const Estimate factor = jackknife(study.groups(), [&](int out) {
-      const RegionBorders borders = regionBorders(study, 0, out);
-      return normalizedMuAt(study, 0, borders.toPlateau, out) /
-             normalizedMuAt(study, 0, borders.endOfLinear, out);
+    const GroupedMeans means(scene, {scene.load.normalForce}, sweepVelocities(scene.sweep), {});
+    const Estimate factor = jackknife(means.groups(), [&](int out) {
+      const RegionBorders borders = regionBorders(means, 0, out);
+      return normalizedMuAt(means, 0, borders.toPlateau, out) /
+             normalizedMuAt(means, 0, borders.endOfLinear, out);
     });
     sum += factor.value;
     squares += factor.value * factor.value;

@@ -13,7 +13,7 @@ namespace {
 
 LoadShares sharesAt(const Scene& scene, double force, std::vector<double> velocities,
                     std::int64_t lines = 1, int threads = 1) {
-  StudyOptions options;
+  GroupedMeansOptions options;
   options.threads = threads;
   return {scene, {{{LoadKind::Force, force, 0}, std::move(velocities)}}, lines, options};
 }

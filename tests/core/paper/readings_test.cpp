@@ -52,9 +52,9 @@ TEST_P(ConvergedTable, RmsSlope) {
 
 /// Eqs. (5) and (7) in zone 1.
 TEST_P(ConvergedTable, AlphaAndBeta) {
-  const Study study(scene_, zone1Cases(scene_, slope_), {});
-  const Estimate alpha = jackknife(study.groups(), [&](int out) { return fitAlpha(study, out); });
-  const Estimate beta = jackknife(study.groups(), [&](int out) { return fitBeta(study, out); });
+  const GroupedMeans means(scene_, zone1Cases(scene_, slope_), {});
+  const Estimate alpha = jackknife(means.groups(), [&](int out) { return fitAlpha(means, out); });
+  const Estimate beta = jackknife(means.groups(), [&](int out) { return fitBeta(means, out); });
   EXPECT_NEAR(alpha.value, GetParam().alpha, allowed(alpha, GetParam().alpha));
   EXPECT_NEAR(beta.value, GetParam().beta, allowed(beta, GetParam().beta));
   // The table that Eq. (11) uses.
@@ -65,19 +65,19 @@ TEST_P(ConvergedTable, AlphaAndBeta) {
 
 /// Region III.
 TEST_P(ConvergedTable, Plateau) {
-  const Study study(
+  const GroupedMeans means(
       scene_,
       plateauCases(scene_, slope_,
                    {forceAt(scene_, 0.034), forceAt(scene_, 1), forceAt(scene_, 100)}),
       {});
   for (std::size_t j = 0; j < 3; ++j) {
     const Estimate plateau =
-        jackknife(study.groups(), [&](int out) { return findPlateau(study, j, out).normalizedMu; });
+        jackknife(means.groups(), [&](int out) { return findPlateau(means, j, out).normalizedMu; });
     const double expected = GetParam().plateau[j];
     EXPECT_NEAR(plateau.value, expected, allowed(plateau, expected)) << j;
     // The maximum lies inside the velocities that are looked at.
-    EXPECT_GT(findPlateau(study, j).velocity, study.velocities(j).front());
-    EXPECT_LT(findPlateau(study, j).velocity, study.velocities(j).back());
+    EXPECT_GT(findPlateau(means, j).velocity, means.velocities(j).front());
+    EXPECT_LT(findPlateau(means, j).velocity, means.velocities(j).back());
   }
 }
 
@@ -95,7 +95,7 @@ TEST(Readings, FullContactIsEquation8) {
     scene.surface.elements = 500;
     scene.ensemble.realizations = 3;
     scene.accuracy.oversampling = oversampling;
-    const FullContact contact = compareFullContact(Study(scene, {100}, {1e-4, 1e-3}, {}));
+    const FullContact contact = compareFullContact(GroupedMeans(scene, {100}, {1e-4, 1e-3}, {}));
     EXPECT_EQ(contact.points, 2);
     EXPECT_LT(contact.toResolved, 1e-11);
     EXPECT_LT(contact.toSpectral, 0.15 * last);
@@ -108,14 +108,15 @@ TEST(Readings, BordersAreInOrder) {
   Scene scene;
   scene.surface.elements = 1000;
   scene.ensemble.realizations = 5;
-  const Study study(scene, {0.0034}, {1e-5, 1e-4, 1e-3, 1e-2, 3e-2, 0.1, 0.3, 1, 3, 10, 100}, {});
-  const RegionBorders borders = regionBorders(study, 0);
+  const GroupedMeans means(scene, {0.0034}, {1e-5, 1e-4, 1e-3, 1e-2, 3e-2, 0.1, 0.3, 1, 3, 10, 100},
+                           {});
+  const RegionBorders borders = regionBorders(means, 0);
   EXPECT_GT(borders.endOfLinear, 1e-4);
   EXPECT_GT(borders.toPlateau, borders.endOfLinear);
   EXPECT_GT(borders.offPlateau, borders.toPlateau);
   // At the border the curve is where the rule says.
-  const double onLine = study.normalizedMu(0, 0) * borders.endOfLinear / 1e-5;
-  EXPECT_NEAR(normalizedMuAt(study, 0, borders.endOfLinear) / onLine, BorderRule{}.ofLine, 1e-9);
+  const double onLine = means.normalizedMu(0, 0) * borders.endOfLinear / 1e-5;
+  EXPECT_NEAR(normalizedMuAt(means, 0, borders.endOfLinear) / onLine, BorderRule{}.ofLine, 1e-9);
 }
 
 }  // namespace

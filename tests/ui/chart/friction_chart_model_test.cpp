@@ -350,7 +350,7 @@ TEST(FrictionChartModelTest, MeasuredFrictionIsWithinTheAxes) {
     seen.velocity = velocity;
     seen.mu = velocity < 1 ? 0.8 : 50;
     measured.data.points.push_back(seen);
-    measured.places.push_back(velocity);
+    measured.abscissas.push_back(velocity);
     measured.computed.push_back(point(velocity, 1e-3));
   }
   CurveSet comparisons;

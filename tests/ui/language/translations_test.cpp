@@ -112,7 +112,7 @@ QStringList templatesIn(const QString& source) {
     EXPECT_EQ(one.size(), 1) << json.toStdString();
     const QByteArray text = one.at(0).toString().toUtf8();
     templates += QString::fromStdString(
-        detail::Places({text.data(), static_cast<std::size_t>(text.size())}).form);
+        detail::Placeholders({text.data(), static_cast<std::size_t>(text.size())}).form);
   }
   return templates;
 }

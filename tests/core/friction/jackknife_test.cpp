@@ -1,5 +1,5 @@
-// Studies: the averages of friction curves, and uncertainties by the jackknife.
-#include "core/friction/study.h"
+// Grouped means, which are the averages of friction curves, and their errors by the jackknife.
+#include "core/friction/jackknife.h"
 #include "core/base/stop.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ Scene smallScene(std::int64_t realizations = 12) {
   return scene;
 }
 
-Study studyOf(const Scene& scene, int threads = 0) {
-  StudyOptions options;
+GroupedMeans meansOf(const Scene& scene, int threads = 0) {
+  GroupedMeansOptions options;
   options.threads = threads;
   return {scene,
           {scene.load.normalForce, 10 * scene.load.normalForce},
@@ -27,13 +27,13 @@ Study studyOf(const Scene& scene, int threads = 0) {
           options};
 }
 
-TEST(Study, HasTheAveragesOfTheCurve) {
+TEST(GroupedMeans, HasTheAveragesOfTheCurve) {
   const Scene scene = smallScene();
-  const Study study = studyOf(scene);
+  const GroupedMeans means = meansOf(scene);
   const Curve curve = frictionCurve(scene);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const CurvePoint& expected = curve.points[i];
-    const CurvePoint point = study.point(0, i);
+    const CurvePoint point = means.point(0, i);
     EXPECT_NEAR(point.mu / expected.mu, 1, 1e-12);
     EXPECT_NEAR(point.muStandardError / expected.muStandardError, 1, 1e-9);
     EXPECT_DOUBLE_EQ(point.muLaw, expected.muLaw);
@@ -44,8 +44,8 @@ TEST(Study, HasTheAveragesOfTheCurve) {
   }
 }
 
-TEST(Study, DoesNotDependOnTheThreads) {
-  const Study one = studyOf(smallScene(), 1), three = studyOf(smallScene(), 3);
+TEST(GroupedMeans, DoesNotDependOnTheThreads) {
+  const GroupedMeans one = meansOf(smallScene(), 1), three = meansOf(smallScene(), 3);
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(one.mu(j, i), three.mu(j, i));
@@ -54,40 +54,40 @@ TEST(Study, DoesNotDependOnTheThreads) {
 }
 
 /// Of a mean, leaving out single realizations gives the standard error of the mean exactly.
-TEST(Study, JackknifeOfAMeanIsItsStandardError) {
-  const Study study = studyOf(smallScene());
-  ASSERT_EQ(study.groups(), 12);
+TEST(GroupedMeans, JackknifeOfAMeanIsItsStandardError) {
+  const GroupedMeans means = meansOf(smallScene());
+  ASSERT_EQ(means.groups(), 12);
   for (std::size_t i = 0; i < 5; ++i) {
-    const Estimate mean = jackknife(study.groups(), [&](int out) { return study.mu(0, i, out); });
-    EXPECT_EQ(mean.value, study.mu(0, i));
-    EXPECT_NEAR(mean.standardError / study.muStandardError(0, i), 1, 1e-9);
+    const Estimate mean = jackknife(means.groups(), [&](int out) { return means.mu(0, i, out); });
+    EXPECT_EQ(mean.value, means.mu(0, i));
+    EXPECT_NEAR(mean.standardError / means.muStandardError(0, i), 1, 1e-9);
   }
 }
 
-TEST(Study, OneRealizationHasNoError) {
-  const Study study = studyOf(smallScene(1));
-  EXPECT_TRUE(std::isnan(study.muStandardError(0, 0)));
+TEST(GroupedMeans, OneRealizationHasNoError) {
+  const GroupedMeans means = meansOf(smallScene(1));
+  EXPECT_TRUE(std::isnan(means.muStandardError(0, 0)));
   EXPECT_TRUE(std::isnan(
-      jackknife(study.groups(), [&](int out) { return study.mu(0, 0, out); }).standardError));
+      jackknife(means.groups(), [&](int out) { return means.mu(0, 0, out); }).standardError));
 }
 
 /// Eq. (6): mu is that of the pooled contact, exactly, as v -> 0.
-TEST(Study, PooledSlopeBelongsToEquation6) {
+TEST(GroupedMeans, PooledSlopeBelongsToEquation6) {
   Scene scene = smallScene();
   scene.sweep = {1e-7, 1e-6, 2};
-  const Study study = studyOf(scene);
+  const GroupedMeans means = meansOf(scene);
   const double law =
-      contactFriction(study.lawInput(0, 0), study.contactFraction(0, 0) * scene.surface.length,
-                      study.rmsSlopeContact(0, 0));
-  EXPECT_NEAR(study.mu(0, 0) / law, 1, 1e-4);
+      contactFriction(means.lawInput(0, 0), means.contactFraction(0, 0) * scene.surface.length,
+                      means.rmsSlopeContact(0, 0));
+  EXPECT_NEAR(means.mu(0, 0) / law, 1, 1e-4);
 }
 
-TEST(Study, StopsOnRequest) {
+TEST(GroupedMeans, StopsOnRequest) {
   std::stop_source source;
   source.request_stop();
-  StudyOptions options;
+  GroupedMeansOptions options;
   options.stop = source.get_token();
-  EXPECT_THROW(Study(smallScene(), {0.1}, {1.0}, options), StopRequested);
+  EXPECT_THROW(GroupedMeans(smallScene(), {0.1}, {1.0}, options), StopRequested);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/friction/study.h"
+#include "core/friction/jackknife.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +19,13 @@ std::vector<LoadCase> makeCases(const std::vector<double>& normalForces,
 
 }  // namespace
 
-Study::Study(const Scene& scene, const std::vector<double>& normalForces,
-             const std::vector<double>& velocities, const StudyOptions& options)
-    : Study(scene, makeCases(normalForces, velocities), options) {}
+GroupedMeans::GroupedMeans(const Scene& scene, const std::vector<double>& normalForces,
+                           const std::vector<double>& velocities,
+                           const GroupedMeansOptions& options)
+    : GroupedMeans(scene, makeCases(normalForces, velocities), options) {}
 
-Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options)
+GroupedMeans::GroupedMeans(const Scene& scene, std::vector<LoadCase> cases,
+                           const GroupedMeansOptions& options)
     : scene_(scene), cases_(std::move(cases)) {
   const LineSource source(scene_, curvePointsPerElement(scene_));
   line_ = source.statistics();
@@ -44,7 +46,7 @@ Study::Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions
   if (!isWhole) throw StopRequested{};
 }
 
-void Study::add(std::int64_t realization, std::span<const SteadyResult> results) {
+void GroupedMeans::add(std::int64_t realization, std::span<const SteadyResult> results) {
   const auto group = static_cast<std::size_t>(realization % groups_);
   ++groupSizes_[group];
   Sums* const sums = sums_.data() + group * results.size();
@@ -65,11 +67,11 @@ void Study::add(std::int64_t realization, std::span<const SteadyResult> results)
   }
 }
 
-std::size_t Study::cellOf(std::size_t j, std::size_t i) const {
+std::size_t GroupedMeans::cellOf(std::size_t j, std::size_t i) const {
   return j * cases_.front().velocities.size() + i;
 }
 
-double Study::mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut) const {
+double GroupedMeans::mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut) const {
   const std::size_t cell = cellOf(j, i), cells = cellOf(cases_.size(), 0);
   double sum = 0;
   std::int64_t count = 0;
@@ -81,40 +83,40 @@ double Study::mean(Quantity quantity, std::size_t j, std::size_t i, int leftOut)
   return sum / static_cast<double>(count);
 }
 
-double Study::mu(std::size_t j, std::size_t i, int leftOut) const {
+double GroupedMeans::mu(std::size_t j, std::size_t i, int leftOut) const {
   return firstMu_[cellOf(j, i)] + mean(Mu, j, i, leftOut);
 }
 
-double Study::normalizedMu(std::size_t j, std::size_t i, int leftOut) const {
+double GroupedMeans::normalizedMu(std::size_t j, std::size_t i, int leftOut) const {
   return slopesDiffer_ ? mean(NormalizedMu, j, i, leftOut) : mu(j, i, leftOut) / line_.rmsSlope;
 }
 
-double Study::contactFraction(std::size_t j, std::size_t i, int leftOut) const {
+double GroupedMeans::contactFraction(std::size_t j, std::size_t i, int leftOut) const {
   return mean(Contact, j, i, leftOut);
 }
 
-double Study::rmsSlopeContact(std::size_t j, std::size_t i, int leftOut) const {
+double GroupedMeans::rmsSlopeContact(std::size_t j, std::size_t i, int leftOut) const {
   return std::sqrt(mean(SlopeSquares, j, i, leftOut) / mean(Contact, j, i, leftOut));
 }
 
-double Study::muStandardError(std::size_t j, std::size_t i) const {
+double GroupedMeans::muStandardError(std::size_t j, std::size_t i) const {
   if (realizations_ < 2) return kNotApplicable;
   const double above = mean(Mu, j, i, kAll);
   const double variance = std::max(0.0, mean(MuSquared, j, i, kAll) - above * above);
   return std::sqrt(variance / static_cast<double>(realizations_ - 1));
 }
 
-double Study::marginalFraction(std::size_t j, std::size_t i) const {
+double GroupedMeans::marginalFraction(std::size_t j, std::size_t i) const {
   return mean(Marginal, j, i, kAll);
 }
 
-LawInput Study::lawInput(std::size_t j, std::size_t i) const {
+LawInput GroupedMeans::lawInput(std::size_t j, std::size_t i) const {
   const SlidingConditions conditions = slidingConditions(scene_, velocities(j)[i]);
   return {conditions.shearModulus, conditions.relaxationTime, length_,        line_.rmsHeight,
           line_.rmsSlope,          scene_.surface.hurst,      normalForce(j), velocities(j)[i]};
 }
 
-CurvePoint Study::point(std::size_t j, std::size_t i) const {
+CurvePoint GroupedMeans::point(std::size_t j, std::size_t i) const {
   const LawInput in = lawInput(j, i);
   CurvePoint point;
   point.velocity = velocities(j)[i];
@@ -133,7 +135,7 @@ CurvePoint Study::point(std::size_t j, std::size_t i) const {
 
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read) {
   Estimate estimate;
-  estimate.value = read(Study::kAll);
+  estimate.value = read(GroupedMeans::kAll);
   if (groups < 2) return estimate;
   std::vector<double> without;
   double sum = 0;

@@ -1,7 +1,8 @@
-// A scene at several loads and velocities on all its realizations, kept so that every number
-// derived from the averages (a slope, a plateau, an exponent) has a valid uncertainty: the
-// jackknife over groups of realizations, which includes the correlation of loads and velocities on
-// the same lines. Immutable once computed; any thread.
+// Standard errors by the jackknife. GroupedMeans are the means of a scene at several loads and
+// velocities over its realizations, with the sums of each group of realizations. A number that is
+// derived from the means (a slope, a plateau, an exponent) is derived again without each group in
+// turn. The scatter of these values gives its standard error, which includes the correlation of
+// loads and velocities on the same lines. Immutable once computed; any thread.
 // Failure: as frictionCurve, which computes the same averages.
 #pragma once
 
@@ -22,18 +23,19 @@
 
 namespace asperity {
 
+/// A number with its standard error.
 struct Estimate {
   double value = kNotApplicable;
   double standardError = kNotApplicable;  // needs two realizations
 };
 
-struct StudyOptions {
+struct GroupedMeansOptions {
   int threads = 0;
   std::stop_token stop;
   std::function<void(std::int64_t done, std::int64_t total)> progress;
 };
 
-class Study {
+class GroupedMeans {
  public:
   /// Number of groups of realizations that the jackknife leaves out in turn; fewer lines have one
   /// group each.
@@ -41,10 +43,10 @@ class Study {
   static constexpr int kAll = -1;  // no group left out
 
   /// normalForces (N) and velocities (m/s) are both ascending.
-  Study(const Scene& scene, const std::vector<double>& normalForces,
-        const std::vector<double>& velocities, const StudyOptions& options);
+  GroupedMeans(const Scene& scene, const std::vector<double>& normalForces,
+               const std::vector<double>& velocities, const GroupedMeansOptions& options);
   /// Each force has its own velocities, all of one number.
-  Study(const Scene& scene, std::vector<LoadCase> cases, const StudyOptions& options);
+  GroupedMeans(const Scene& scene, std::vector<LoadCase> cases, const GroupedMeansOptions& options);
 
   const Scene& scene() const { return scene_; }
   std::size_t forces() const { return cases_.size(); }
@@ -106,8 +108,8 @@ class Study {
   double largestResidual_ = 0;
 };
 
-/// Returns a number derived from the averages of one or more studies with the same realizations,
-/// with its standard error. `read` gets the group to leave out, or Study::kAll.
+/// Returns a number derived from one or more GroupedMeans of the same realizations, with its
+/// standard error. groups: their number. `read` gets the group to leave out, or GroupedMeans::kAll.
 Estimate jackknife(int groups, const std::function<double(int leftOut)>& read);
 
 }  // namespace asperity
