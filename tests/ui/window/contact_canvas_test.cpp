@@ -433,7 +433,7 @@ TEST_F(DraggedCanvasTest, TheTipSaysBeforehandWhatADragWillDo) {
 /// Over the body the readout of the crosshair stays alone; what a drag does is said elsewhere. A
 /// tooltip takes the readout's place until the pointer moves on.
 TEST_F(DraggedCanvasTest, OneBoxStandsOverTheContact) {
-  QSignalSpy said(&canvas_, &ContactCanvas::said);
+  QSignalSpy said(&canvas_, &ContactCanvas::statusMessage);
   const auto rest = [&](QPoint at) {
     QTest::mouseMove(&canvas_, at);
     EXPECT_TRUE(canvas_.viewer().pointer());

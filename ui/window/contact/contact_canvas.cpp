@@ -416,7 +416,7 @@ void ContactCanvas::explain(const QPoint& position, const QPoint& onScreen) {
   const auto [html, anchor] = tipAt(position);
   if (viewer_.pointer() && anchor.isEmpty() && handleUnder(position) == ContactHandle::Body) {
     QToolTip::hideText();
-    emit said(dragHint(ContactHandle::Body, *scene_));
+    emit statusMessage(dragHint(ContactHandle::Body, *scene_));
     return;
   }
   if (!html.isEmpty() && viewer_.pointer()) showCrosshair({-1, -1});

@@ -92,7 +92,7 @@ class ContactCanvas : public QWidget {
   void sceneEdited(const asperity::Scene& scene);
   void guideRequested(const QString& anchor);
   /// Emitted with a sentence on what a drag from the pointer does.
-  void said(const QString& sentence);
+  void statusMessage(const QString& sentence);
 
  protected:
   bool event(QEvent* event) override;

@@ -288,11 +288,11 @@ void TimeBar::readFactor() {
   if (isNumber && isKnown && std::isfinite(factor) && factor > 0) {
     setSlowMotion(factor);
     if (paceText(factor) != paceText(slowMotion()))
-      emit said(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
-                    .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
-                         paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
+      emit statusMessage(tr("“%1” is beyond what the picture can show, %2 to %3; it is %4 now")
+                             .arg(text.left(kLongestQuote), paceText(kFastest / simulatedTime()),
+                                  paceText(kSlowest / simulatedTime()), paceText(slowMotion())));
   } else {
-    emit said(
+    emit statusMessage(
         tr("“%1” is no pace; type 600, 600× slower or 20× faster").arg(text.left(kLongestQuote)));
   }
   showPace();

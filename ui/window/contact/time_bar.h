@@ -43,7 +43,7 @@ class TimeBar : public QWidget {
   /// Emitted at the beginning and the end of a drag of the moment.
   void scrubbing(bool isOn);
   /// Emitted with a sentence for the user: a typed pace was refused or changed.
-  void said(const QString& sentence);
+  void statusMessage(const QString& sentence);
 
  protected:
   /// Moves the handle of the slider of time to a press anywhere on it, and grips it there.

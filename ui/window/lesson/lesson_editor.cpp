@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -35,6 +34,7 @@
 #include "ui/window/lesson/lesson_mistakes.h"
 #include "ui/window/lesson/lesson_pages.h"
 #include "ui/window/lesson/lesson_text.h"
+#include "ui/window/main/document_commands.h"
 #include "ui/window/main/picture_files.h"
 #include "ui/window/main/scene_library.h"
 
@@ -648,16 +648,8 @@ bool LessonEditor::askAndSave() {
 
 bool LessonEditor::canClose() {
   if (writeLesson(saved_) == writeLesson(lesson_)) return true;
-  QMessageBox box(QMessageBox::Question, tr("Lesson editor"),
-                  tr("The lesson was changed and not saved."),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setObjectName("editorUnsaved");
-  box.button(QMessageBox::Save)->setText(tr("&Save"));
-  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  box.setDefaultButton(QMessageBox::Save);
-  box.setEscapeButton(QMessageBox::Cancel);
-  const int answer = box.exec();
+  const QMessageBox::StandardButton answer = askSaveChanges(
+      this, "editorUnsaved", tr("Lesson editor"), tr("The lesson was changed and not saved."));
   if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
   return file_.isEmpty() ? askAndSave() : saveTo(file_);
 }

@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <QPainter>
 #include <QTimer>
 #include <QToolButton>
@@ -34,6 +33,7 @@
 #include "ui/window/lesson/prediction_point.h"
 #include "ui/window/main/appearance.h"
 #include "ui/window/main/commands.h"
+#include "ui/window/main/document_commands.h"
 #include "ui/window/main/message_bar.h"
 #include "ui/window/main/scene_library.h"
 #include "ui/window/main/scene_tabs.h"
@@ -510,15 +510,9 @@ bool Lessons::hasUnsavedAnswers() const {
 
 bool Lessons::mayLeave() {
   if (!hasUnsavedAnswers()) return true;
-  QMessageBox box(QMessageBox::Question, tr("Asperity"), tr("Save your answers?"),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parts_.window);
-  box.setObjectName("resultsQuestion");
-  box.setInformativeText(tr("They go into a file of your choice. Otherwise they are lost."));
-  box.setDefaultButton(QMessageBox::Save);
-  box.button(QMessageBox::Save)->setText(tr("&Save"));
-  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
-  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
-  switch (box.exec()) {
+  switch (askSaveChanges(&parts_.window, "resultsQuestion", tr("Asperity"),
+                         tr("Save your answers?"),
+                         tr("They go into a file of your choice. Otherwise they are lost."))) {
     case QMessageBox::Save:
       askResultsFile();
       return isSaved_;

@@ -27,8 +27,8 @@ class MessageBar : public QFrame {
   /// The sources of errors. end() removes a message once its source succeeds again; end() returns
   /// whether the message was visible.
   enum class Failure { None, Scene, Files, Export, Comparison };
-  void showFailure(Failure of, const QString& text);
-  bool end(Failure of);
+  void showFailure(Failure source, const QString& text);
+  bool end(Failure source);
 
   /// Shows an error of the scene until sceneRuns(): a key, which may be empty, and core's English
   /// message.
