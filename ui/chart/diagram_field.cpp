@@ -188,7 +188,7 @@ void addFieldColours(DrawList& list, const DiagramField& field, const DiagramAxe
     }
   }
   DrawLayer layer;
-  layer.clip = {axes.box.x, axes.box.y, axes.box.width, axes.box.height};
+  layer.clip = axes.box;
   layer.fields.push_back(std::move(drawn));
   list.layers.push_back(std::move(layer));
 }
@@ -197,7 +197,7 @@ void addContours(DrawList& list, const DiagramField& field, const DiagramAxes& a
                  const DiagramSizes& sizes, const std::vector<Box>& taken,
                  const std::vector<Polyline>& borders) {
   DrawLayer layer;
-  layer.clip = {axes.box.x, axes.box.y, axes.box.width, axes.box.height};
+  layer.clip = axes.box;
   std::vector<LineLabel> labels;
   for (const Box& box : taken) {
     LineLabel label;

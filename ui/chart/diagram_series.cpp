@@ -122,7 +122,7 @@ void addCurve(DrawList& list, const DiagramSeries& series, const SeriesStyle& st
               const DiagramAxes& axes, float unit, const Theme& theme, bool isOverField) {
   const Box& box = axes.box;
   DrawLayer lines, rims, marks;
-  lines.clip = {box.x, box.y, box.width, box.height};
+  lines.clip = box;
   if (style.hasBars) addBars(lines, series, style, axes, unit);
   if (style.stroke != SeriesStroke::None)
     for (const Polyline& part : clippedCurve(series, axes)) {
@@ -226,9 +226,8 @@ void addStroke(DrawLayer& layer, const std::vector<DrawPoint>& points, const Ser
 
 void addSeries(DrawList& list, const Diagram& diagram, const std::vector<SeriesStyle>& styles,
                const DiagramAxes& axes, const DiagramSizes& sizes, const Theme& theme) {
-  const Box& box = axes.box;
   DrawLayer bands;
-  bands.clip = {box.x, box.y, box.width, box.height};
+  bands.clip = axes.box;
   for (std::size_t i = 0; i < diagram.series.size(); ++i)
     if (styles[i].isBand) addBand(bands, diagram.series[i], styles[i], axes);
   if (!bands.triangles.empty()) list.layers.push_back(std::move(bands));
@@ -280,7 +279,7 @@ void addHorizontalBars(DrawList& list, const Diagram& diagram, const DiagramAxes
   const float half = std::min(kThick * row, 2.2F * sizes.tick) / 2;
   const float zero = std::clamp(axes.px(0), box.x, box.right());
   DrawLayer layer;
-  layer.clip = {box.x, box.y, box.width, box.height};
+  layer.clip = box;
   for (std::size_t i = 0; i < diagram.bars.size(); ++i) {
     const DiagramBar& bar = diagram.bars[i];
     const float end = axes.px(bar.value);

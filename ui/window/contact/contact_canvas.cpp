@@ -174,7 +174,7 @@ PictureRequest ContactCanvas::request() const {
 QRectF ContactCanvas::plotArea() const {
   if (!viewer_.frame()) return {};
   const PictureRequest shown = request();
-  const Clip plot = contactPlotArea(*shown.frame, sizedOptions(shown));
+  const Box plot = contactPlotArea(*shown.frame, sizedOptions(shown));
   return QRectF(plot.x / shown.scale, plot.y / shown.scale, plot.width / shown.scale,
                 plot.height / shown.scale);
 }
