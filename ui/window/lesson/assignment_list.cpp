@@ -68,9 +68,9 @@ void AssignmentList::show(const std::vector<std::string>& assignments, const Sce
 
 void AssignmentList::showRows() {
   // The Tab key goes through the new rows where it went through the old ones.
-  QWidget* before = add_->previousInFocusChain();
-  while (rows_ && before != add_ && (before == rows_ || rows_->isAncestorOf(before)))
-    before = before->previousInFocusChain();
+  QWidget* previous = add_->previousInFocusChain();
+  while (rows_ && previous != add_ && (previous == rows_ || rows_->isAncestorOf(previous)))
+    previous = previous->previousInFocusChain();
   if (rows_) {
     // A field that loses the focus now ends its editing: its index may then belong to another row,
     // or to none.
@@ -86,11 +86,13 @@ void AssignmentList::showRows() {
   for (std::size_t i = 0; i < assignments_.size(); ++i) rows->addWidget(makeRow(i));
   column_->insertWidget(0, rows_);
   rows_->setVisible(!assignments_.empty());
-  for (QWidget* field : rows_->findChildren<QWidget*>())
-    if (field->focusPolicy() & Qt::TabFocus && before->window() == window()) {
-      setTabOrder(before, field);
-      before = field;
-    }
+  if (previous->window() != window()) return;
+  for (QWidget* field : rows_->findChildren<QWidget*>()) {
+    // The popup list of a combo box, which a style sheet creates at once, is a window of its own.
+    if (!(field->focusPolicy() & Qt::TabFocus) || field->window() != window()) continue;
+    setTabOrder(previous, field);
+    previous = field;
+  }
 }
 
 QWidget* AssignmentList::makeRow(std::size_t index) {
