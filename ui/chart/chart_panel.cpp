@@ -311,7 +311,7 @@ class ChartPanel::UnderItem : public QGraphicsItem {
   }
 
   std::vector<DiagramSpan> spans_, shades_;
-  OccupancyGrid covered_{{}, 1};  // by the series
+  OccupancyGrid covered_{{}, 1};  // the area that the series cover
   ChartGeometry map_;
   ChartStyle style_;
   TickedAxis xAxis_, yAxis_;

@@ -151,7 +151,8 @@ QSize MaterialBox::minimumSizeHint() const {
 void MaterialBox::pick(int index) {
   const bool asks = itemData(index, kAsksForFile).toBool();
   const QString name = itemData(index).toString();
-  setCurrentIndex(findData(QString::fromStdString(elastomer_.material)));  // until it is taken
+  // The box shows the present material until the panel has accepted another one.
+  setCurrentIndex(findData(QString::fromStdString(elastomer_.material)));
   if (asks)
     emit fileRequested();
   else

@@ -164,7 +164,7 @@ class ParameterPanel : public QWidget {
   NoteSet notes_;
   QString revealed_;  // key of a row that reveal() made visible, until other rows are chosen
   PanelBar* bar_;     // may be null
-  QLabel* noMatch_;   // where no row passes the filter
+  QLabel* noMatch_;   // shown where no row passes the filter
   QScrollArea* scroll_;
 };
 

@@ -22,9 +22,9 @@ struct LineSize {
 
 /// A text shown instead of a value of the scene.
 struct Placeholder {
-  QString text;                 // in pale letters
+  QString text;                 // shown in pale letters
   std::optional<double> value;  // position of a slider
-  bool isFixed = false;         // the user cannot choose
+  bool isFixed = false;         // the user cannot change it
   QString unit{};               // of the text; empty: that of the parameter
 };
 

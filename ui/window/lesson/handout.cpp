@@ -501,7 +501,7 @@ QByteArray handoutHtml(const Lesson& lesson, const HandoutOptions& options) {
 
 QByteArray handoutPdf(const Lesson& lesson, const HandoutOptions& options) {
   loadFonts();
-  QHashSeed::setDeterministicGlobalSeed();  // of the order of fonts in the file
+  QHashSeed::setDeterministicGlobalSeed();  // it determines the order of fonts in the file
   const std::vector<Block> blocks = HandoutMaker(lesson, options).make();
   QByteArray bytes;
   QBuffer buffer(&bytes);

@@ -68,7 +68,7 @@ class LessonEditor : public QDialog {
   struct State {
     Lesson lesson;
     int row = 0;
-    QString field{};  // in which it was typed; empty: a button, a list or a table
+    QString field{};  // name of the field in which it was typed; empty: a button, a list or a table
   };
   /// A number that a step asks for.
   struct Computed {

@@ -140,7 +140,7 @@ void LessonStepPage::addPredictionRows() {
   computed_ = new QLabel;
   computed_->setObjectName("editorComputed");
   computed_->setTextFormat(Qt::PlainText);
-  computed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // as the scene above
+  computed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // as for sceneText_
   addRowBelow(findChild<QWidget*>("editorValueSet")->parentWidget(), QString(), computed_);
   setShown(computed_, false);
   connect(kind_, &QComboBox::activated, this, [this] {

@@ -244,7 +244,7 @@ bool Lessons::open(const QString& nameOrFile) {
 void Lessons::start(const Lesson& lesson, int step) {
   if (lesson.steps.empty()) return;
   end();
-  parts_.document.endTrial();  // of the tour
+  parts_.document.endTrial();  // the tour may be running
   const FrictionChartModel& chart = parts_.session.friction();
   Before before{{}, chart.quantity(), chart.isLinearY(), parts_.tabs.currentIndex(), false};
   for (const PinnedCurve& pinned : chart.pinned()) before.pinned.push_back(pinned.curve);

@@ -58,7 +58,7 @@ class Lessons : public QObject {
 
   /// Shows the page of all lessons.
   LessonList& showList();
-  /// Shows the page on which a lesson is written; empty: a new one.
+  /// Shows the page on which a lesson is edited. `file`: of the lesson; empty: it has none.
   LessonEditor& showEditor(const Lesson& lesson, const QString& file);
   /// Begins a lesson at a step; it replaces the present one.
   void start(const Lesson& lesson, int step = 0);

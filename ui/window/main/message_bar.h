@@ -45,7 +45,7 @@ class MessageBar : public QFrame {
 
  signals:
   void accepted();
-  void closed();  // by its button
+  void closed();  // the user pressed the button that closes it
   /// Emitted with the translated message about the scene when it appears or changes.
   void sceneErrorShown(const QString& key, const QString& text);
 

@@ -211,7 +211,7 @@ void Tour::offer() {
 void Tour::start() {
   QSettings().setValue(kOffered, true);
   hint_.hide();
-  document_.endTrial();  // of a lesson
+  document_.endTrial();  // a lesson may be running
   emit starting();
   isRunning_ = true;
   show(0);
