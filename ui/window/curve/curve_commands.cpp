@@ -152,7 +152,7 @@ void CurveCommands::fill(QMenu& menu) {
   showState();
 }
 
-/// Adds one entry for each pinned curve, with group name in the legend.
+/// Adds one entry for each pinned curve, with its name in the legend.
 void CurveCommands::fillUnpin() {
   unpin_->clear();
   for (const PinnedCurve& pinned : session_.friction().pinned()) {
