@@ -67,10 +67,13 @@ void AssignmentList::show(const std::vector<std::string>& assignments, const Sce
 }
 
 void AssignmentList::showRows() {
-  // The Tab key goes through the new rows where it went through the old ones.
+  // The Tab key goes through the rows before it comes to the button below them. setTabOrder() does
+  // nothing for a widget without focus, such as this one.
+  const auto isBeforeRows = [this](const QWidget& widget) {
+    return widget.focusPolicy() & Qt::TabFocus && !(rows_ && rows_->isAncestorOf(&widget));
+  };
   QWidget* previous = add_->previousInFocusChain();
-  while (rows_ && previous != add_ && (previous == rows_ || rows_->isAncestorOf(previous)))
-    previous = previous->previousInFocusChain();
+  while (previous != add_ && !isBeforeRows(*previous)) previous = previous->previousInFocusChain();
   if (rows_) {
     // A field that loses the focus now ends its editing: its index may then belong to another row,
     // or to none.
